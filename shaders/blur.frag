@@ -2,17 +2,27 @@
 // shaders/blur.frag: one direction of a Gaussian; x (shadow) and y (contact) have their own widths.
 in vec2 at;
 uniform sampler2D source;
-uniform vec2 stepX;  // Texture coordinates between taps, for x ...
-uniform vec2 stepY;  // ... and for y.
+uniform vec2 sigmaX;  // Standard deviation as a step between texture coordinates, of x ...
+uniform vec2 sigmaY;  // ... and of y.
 layout(location = 0) out vec2 blurred;
 
-void main() {
-  vec2 sum = vec2(0.0);
-  float total = 0.0;
-  for (int i = -4; i <= 4; ++i) {
-    float w = exp(-0.5 * float(i * i) / 3.24);
-    sum += w * vec2(texture(source, at + float(i) * stepX).x, texture(source, at + float(i) * stepY).y);
+// On each side. Few are enough where they lie about a texel apart.
+#ifdef FEW_TAPS
+const int kTapsX = 3, kTapsY = 2;
+#else
+const int kTapsX = 4, kTapsY = 4;
+#endif
+const float kReach = 2.22;  // Standard deviations up to the last tap.
+
+float mean(int channel, int taps, vec2 sigma) {
+  float sum = 0.0, total = 0.0;
+  for (int i = -taps; i <= taps; ++i) {
+    float away = float(i) / float(taps) * kReach;
+    float w = exp(-0.5 * away * away);
+    sum += w * texture(source, at + away * sigma)[channel];
     total += w;
   }
-  blurred = sum / total;
+  return sum / total;
 }
+
+void main() { blurred = vec2(mean(0, kTapsX, sigmaX), mean(1, kTapsY, sigmaY)); }

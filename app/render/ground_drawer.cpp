@@ -106,7 +106,8 @@ Result<GroundDrawer> GroundDrawer::create() {
   };
   for (const Wanted& wanted :
        {Wanted{&drawer.shadowProgram_, "shaders/shadow.vert", "shaders/shadow.frag"},
-        Wanted{&drawer.blurProgram_, "shaders/fullscreen.vert", "shaders/blur.frag"},
+        Wanted{&drawer.blurProgram_, "shaders/fullscreen.vert", "shaders/blur.frag",
+               isSoftwareRenderer() ? "FEW_TAPS" : "MANY_TAPS"},
         Wanted{&drawer.groundProgram_, "shaders/ground.vert", "shaders/ground.frag"},
         Wanted{&drawer.groundShadowProgram_, "shaders/ground_shadow.vert", "shaders/ground_shadow.frag"},
         Wanted{&drawer.backgroundProgram_, "shaders/fullscreen.vert", "shaders/background.frag"},
@@ -145,10 +146,9 @@ void GroundDrawer::prepareShadow(const Frame& frame, const SurfaceDrawer& surfac
   glBlendEquation(GL_FUNC_ADD);
   glDisable(GL_BLEND);
 
-  // A standard deviation of blur.frag is 1.8 taps.
   const glm::vec2 perUnit(area_.z, area_.w);
-  const glm::vec2 wide = perUnit * (kShadowSoftness * frame.height / 1.8f);
-  const glm::vec2 narrow = perUnit * (kContactSoftness * frame.height / 1.8f);
+  const glm::vec2 wide = perUnit * (kShadowSoftness * frame.height);
+  const glm::vec2 narrow = perUnit * (kContactSoftness * frame.height);
   blurProgram_.use();
   blurProgram_.set("source", 0);
   glBindVertexArray(empty_.id());
@@ -156,8 +156,8 @@ void GroundDrawer::prepareShadow(const Frame& frame, const SurfaceDrawer& surfac
     const glm::vec2 direction = pass == 0 ? glm::vec2(1, 0) : glm::vec2(0, 1);
     glBindFramebuffer(GL_FRAMEBUFFER, shadowTargets_[1 - pass].id());
     glBindTextureUnit(0, shadowTextures_[pass].id());
-    blurProgram_.set("stepX", wide * direction);
-    blurProgram_.set("stepY", narrow * direction);
+    blurProgram_.set("sigmaX", wide * direction);
+    blurProgram_.set("sigmaY", narrow * direction);
     glDrawArrays(GL_TRIANGLES, 0, 3);
   }
 }
@@ -182,7 +182,7 @@ void GroundDrawer::drawGround(const Frame& frame) const {
   drawShadow(frame);
 }
 
-bool GroundDrawer::drawKept(const RenderTarget& target, const Frame& frame) {
+bool GroundDrawer::copyKept(const RenderTarget& target, const Frame& frame, std::span<const glm::vec4> boxes) {
   const std::optional<glm::ivec4> sunk = sunkPixels(frame);
   if (!sunk || !frame.settings.background) return false;
   sunk_ = *sunk;
@@ -198,12 +198,19 @@ bool GroundDrawer::drawKept(const RenderTarget& target, const Frame& frame) {
     if (frame.settings.ground) drawFloor(frame);
     kept_.end();
   }
-  const glm::ivec2& size = frame.view.size;
-  glBlitNamedFramebuffer(kept_.framebuffer(), target.framebuffer(), 0, 0, size.x, size.y, 0, 0, size.x, size.y,
-                         GL_COLOR_BUFFER_BIT, GL_NEAREST);
-  target.begin();
-  within(sunk_, [&] { drawBackground(frame); });
+  const glm::vec4 whole(0.0f, 0.0f, 1.0f, 1.0f);
+  for (const glm::vec4& box : keptAnew_ || boxes.empty() ? std::span(&whole, 1) : boxes) {
+    const glm::vec2 size(frame.view.size);
+    const glm::ivec2 low(glm::floor(size * glm::vec2(box.x, 1.0f - box.w)));
+    const glm::ivec2 high(glm::min(glm::ceil(size * glm::vec2(box.z, 1.0f - box.y)), size));
+    glBlitNamedFramebuffer(kept_.framebuffer(), target.framebuffer(), low.x, low.y, high.x, high.y, low.x, low.y,
+                           high.x, high.y, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+  }
   return true;
+}
+
+void GroundDrawer::drawSunkOverKept(const Frame& frame) const {
+  within(sunk_, [&] { drawBackground(frame); });
 }
 
 void GroundDrawer::drawGroundOverKept(const Frame& frame) const {

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <optional>
+#include <span>
 
 #include "app/render/frame.h"
 #include "app/render/render_target.h"
@@ -20,13 +21,17 @@ class GroundDrawer {
   /// Over the opaque surface, tested against its depth.
   void drawGround(const Frame& frame) const;
 
-  /// Background and floor as they were in the picture before, or drawn once for those that follow: in place of
-  /// drawBackground() into an empty target of one sample. With drawGroundOverKept() in place of drawGround() the
-  /// picture is the same to the pixel. Changes the framebuffer.
+  /// Copies background and floor into a target of one sample, drawn once for all pictures that show the same: in place
+  /// of drawBackground(). With drawSunkOverKept() after it, depth cleared, and drawGroundOverKept() in place of
+  /// drawGround() the picture is the same to the pixel. To be called while nothing waits to be drawn into the target:
+  /// the copy would wait for that. Changes the framebuffer.
+  /// @param boxes  outside of which the target holds the copy already, unless keptAnew(); 0..1, low and high corner,
+  ///               from the top left. Empty: it may hold anything.
   /// @return false: they cannot be kept apart from the surface, and nothing was drawn.
-  [[nodiscard]] bool drawKept(const RenderTarget& target, const Frame& frame);
+  [[nodiscard]] bool copyKept(const RenderTarget& target, const Frame& frame, std::span<const glm::vec4> boxes);
+  void drawSunkOverKept(const Frame& frame) const;
   void drawGroundOverKept(const Frame& frame) const;
-  /// The last drawKept() has found another background or floor than before.
+  /// The last copyKept() has found another background or floor than before.
   [[nodiscard]] bool keptAnew() const { return keptAnew_; }
   /// On the floor: x and z of the low corner, 1 / extent on each.
   [[nodiscard]] const glm::vec4& shadowPlace() const { return area_; }

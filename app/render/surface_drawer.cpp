@@ -13,12 +13,14 @@
 #include "app/render/shape_mesh.h"
 #include "app/render/skin/color_scales.h"
 #include "app/render/skin/occlusion.h"
+#include "core/base/parallel.h"
 
 namespace sinew::app {
 namespace {
 
 constexpr std::size_t kMostMarks = 4;  ///< As in shaders/surface.frag.
 constexpr float kTerritoryStrength = 0.62f;
+constexpr std::size_t kFewVertices = 8192;  ///< For one thread.
 
 std::uint8_t byteOf(float share) {
   return static_cast<std::uint8_t>(std::lround(255.0f * std::clamp(share, 0.0f, 1.0f)));
@@ -73,7 +75,7 @@ SurfaceDrawer::SurfaceDrawer()
       colors_(makeBuffer()),
       indices_(makeBuffer()),
       keptIndices_(makeBuffer()),
-      coarseIndices_(makeBuffer()),
+      shadowIndices_(makeBuffer()),
       controlOf_(makeBuffer()),
       classes_(makeBuffer()),
       parts_(makeBuffer()) {
@@ -115,6 +117,7 @@ void SurfaceDrawer::setCharacter(const Character& character) {
   for (const ControlTriangle& triangle : character.mesh.triangles) parts.push_back(triangle.part);
   uploadBuffer(parts_, std::span<const int>(parts), GL_STATIC_DRAW);
   open_ = bakeOpenness(character.mesh);
+  if (isSoftwareRenderer()) shadowClusters_ = shadowClusters(character);
   territory_.clear();
   revision_ = 0;
   textures_.set(character);
@@ -136,11 +139,11 @@ void SurfaceDrawer::stage(const Surface& surface) {
   const std::vector<int>& drawVertex = refinement_->drawVertex;
   staging_.resize(drawVertex.size());
   const bool displaced = surface.displacement.size() == surface.positions.size();
-  for (std::size_t i = 0; i < staging_.size(); ++i) {
+  forEachIndex(staging_.size(), kFewVertices, [&](std::size_t i) {
     const auto vertex = static_cast<std::size_t>(drawVertex[i]);
     staging_[i] = {surface.positions[vertex], shadingNormal(surface, i),
                    displaced ? surface.displacement[vertex] : 0.0f};
-  }
+  });
 }
 
 void SurfaceDrawer::fillVertices(const Scene& scene) {
@@ -155,14 +158,12 @@ void SurfaceDrawer::fillVertices(const Scene& scene) {
     uploadBuffer(besideVertices_, std::span<const Vertex>(staging_));
     for (const glm::vec3& point : scene.beside->positions) bounds_.add(point);
   }
-  fillClasses(scene);
 }
 
-void SurfaceDrawer::takeCardVertices(const Scene& scene) {
+void SurfaceDrawer::takeCardVertices() {
   glVertexArrayVertexBuffer(array_.id(), 0, cardVertices_->buffer, 0, sizeof(Vertex));
   hasBeside_ = false;
   bounds_ = cardVertices_->bounds;
-  fillClasses(scene);
 }
 
 void SurfaceDrawer::fillClasses(const Scene& scene) {
@@ -178,7 +179,7 @@ void SurfaceDrawer::fillClasses(const Scene& scene) {
   uploadBuffer(classes_, std::span<const std::uint32_t>(classes));
 }
 
-void SurfaceDrawer::upload(const Scene& scene) {
+void SurfaceDrawer::upload(const Scene& scene, bool showsClasses) {
   const Surface& surface = *scene.surface;
   const ControlMesh& mesh = scene.character->mesh;
   const std::vector<float>& territory = scene.territory;
@@ -186,7 +187,7 @@ void SurfaceDrawer::upload(const Scene& scene) {
   const bool refined = refinement_ != surface.refinement;
   if (refined) {
     refinement_ = surface.refinement;
-    rebuildTopology(mesh);
+    rebuildTopology(*scene.character);
   }
   if (refined || territory_ != territory) {
     territory_ = territory;
@@ -197,15 +198,15 @@ void SurfaceDrawer::upload(const Scene& scene) {
     culled_ = surface.culled;
     rebuildOrder(mesh, culled_.empty() ? indices_ : keptIndices_, culled_.empty() ? GL_STATIC_DRAW : GL_STREAM_DRAW);
   }
-  const bool relayered = std::exchange(layers_, scene.layers) != scene.layers;
   const bool known = scene.surfaceRevision != 0 && scene.surfaceRevision == revision_;
-  if (!refined && !reordered && known) {
-    if (relayered) fillClasses(scene);
-    return;
+  if (refined || reordered || !known) {
+    revision_ = scene.surfaceRevision;
+    hasClasses_ = false;
+    if (cardVertices_) takeCardVertices();
+    else fillVertices(scene);
   }
-  revision_ = scene.surfaceRevision;
-  if (cardVertices_) takeCardVertices(scene);
-  else fillVertices(scene);
+  if (std::exchange(layers_, scene.layers) != scene.layers) hasClasses_ = false;
+  if (showsClasses && !std::exchange(hasClasses_, true)) fillClasses(scene);
 }
 
 const GlProgram& SurfaceDrawer::prepareProgram(const Frame& frame, MapSet maps) const {

@@ -11,6 +11,7 @@
 #include "app/render/card_vertices.h"
 #include "app/render/frame.h"
 #include "app/render/material_textures.h"
+#include "app/render/skin/shadow_mesh.h"
 #include "app/render/surface_programs.h"
 
 namespace sinew::app {
@@ -25,7 +26,8 @@ class SurfaceDrawer {
   void setCardVertices(const std::optional<CardVertices>& vertices) { cardVertices_ = vertices; }
   /// Uploads what has changed: vertices unless the surface is the one of the last call, index buffers when the
   /// refinement or what is culled is another one, skin values with refinement or territory. The scene has a surface.
-  void upload(const Scene& scene);
+  /// @param showsClasses  it is drawn in the colors of Shading::kClasses, which are uploaded for that alone
+  void upload(const Scene& scene, bool showsClasses);
 
   void drawOpaque(const Frame& frame) const;
   /// The same with a program of the caller's, in use, that takes the attributes of shaders/surface.vert.
@@ -37,8 +39,8 @@ class SurfaceDrawer {
   /// shows through what is before it, fainter.
   void drawLitParts(const Frame& frame) const;
   /// All triangles, for shadows: with `solid`, or with `withAlpha` where the picture shows a material's alpha. Where
-  /// the processor draws: one for each control triangle, between its corners as they are on the surface, since a
-  /// blurred shadow does not show the difference. Culled triangles cast theirs too.
+  /// the processor draws: a ShadowMesh, since a blurred shadow does not show the difference. Culled triangles cast
+  /// theirs too.
   void drawForShadow(const Frame& frame, const GlProgram& solid, const GlProgram& withAlpha) const;
   [[nodiscard]] const Bounds& bounds() const { return bounds_; }
 
@@ -48,13 +50,7 @@ class SurfaceDrawer {
     glm::vec3 normal;
     float displacement;
   };
-  /// Consecutive triangles of the index buffer with one material.
-  struct Range {
-    int material = 0;
-    int firstTriangle = 0;
-    int triangles = 0;
-    int controlTriangles = 0;
-  };
+  using Range = ShadowMesh::Range;  ///< Consecutive triangles of the index buffer with one material.
   /// What changes with the character, the depth and the territory alone, as 0..255.
   struct SkinValues {
     std::uint8_t open = 255;
@@ -67,9 +63,9 @@ class SurfaceDrawer {
   void stage(const Surface& surface);
   /// Of the array that is bound: of the surface, and of that beside it.
   void drawTriangles(int firstTriangle, int triangles) const;
-  void takeCardVertices(const Scene& scene);
+  void takeCardVertices();
   void fillClasses(const Scene& scene);
-  void rebuildTopology(const ControlMesh& mesh);
+  void rebuildTopology(const Character& character);
   /// Control triangles by material, the culled left out: controlOrder_, ranges_ and the indices to draw.
   void rebuildOrder(const ControlMesh& mesh, const GlBuffer& indices, GLenum usage);
   class OwnProgram;
@@ -86,7 +82,7 @@ class SurfaceDrawer {
   GlProgram partProgram_;
   GlQuery partSeen_;  ///< Whether anything of a part was seen.
   GlVertexArray array_;
-  GlBuffer vertices_, besideVertices_, uvs_, skinValues_, colors_, indices_, keptIndices_, coarseIndices_, controlOf_,
+  GlBuffer vertices_, besideVertices_, uvs_, skinValues_, colors_, indices_, keptIndices_, shadowIndices_, controlOf_,
       classes_, parts_;
   MaterialTextures textures_;
   std::vector<Material> materials_;
@@ -95,14 +91,16 @@ class SurfaceDrawer {
   std::vector<std::uint8_t> culled_;  ///< Surface::culled as in keptIndices_; empty: all is drawn, from indices_.
   std::vector<int> controlOrder_;     ///< Control triangles in the order drawn: by material.
   std::vector<Range> ranges_;
-  std::vector<Range> shadowRanges_;  ///< ranges_ as without culling.
-  GLsizei coarseIndexCount_ = 0;     ///< 0: the shadow is cast by all triangles.
+  std::vector<int> shadowClusters_;
+  std::vector<Range> shadowRanges_;  ///< Culled ones too.
+  bool hasShadowMesh_ = false;       ///< shadowRanges_ are of shadowIndices_, else of indices_.
   std::vector<Vertex> staging_;
   std::optional<CardVertices> cardVertices_;
   std::vector<float> open_;        ///< [V] how open each control vertex is (occlusion.h).
   std::vector<float> territory_;   ///< [V] or empty, as in skinValues_.
   std::vector<SkinLayer> layers_;  ///< Scene::layers, as in classes_.
   std::uint64_t revision_ = 0;     ///< Scene::surfaceRevision of what is uploaded; 0: unknown.
+  bool hasClasses_ = false;        ///< classes_ are those of the last call of upload().
   bool hasBeside_ = false;         ///< besideVertices_ are drawn too.
   Bounds bounds_;                  ///< Of all that is drawn.
 };

@@ -14,11 +14,9 @@ constexpr float kHiddenPart = 0.85f;  ///< Share of these where nothing is seen 
 
 void SurfaceDrawer::drawForShadow(const Frame& frame, const GlProgram& solid, const GlProgram& withAlpha) const {
   if (refinement_ == nullptr) return;
-  const bool coarse = coarseIndexCount_ > 0;
   glBindVertexArray(array_.id());
-  glVertexArrayElementBuffer(array_.id(), coarse ? coarseIndices_.id() : indices_.id());
+  glVertexArrayElementBuffer(array_.id(), hasShadowMesh_ ? shadowIndices_.id() : indices_.id());
   glVertexAttrib4f(5, 1.0f, 1.0f, 1.0f, 1.0f);  // For surfaces without colors.
-  int coarseFirst = 0;
   for (const Range& range : shadowRanges_) {
     const Material& material = materialOf(range);
     const AlphaMode alpha = alphaIn(frame, material);
@@ -29,10 +27,7 @@ void SurfaceDrawer::drawForShadow(const Frame& frame, const GlProgram& solid, co
       program.set("alpha", glm::vec2(material.baseColor.a, alpha == AlphaMode::kMask ? material.alphaCutoff : -1.0f));
       textures_.bindBase(material);
     }
-    const int first = coarse ? coarseFirst : range.firstTriangle;
-    const int triangles = coarse ? range.controlTriangles : range.triangles;
-    coarseFirst += range.controlTriangles;
-    drawTriangles(first, triangles);
+    drawTriangles(range.firstTriangle, range.triangles);
   }
   glVertexArrayElementBuffer(array_.id(), culled_.empty() ? indices_.id() : keptIndices_.id());
 }

@@ -47,13 +47,15 @@ struct Viewport::State {
   bool kept = false;               ///< All but `boxes` of the last picture is the kept background.
   std::vector<glm::vec4> boxes{};  ///< The character and its shadow in the last picture.
   std::vector<glm::vec4> changed{};
-  glm::vec3 heldCenter{0.0f};  ///< Frame::groundCenter of the last picture.
+  std::optional<glm::vec3> heldCenter{};  ///< Frame::groundCenter of the last picture of this character.
   DrawSeconds seconds{};
 };
 
 namespace {
 
-constexpr float kHeldWithin = 0.015f;  ///< Fraction of the height: at most one step in 255 of the floor's light.
+// Fractions of the height; a step in 255 of the floor's light is 0.015 or more.
+constexpr float kHeldWithin = 0.06f;
+constexpr float kDragged = 0.015f;
 
 FrameBlock blockOf(const Frame& frame, bool occluded, bool ofMean) {
   FrameBlock block;
@@ -179,6 +181,7 @@ int Viewport::defaultSamples() { return isSoftwareRenderer() ? 1 : 4; }
 
 void Viewport::setCharacter(const Character& character) {
   state_->surface.setCharacter(character);
+  state_->heldCenter.reset();
   state_->floor = 0.0f;
   if (!character.mesh.positions.empty()) {
     state_->floor = std::ranges::min(character.mesh.positions, {}, &glm::vec3::y).y;
@@ -189,12 +192,16 @@ void Viewport::setCardVertices(const std::optional<CardVertices>& vertices) {
   state_->surface.setCardVertices(vertices);
 }
 
-/// Below the character. In a movement it stays where it was until that is seen: what is drawn there can be kept.
+/// Below the character. In a movement it stays where it was until that might be seen, then is dragged along: where a
+/// character sways, what is drawn there can be kept.
 glm::vec3 Viewport::groundCenter(const Frame& frame, bool moving) {
   const glm::vec3 below = frame.surfaceBounds.isEmpty() ? glm::vec3(0.0f) : frame.surfaceBounds.center();
-  glm::vec3& held = state_->heldCenter;
-  if (!moving || glm::distance(held, below) > kHeldWithin * frame.height) held = below;
-  return held;
+  std::optional<glm::vec3>& held = state_->heldCenter;
+  const float most = kHeldWithin * frame.height;
+  const float away = held ? glm::distance(*held, below) : 0.0f;
+  if (!held || !moving) held = below;
+  else if (away > most) held = below + (*held - below) * ((most - kDragged * frame.height) / away);
+  return *held;
 }
 
 void Viewport::noteChange(const Frame& frame, bool kept) {
@@ -207,18 +214,18 @@ void Viewport::noteChange(const Frame& frame, bool kept) {
   s.kept = kept;
 }
 
-/// All that stands in the picture, from back to front.
-void Viewport::drawInto(const RenderTarget& target, const Frame& frame, bool keepsBackdrop) {
+/// All that stands in the picture, from back to front. @param kept  the target holds the kept background.
+void Viewport::drawInto(const RenderTarget& target, const Frame& frame, bool kept) {
   State& s = *state_;
   const DisplaySettings& settings = frame.settings;
   const bool showSurface = frame.scene.surface != nullptr && !frame.surfaceBounds.isEmpty() && settings.surface;
   target.begin();
   glClearColor(0.0f, 0.0f, 0.0f, 0.0f);
   glClearDepth(1.0);
-  glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-  const bool kept = keepsBackdrop && frame.scene.references.empty() && s.ground.drawKept(target, frame);
+  glClear(kept ? GL_DEPTH_BUFFER_BIT : GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
   noteChange(frame, kept);
-  if (settings.background && !kept) s.ground.drawBackground(frame);
+  if (kept) s.ground.drawSunkOverKept(frame);
+  else if (settings.background) s.ground.drawBackground(frame);
   glEnable(GL_DEPTH_TEST);
   s.references.draw(frame, false);
   if (settings.anatomy) s.muscles.drawFlesh(frame);
@@ -269,7 +276,7 @@ Frame Viewport::beginPicture(const Scene& scene, const View& view, const Display
   Stopwatch watch;
   resetState();
   const bool surfaced = scene.surface != nullptr && scene.surface->refinement != nullptr;
-  if (surfaced) s.surface.upload(scene);
+  if (surfaced) s.surface.upload(scene, settings.shading == Shading::kClasses);
   Frame frame{scene, view, settings, scene.character->height, s.floor, surfaced ? s.surface.bounds() : Bounds{}};
   frame.groundCenter = groundCenter(frame, moving);
   s.references.prepare(frame);
@@ -294,8 +301,10 @@ void Viewport::draw(const Scene& scene, const View& whole, const DisplaySettings
   Stopwatch watch;
   s.mean.begin(whole.size);
   shareFrame(frame, -1);
+  const bool keeps = moving.has_value() && s.samples == 1 && scene.references.empty();
+  const bool kept = keeps && s.ground.copyKept(s.target, frame, s.kept ? s.boxes : std::vector<glm::vec4>{});
   if (settings.ground) s.ground.prepareShadow(frame, s.surface);
-  drawInto(s.target, frame, moving.has_value() && s.samples == 1);
+  drawInto(s.target, frame, kept);
   leave();
   s.seconds.draw = watch.lap();
 }
@@ -318,7 +327,7 @@ bool Viewport::refine(const Scene& scene, const View& view, const DisplaySetting
   if (sample >= kMeanSamples) return false;
   resetState();
   const bool surfaced = scene.surface != nullptr && scene.surface->refinement != nullptr;
-  if (surfaced) s.surface.upload(scene);
+  if (surfaced) s.surface.upload(scene, settings.shading == Shading::kClasses);
   View aside = view;
   const glm::vec2 shift = 2.0f * sampleOffset(sample) / glm::vec2(view.size);
   aside.clipFromView = glm::translate(glm::mat4(1.0f), glm::vec3(shift, 0.0f)) * view.clipFromView;
@@ -326,7 +335,7 @@ bool Viewport::refine(const Scene& scene, const View& view, const DisplaySetting
   frame.groundCenter = groundCenter(frame, false);
   s.sample.resize(view.size, 1);  // The mean smooths edges.
   shareFrame(frame, sample);
-  drawInto(s.sample, frame, false);
+  drawInto(s.sample, frame);
   s.mean.add(s.sample);
   const bool shown = s.mean.count() == kFewSamples || s.mean.count() == kMeanSamples;
   if (shown) s.mean.writeTo(s.target);

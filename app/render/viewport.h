@@ -87,7 +87,7 @@ class Viewport {
  private:
   Viewport();
   [[nodiscard]] Frame beginPicture(const Scene& scene, const View& view, const DisplaySettings& settings, bool moving);
-  void drawInto(const RenderTarget& target, const Frame& frame, bool keepsBackdrop);
+  void drawInto(const RenderTarget& target, const Frame& frame, bool kept = false);
   void shareFrame(const Frame& frame, int sample);
   void noteChange(const Frame& frame, bool kept);
   [[nodiscard]] glm::vec3 groundCenter(const Frame& frame, bool moving);

@@ -2,6 +2,7 @@
 
 #include "app/window/editor_window.h"
 
+#include <epoxy/gl.h>
 #include <imgui.h>
 
 #include <algorithm>
@@ -117,6 +118,7 @@ class Editor {
                         window_.input().pending() || settle_ > 0;
     const double wake = step_.wakeAfter();
     continuous_ = moving;
+    if (!moving) show();
     const bool caret = ImGui::GetIO().WantTextInput;
     if (moving) {
       window_.poll();
@@ -177,10 +179,13 @@ class Editor {
     const View& view = state_.frame.route.view;
     onCard_.follow(state_);
     const double drawing = secondsNow();
+    show();
     picture_.draw(state_, onCard_.drawn(), view, *ImGui::GetBackgroundDrawList(), drawing, resolution(input));
     present();
     const double end = secondsNow();
-    if (moving_ > 1 && picture_.isNew() && adapts()) resolution_.add({end - drawing, drawing - start});
+    if (moving_ > 1 && picture_.isNew() && adapts()) {
+      resolution_.add({end - drawing, drawing - start, overlaps() ? drawing - start : 0.0});
+    }
     state_.session.stats.add(end, (continuous_ && delta > 0.0 ? delta : end - start) * 1e3);
     if (log_) log_->write(state_, step_.widgets(), view, frameNumber_, end - startTime_);
     ++frameNumber_;
@@ -215,11 +220,27 @@ class Editor {
     const std::array textures{TextureRevision{fonts, imgui_.lettersRevision()}, picture_.revision()};
     const bool still = exposed_ == 0 && !state_.open.transport.playing && !state_.frame.route.needsFrame;
     if (exposed_ > 0) --exposed_;
-    const bool shows = screen_.draw(data, window_.framebufferSize(), textures, picture_.changed(), still);
+    const glm::vec4& v = state_.frame.viewport;
+    const glm::vec4 covered = state_.hasCharacter() ? glm::vec4(v.x, v.y, v.x + v.z, v.y + v.w) : glm::vec4(0.0f);
+    const bool shows = screen_.draw(data, window_.framebufferSize(), textures, picture_.changed(), covered, still);
     const std::string name = state_.document.name() + (state_.document.commands.modified() ? "*" : "");
     window_.setTitle(state_.hasCharacter() ? name + " - " + kTitle : kTitle);
-    if (shows) window_.swap();
+    if (!shows) return;
+    unshown_ = true;
+    if (overlaps()) glFlush();
+    else show();
   }
+
+  /// The frame that is drawn becomes the window's.
+  void show() {
+    if (!std::exchange(unshown_, false)) return;
+    window_.swap();
+    screen_.noteShown();
+  }
+
+  /// Whether a frame is shown in the next one, when the surface is made: a swap waits for all pixels, and where the
+  /// processor draws them, its other cores are free until then.
+  bool overlaps() const { return isSoftwareRenderer() && moving_ > 1; }
 
   Window& window_;
   ImGuiLayer imgui_;
@@ -241,6 +262,7 @@ class Editor {
   long long frameNumber_ = 0;
   std::size_t namesOf_ = static_cast<std::size_t>(-1);  ///< The documentsOpened whose names were read.
   int settle_ = kSettleFrames;
+  bool unshown_ = false;         ///< A frame is drawn and not shown yet.
   int exposed_ = kSettleFrames;  ///< Frames that are shown though they are equal to those before.
   bool continuous_ = false;
 };

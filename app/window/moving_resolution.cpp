@@ -28,8 +28,9 @@ void MovingResolution::add(const FrameCost& cost) {
   const bool slow = cost.drawing > kTolerance * room;
   least_ = slow_ == 0 ? cost.drawing : std::min(least_, cost.drawing);
   slow_ = slow ? slow_ + 1 : 0;
-  // At worst all of the drawing grows with the number of pixels.
-  const bool fast = step_ > 0 && cost.drawing * areaRatio(kScales[step_ - 1], kScales[step_]) <= room;
+  // At worst all of the drawing grows with the number of pixels, and it has filled what was hidden.
+  const bool fast =
+      step_ > 0 && (cost.drawing + cost.hidden) * areaRatio(kScales[step_ - 1], kScales[step_]) <= room + cost.hidden;
   fast_ = fast ? fast_ + 1 : 0;
   if (slow_ >= kFewFrames && step_ + 1 < kScales.size()) {
     // Far beyond the goal: two steps at once. A single slow frame, of many that are given time, does not count.

@@ -10,13 +10,14 @@ namespace sinew::app {
 struct FrameCost {
   double drawing = 0.0;  ///< The picture and the window: what a lower resolution makes cheaper.
   double other = 0.0;    ///< Interface, pose, surface.
+  double hidden = 0.0;   ///< Of `other`: while the picture before may have been drawn. 0..other.
 };
 
 /// Lowers the resolution of a moving picture step by step until frames keep to kFrameGoal, and raises it where they
 /// would keep to it on a finer step too. A function of the times given to it and of nothing else.
 class MovingResolution {
  public:
-  static constexpr double kFrameGoal = 1.0 / 32.0;  ///< Seconds; a little below what is promised, 30 a second.
+  static constexpr double kFrameGoal = 1.0 / 42.0;  ///< Seconds; a little below what is aimed at, 40 a second.
   static constexpr std::array<float, 5> kScales{1.0f, 0.85f, 0.72f, 0.61f, 0.52f};  ///< Factors on width and height.
   static constexpr std::size_t kFewFrames = 3;    ///< Slow ones in a row: a step down.
   static constexpr std::size_t kManyFrames = 20;  ///< Fast ones in a row: a step up.

@@ -6,10 +6,13 @@
 
 #include <backends/imgui_impl_opengl3.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
 #include <vector>
+
+#include <glm/common.hpp>
 
 #include "app/render/gl_objects.h"
 #include "app/ui/style.h"
@@ -27,6 +30,21 @@ void clear(const glm::ivec4& pixels, float shade) {
   glClearColor(back.r, back.g, back.b + shade, 1.0f);
   glClear(GL_COLOR_BUFFER_BIT);
   glDisable(GL_SCISSOR_TEST);
+}
+
+/// Clears what of the rectangle lies outside of `covered`. Both: low x and y, high x and y, from the top left.
+void clearAround(const glm::ivec4& rect, const glm::ivec4& covered, int height) {
+  const glm::ivec2 low(std::max(rect.x, covered.x), std::max(rect.y, covered.y));
+  const glm::ivec2 high(std::min(rect.z, covered.z), std::min(rect.w, covered.w));
+  std::array parts{rect, glm::ivec4(0), glm::ivec4(0), glm::ivec4(0)};
+  if (low.x < high.x && low.y < high.y) {
+    parts = {glm::ivec4(rect.x, rect.y, rect.z, low.y), glm::ivec4(rect.x, high.y, rect.z, rect.w),
+             glm::ivec4(rect.x, low.y, low.x, high.y), glm::ivec4(high.x, low.y, rect.z, high.y)};
+  }
+  for (const glm::ivec4& part : parts) {
+    if (part.x >= part.z || part.y >= part.w) continue;
+    clear({part.x, height - part.w, part.z - part.x, part.w - part.y}, 0.0f);
+  }
 }
 
 /// OpenGL leaves open what the back buffer holds after a swap. One pixel in the corner, which differs from frame to
@@ -51,7 +69,7 @@ bool hasMark(int mark) {
 Screen::Screen() : software_(isSoftwareRenderer()) {}
 
 bool Screen::draw(ImDrawData& data, const glm::ivec2& size, std::span<const TextureRevision> textures,
-                  std::span<const glm::vec4> parts, bool still) {
+                  std::span<const glm::vec4> parts, const glm::vec4& covered, bool still) {
   if (size.x <= 0 || size.y <= 0) return false;
   glBindFramebuffer(GL_FRAMEBUFFER, 0);
   glViewport(0, 0, size.x, size.y);
@@ -60,15 +78,19 @@ bool Screen::draw(ImDrawData& data, const glm::ivec2& size, std::span<const Text
     ImGui_ImplOpenGL3_RenderDrawData(&data);
     return true;
   }
-  if (!hasMark(mark_)) forget();
   const std::vector<glm::ivec4> changed = tiles_.update(data, size, textures, parts);
   if (changed.empty() && still) return false;
-  for (const glm::ivec4& rect : changed) clear({rect.x, size.y - rect.w, rect.z - rect.x, rect.w - rect.y}, 0.0f);
+  const glm::ivec4 inside(glm::ceil(covered.x), glm::ceil(covered.y), glm::floor(covered.z), glm::floor(covered.w));
+  for (const glm::ivec4& rect : changed) clearAround(rect, inside, size.y);
   clipDrawing(data, changed);
   ImGui_ImplOpenGL3_RenderDrawData(&data);
   mark_ = (mark_ + 1) % kMarks;
   leaveMark(mark_);
   return true;
+}
+
+void Screen::noteShown() {
+  if (software_ && !hasMark(mark_)) forget();
 }
 
 }  // namespace sinew::app

@@ -20,10 +20,14 @@ class Screen {
   Screen();
 
   /// @param parts  of the picture that have changed; window coordinates
+  /// @param covered  by the picture, which lets nothing shine through: low x and y, high x and y; window coordinates
   /// @param still  the window shows the frame before, and an equal one need not be shown again
   /// @return whether there is a frame to be shown, by swapping the buffers.
   [[nodiscard]] bool draw(ImDrawData& data, const glm::ivec2& size, std::span<const TextureRevision> textures,
-                          std::span<const glm::vec4> parts, bool still);
+                          std::span<const glm::vec4> parts, const glm::vec4& covered, bool still);
+  /// The frame of draw() was shown: looks at what the back buffer holds now. Nothing waits to be drawn just then; later
+  /// the look would wait for the picture.
+  void noteShown();
   /// Draws all of the next frame: fonts or another texture with a known revision were made anew.
   void forget() { tiles_ = {}; }
 

@@ -102,6 +102,30 @@ TEST(MovingResolutions, SettlesAndStays) {
   }
 }
 
+/// Drawing of `machine` but for `fixed` goes on while the surface is made.
+FrameCost overlapped(const Machine& machine, float scale) {
+  const double pixels = machine.perPixel * static_cast<double>(scale) * static_cast<double>(scale);
+  return {machine.fixed + std::max(pixels - machine.other, 0.0), machine.other, machine.other};
+}
+
+TEST(MovingResolutions, SettlesWhereDrawingIsHidden) {
+  std::mt19937 random(11);
+  std::uniform_real_distribution<double> part(0.0, 1.0);
+  int coarse = 0;
+  for (int i = 0; i < 500; ++i) {
+    const Machine machine{0.4 * kGoal * part(random), 4.0 * kGoal * part(random), 0.9 * kGoal * part(random)};
+    MovingResolution resolution;
+    for (int frame = 0; frame < 400; ++frame) resolution.add(overlapped(machine, resolution.scale()));
+    const float settled = resolution.scale();
+    for (int frame = 0; frame < 200; ++frame) {
+      resolution.add(overlapped(machine, resolution.scale()));
+      ASSERT_EQ(resolution.scale(), settled) << machine.fixed << " " << machine.perPixel << " " << machine.other;
+    }
+    coarse += settled < 1.0f ? 1 : 0;
+  }
+  EXPECT_GT(coarse, 100);
+}
+
 TEST(MovingResolutions, OneSlowFrameChangesNothing) {
   MovingResolution resolution;
   for (int i = 0; i < 200; ++i) {

@@ -73,7 +73,7 @@ void resolutionRow(PanelUi& ui) {
   if (clicked >= 0) full = clicked == 1;
   tooltip(ui,
           "Automatic: on a computer without a graphics processor the picture is drawn with fewer pixels while it plays "
-          "or is turned, as far as it takes for 30 pictures a second.\nFull: always with all pixels, however long "
+          "or is turned, as far as it takes for 40 pictures a second.\nFull: always with all pixels, however long "
           "that takes.");
   explain(ui, "At rest the picture always has its full resolution, and saved pictures do.");
 }
