@@ -255,10 +255,12 @@ void CardSurface::makeNormals() const {
   using enum Buffer;
   constexpr Buffer kTurns = kFolded;
   constexpr Buffer kTeeth = kBends;
-  const bool softens = preparation_->softensRims();
-  programs_->of(Stage::kHold).set("isSoftened", softens ? 1 : 0);
-  if (softens) run(Stage::kSoften, vertices, {kRings, kNeighbors, kSurface, kMarks, kTeeth});
-  run(Stage::kHold, vertices, {kRings, kCorners, kTriangles, kPatches, kSurface, kMarks, kTurns, kTeeth});
+  if (preparation_->softensRims()) {
+    constexpr Buffer kRims = kBends;
+    run(Stage::kRims, vertices, {kRings, kNeighbors, kPatches, kSurface, kMarks, kRims});
+    run(Stage::kSoften, vertices, {kRings, kNeighbors, kPatches, kSurface, kRims});
+  }
+  run(Stage::kHold, vertices, {kRings, kCorners, kTriangles, kPatches, kSurface, kMarks, kTurns});
   run(Stage::kTeeth, vertices, {kRings, kNeighbors, kMarks, kTurns, kTeeth});
   run(Stage::kEven, vertices, {kRings, kNeighbors, kPatches, kSurface, kTurns, kTeeth});
 }

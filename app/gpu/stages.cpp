@@ -16,9 +16,9 @@ constexpr std::array<const char*, kStages> kFiles{
     "shaders/compute/crease_front.comp", "shaders/compute/crease.comp",      "shaders/compute/slope.comp",
     "shaders/compute/lower.comp",        "shaders/compute/bend.comp",        "shaders/compute/weigh.comp",
     "shaders/compute/filter.comp",       "shaders/compute/fold_start.comp",  "shaders/compute/spread_ask.comp",
-    "shaders/compute/spread_move.comp",  "shaders/compute/fold_height.comp", "shaders/compute/soften.comp",
-    "shaders/compute/hold.comp",         "shaders/compute/teeth.comp",       "shaders/compute/even.comp",
-    "shaders/compute/drawn.comp"};
+    "shaders/compute/spread_move.comp",  "shaders/compute/fold_height.comp", "shaders/compute/rims.comp",
+    "shaders/compute/soften.comp",       "shaders/compute/hold.comp",        "shaders/compute/teeth.comp",
+    "shaders/compute/even.comp",         "shaders/compute/drawn.comp"};
 static_assert(kFiles.back() != nullptr, "a file for each stage");
 
 }  // namespace

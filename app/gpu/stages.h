@@ -31,6 +31,7 @@ enum class Stage {
   kSpreadAsk,
   kSpreadMove,
   kFoldHeight,
+  kRims,
   kSoften,
   kHold,
   kTeeth,

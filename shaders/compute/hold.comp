@@ -12,9 +12,7 @@ layout(std430, binding = 4) buffer Surface { Vertex surface[]; };
 layout(std430, binding = 5) readonly buffer Marks { Mark marks[]; };
 // What muscles turn normals by; w: how far, squared.
 layout(std430, binding = 6) writeonly buffer Turns { vec4 turns[]; };
-layout(std430, binding = 7) readonly buffer Softened { vec4 softened[]; };
 
-uniform int isSoftened;  // Else the normals are those of `surface`.
 const float kFreedom = 0.145;
 const float kRotationFrom = -0.95, kRotationWhole = -0.7;
 
@@ -70,7 +68,7 @@ void main() {
     patchSum += cornerNormal(patches[a].position.xyz, patches[b].position.xyz, patches[c].position.xyz);
     sum += cornerNormal(surface[a].position.xyz, surface[b].position.xyz, surface[c].position.xyz);
   }
-  vec3 own = patches[at].normal.xyz, normal = isSoftened != 0 ? softened[at].xyz : surface[at].normal.xyz;
+  vec3 own = patches[at].normal.xyz, normal = surface[at].normal.xyz;
   vec3 ofField = normal - own;
   vec3 shown = turnOf(own, unitOfSum(patchSum, own), unitOfSum(sum, own));
   float turn = max(dotOf(ofField, ofField), dotOf(shown, shown));

@@ -1,32 +1,30 @@
 #version 450 core
-// shaders/compute/soften.comp: with adaptive detail, normals that differ much from a neighbor's, drawn towards the ring's
-// mean; the others as they are. As core/smoothing/finish/normals_kernel.cpp.
+// shaders/compute/soften.comp: normals of the field less what alternates along muscles' rims. As
+// core/smoothing/finish/normals_kernel.cpp.
 #include "compute/items.glsl"
 #include "compute/mesh.glsl"
 
 layout(std430, binding = 0) readonly buffer Rings { Ring rings[]; };
 layout(std430, binding = 1) readonly buffer Neighbors { int neighbors[]; };
-layout(std430, binding = 2) readonly buffer Surface { Vertex surface[]; };
-layout(std430, binding = 3) readonly buffer Marks { Mark marks[]; };
-layout(std430, binding = 4) writeonly buffer Softened { vec4 softened[]; };
+layout(std430, binding = 2) readonly buffer Patches { Vertex patches[]; };
+layout(std430, binding = 3) buffer Surface { Vertex surface[]; };
+layout(std430, binding = 4) readonly buffer Rims { vec4 rims[]; };
 
-const float kSoftening = 0.8, kRimFrom = 0.2, kRimWhole = 0.45;
+const float kRimFrom = 0.05, kRimWhole = 0.2, kRimMean = 0.45, kRimSecond = 0.44, kSoftening = 0.8;
 
 void main() {
   int v = item();
   if (v >= refinedVertices) return;
   int at = firstVertex() + v;
-  vec3 own = surface[at].normal.xyz;
-  softened[at] = vec4(own, 0.0);
-  if (marks[at].moved == 0u) return;
+  vec4 own = rims[at];
+  if (!(own.w > kRimFrom)) return;
   vec3 sum = vec3(0.0);
-  float most = 0.0;
-  for (int i = rings[v].begin; i < rings[v].end; ++i) {
-    vec3 apart = surface[firstVertex() + neighbors[i]].normal.xyz - own;
-    sum += apart;
-    most = max(most, dotOf(apart, apart));
-  }
-  if (!(most > kRimFrom * kRimFrom)) return;
-  float share = kSoftening * smoothstep(kRimFrom, kRimWhole, sqrt(most));
-  softened[at] = vec4(normalizeOr(own + share * rings[v].share * sum, own), 0.0);
+  for (int i = rings[v].begin; i < rings[v].end; ++i) sum += rims[firstVertex() + neighbors[i]].xyz - own.xyz;
+  float mean = smoothstep(kRimWhole, kRimMean, own.w);
+  float second = kRimSecond * smoothstep(kRimFrom, kRimWhole, own.w) * (1.0 - mean);
+  vec3 patchNormal = patches[at].normal.xyz;
+  vec3 delta = surface[at].normal.xyz - patchNormal;
+  vec3 normal = patchNormal + ((delta - second * rings[v].share * sum) + kSoftening * mean * own.xyz);
+  float squared = dotOf(normal, normal);
+  if (squared > 1e-12) surface[at].normal = vec4((1.0 / sqrt(squared)) * normal, 0.0);
 }

@@ -19,9 +19,13 @@
 HWY_BEFORE_NAMESPACE();
 namespace sinew::HWY_NAMESPACE {
 
-constexpr float kSoftening = 0.8f;  ///< Largest share of the ring's mean in the field's normal.
-constexpr float kRimFrom = 0.2f;    ///< Difference between neighbors' normals from which they are softened.
-constexpr float kRimWhole = 0.45f;
+// Difference between neighbors' deltas from which the field's are softened, by the whole second step, and by the ring's
+// mean instead.
+constexpr float kRimFrom = 0.05f;
+constexpr float kRimWhole = 0.2f;
+constexpr float kRimMean = 0.45f;
+constexpr float kRimSecond = 0.44f;      ///< Largest weight of the second step there.
+constexpr float kSoftening = 0.8f;       ///< Largest share of the mean.
 constexpr float kFreedom = 0.145f;       ///< About 8 degrees.
 constexpr float kRotationFrom = -0.95f;  ///< Cosine between face normals from which a rotation between them counts.
 constexpr float kRotationWhole = -0.7f;
@@ -216,39 +220,6 @@ HWY_INLINE Pair twoRows(const Rows& rows, int a, int b) {
   return xyzAndW(Pair::join(rows.at(a), rows.at(b)), Pair::all(0.0f));
 }
 
-void setNormal(const NormalsInputs& inputs, int vertex, const glm::vec3& direction) {
-  const float squared = direction.x * direction.x + direction.y * direction.y + direction.z * direction.z;
-  if (squared > 1e-12f) inputs.normals[static_cast<std::size_t>(vertex)] = (1.0f / std::sqrt(squared)) * direction;
-}
-
-/// Vertices whose normals differ from a neighbor's by more than kRimFrom, and their normals softened.
-std::size_t findRims(const NormalsInputs& inputs, std::size_t begin, std::size_t end) {
-  const Rows normals(inputs.normals);
-  int* rims = inputs.teeth.data() + begin;
-  std::size_t count = 0;
-  for (std::size_t at = begin; at < end; ++at) {
-    const int vertex = inputs.moved->near[at];
-    const Pair own = twoRows(normals, vertex, vertex);
-    const Apart apart = apartFrom(inputs.rings->at(vertex), [&](const int* ring) HWY_ATTR {
-      return SixNeighbors{twoRows(normals, ring[0], ring[1]) - own, twoRows(normals, ring[2], ring[3]) - own,
-                          twoRows(normals, ring[4], ring[5]) - own};
-    });
-    if (!(apart.squared > kRimFrom * kRimFrom)) continue;
-    const float share = kSoftening * smoothstep(kRimFrom, kRimWhole, std::sqrt(apart.squared)) *
-                        inputs.rings->share[static_cast<std::size_t>(vertex)];
-    (lower(own) + Vector::all(share) * apart.sum).store(inputs.vertices[vertex].first.data());
-    rims[count++] = vertex;
-  }
-  return count;
-}
-
-void softenRims(const NormalsInputs& inputs, std::size_t begin, std::size_t count) {
-  for (const int vertex : inputs.teeth.subspan(begin, count)) {
-    const std::array<float, 4>& softened = inputs.vertices[vertex].first;
-    setNormal(inputs, vertex, {softened[0], softened[1], softened[2]});
-  }
-}
-
 using OfVertex = std::array<float, 4> NormalsVertex::*;
 
 template <OfVertex kWhat>
@@ -264,14 +235,15 @@ HWY_INLINE SixNeighbors differences(const NormalsInputs& inputs, const int* ring
   return {two(0), two(2), two(4)};
 }
 
-/// (M - 1) delta, and the vertices that differ from a neighbor by more than kTeethFrom, with the square of the largest
-/// difference. Returns how many.
-std::size_t listTeeth(const NormalsInputs& inputs, std::size_t begin, std::size_t end) {
-  int* teeth = inputs.teeth.data() + begin;
-  float* weights = inputs.weights.data() + begin;
+/// (M - 1) delta, and the vertices whose delta differs from a neighbor's by more than `from`, with the square of the
+/// largest difference. Returns how many.
+std::size_t listApart(const NormalsInputs& inputs, std::span<const int> vertices, float from, std::size_t begin,
+                      std::size_t end) {
+  int* found = inputs.teeth.data() + begin;
+  float* squares = inputs.weights.data() + begin;
   std::size_t count = 0;
   for (std::size_t at = begin; at < end; ++at) {
-    const int vertex = inputs.moved->corners[at];
+    const int vertex = vertices[at];
     const float* place = placeOf<&NormalsVertex::delta>(inputs, vertex);
     const Pair own = Pair::join(place, place);
     const Apart apart = apartFrom(inputs.rings->at(vertex), [&](const int* ring) HWY_ATTR {
@@ -279,11 +251,61 @@ std::size_t listTeeth(const NormalsInputs& inputs, std::size_t begin, std::size_
     });
     const Vector share = Vector::all(inputs.rings->share[static_cast<std::size_t>(vertex)]);
     (share * apart.sum).store(inputs.vertices[vertex].first.data());
-    teeth[count] = vertex;
-    weights[count] = apart.squared;
-    count += weights[count] > kTeethFrom * kTeethFrom ? 1 : 0;
+    found[count] = vertex;
+    squares[count] = apart.squared;
+    count += squares[count] > from * from ? 1 : 0;
   }
   return count;
+}
+
+/// delta less a share of (M - 1)^2 delta.
+HWY_INLINE Vector withoutSecond(const NormalsInputs& inputs, int vertex, float weight) {
+  const float* place = placeOf<&NormalsVertex::first>(inputs, vertex);
+  const Pair own = Pair::join(place, place);
+  Pair sum = Pair::all(0.0f);
+  const std::span<const int> ring = inputs.rings->at(vertex);
+  for (std::size_t i = 0; i < ring.size(); i += VertexRings::kMultiple) {
+    const SixNeighbors six = differences<&NormalsVertex::first>(inputs, ring.data() + i, own);
+    sum = sum + ((six.a + six.b) + six.c);
+  }
+  const float share = weight * inputs.rings->share[static_cast<std::size_t>(vertex)];
+  const Vector second = Vector::all(share) * (lower(sum) + upper(sum));
+  return Vector::load(placeOf<&NormalsVertex::delta>(inputs, vertex)) - second;
+}
+
+void setNormal(const NormalsInputs& inputs, int vertex, const Vector& delta) {
+  alignas(16) std::array<float, 4> of;
+  delta.store(of.data());
+  const auto v = static_cast<std::size_t>(vertex);
+  const glm::vec3 direction = inputs.patchNormals[v] + glm::vec3(of[0], of[1], of[2]);
+  const float squared = direction.x * direction.x + direction.y * direction.y + direction.z * direction.z;
+  if (squared > 1e-12f) inputs.normals[v] = (1.0f / std::sqrt(squared)) * direction;
+}
+
+/// What the field turns normals by.
+void takeTurns(const NormalsInputs& inputs, std::size_t begin, std::size_t end) {
+  const Rows normals(inputs.normals);
+  const Rows patchNormals(inputs.patchNormals);
+  for (const int vertex : std::span(inputs.moved->near).subspan(begin, end - begin)) {
+    const Pair turned = twoRows(normals, vertex, vertex) - twoRows(patchNormals, vertex, vertex);
+    lower(turned).store(inputs.vertices[vertex].delta.data());
+  }
+}
+
+std::size_t findRims(const NormalsInputs& inputs, std::size_t begin, std::size_t end) {
+  return listApart(inputs, inputs.moved->near, kRimFrom, begin, end);
+}
+
+void softenRims(const NormalsInputs& inputs, std::size_t begin, std::size_t count) {
+  for (std::size_t rim = begin; rim < begin + count; ++rim) {
+    const int vertex = inputs.teeth[rim];
+    const float apart = std::sqrt(inputs.weights[rim]);
+    const float mean = smoothstep(kRimWhole, kRimMean, apart);
+    const float second = smoothstep(kRimFrom, kRimWhole, apart) * (1.0f - mean);
+    const Vector first = Vector::load(placeOf<&NormalsVertex::first>(inputs, vertex));
+    setNormal(inputs, vertex,
+              withoutSecond(inputs, vertex, kRimSecond * second) + Vector::all(kSoftening * mean) * first);
+  }
 }
 
 HWY_INLINE V smoothstepOf(float from, float to, V x) {
@@ -318,33 +340,20 @@ void weighTeeth(const NormalsInputs& inputs, std::span<const int> teeth, float* 
 }
 
 std::size_t findTeeth(const NormalsInputs& inputs, std::size_t begin, std::size_t end) {
-  const std::size_t count = listTeeth(inputs, begin, end);
+  const std::size_t count = listApart(inputs, inputs.moved->corners, kTeethFrom, begin, end);
   weighTeeth(inputs, std::span<const int>(inputs.teeth).subspan(begin, count), inputs.weights.data() + begin);
   return count;
 }
 
-/// delta less its share of (M - 1)^2 delta.
 void removeTeeth(const NormalsInputs& inputs, std::size_t begin, std::size_t count) {
   for (std::size_t tooth = begin; tooth < begin + count; ++tooth) {
-    if (inputs.weights[tooth] == 0.0f) continue;
     const int vertex = inputs.teeth[tooth];
-    const auto v = static_cast<std::size_t>(vertex);
-    const float* place = placeOf<&NormalsVertex::first>(inputs, vertex);
-    const Pair own = Pair::join(place, place);
-    Pair sum = Pair::all(0.0f);
-    const std::span<const int> ring = inputs.rings->at(vertex);
-    for (std::size_t i = 0; i < ring.size(); i += VertexRings::kMultiple) {
-      const SixNeighbors six = differences<&NormalsVertex::first>(inputs, ring.data() + i, own);
-      sum = sum + ((six.a + six.b) + six.c);
-    }
-    const Vector second = Vector::all(inputs.weights[tooth] * inputs.rings->share[v]) * (lower(sum) + upper(sum));
-    alignas(16) std::array<float, 4> delta;
-    (Vector::load(placeOf<&NormalsVertex::delta>(inputs, vertex)) - second).store(delta.data());
-    setNormal(inputs, vertex, inputs.patchNormals[v] + glm::vec3(delta[0], delta[1], delta[2]));
+    const float weight = inputs.weights[tooth];
+    if (weight != 0.0f) setNormal(inputs, vertex, withoutSecond(inputs, vertex, weight));
   }
 }
 
-NormalsKernel kernelHere() { return {findRims, softenRims, findFaces, hold, findTeeth, removeTeeth}; }
+NormalsKernel kernelHere() { return {takeTurns, findRims, softenRims, findFaces, hold, findTeeth, removeTeeth}; }
 
 }  // namespace sinew::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

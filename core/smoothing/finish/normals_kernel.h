@@ -20,8 +20,8 @@ struct alignas(32) CornerNormals {
 
 /// Scratch of one vertex, 0 before and after. A fourth number that is 0 each.
 struct alignas(32) NormalsVertex {
-  std::array<float, 4> delta{};  ///< Held to the faces.
-  std::array<float, 4> first{};  ///< (M - 1) delta; before, the softened normal.
+  std::array<float, 4> delta{};  ///< What muscles turn the normal by: the field's, then held to the faces.
+  std::array<float, 4> first{};  ///< (M - 1) delta.
 };
 
 /// What shading_normals.h passes to the kernel. Spans and arrays of vertices are [V']; all but `rings` are read and
@@ -44,6 +44,7 @@ struct NormalsInputs {
 /// Stages, one after the other: each can be shared out, as its parts write to different places. Of the spans of
 /// `moved` from begin to end.
 struct NormalsKernel {
+  void (*takeTurns)(const NormalsInputs& inputs, std::size_t begin, std::size_t end);         ///< moved.near
   std::size_t (*findRims)(const NormalsInputs& inputs, std::size_t begin, std::size_t end);   ///< moved.near
   void (*softenRims)(const NormalsInputs& inputs, std::size_t begin, std::size_t count);      ///< Those found there.
   void (*faces)(const NormalsInputs& inputs, std::size_t begin, std::size_t end);             ///< moved.refined

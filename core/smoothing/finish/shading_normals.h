@@ -12,12 +12,12 @@
 
 namespace sinew {
 
-/// Holds the field's normals to what the mesh can show: with adaptive detail they are first softened at rims; then come
-/// two steps on delta = normal - n_patch, the turn that the muscles give to the patch's normal.
+/// Holds the field's normals to what the mesh can show, in steps on delta = normal - n_patch, the turn that the muscles
+/// give to the patch's normal.
 ///
-/// 0. Where adaptive detail is as fine as it gets, a muscle's rim is a crease between two vertices, and its line over
-///    the mesh is jagged. A normal that differs much from a neighbor's is drawn towards the ring's mean, by a weight
-///    that grows with the largest difference.
+/// 0. With adaptive detail only: along a muscle's rim the field turns within an edge, and where the rim runs across the
+///    mesh, deltas alternate. As in step 2 what alternates is taken away, by nearly all of it from small differences
+///    on, which show from close by; the more neighbors differ, the more goes over into the ring's mean.
 /// 1. The field knows more than the mesh: where a muscle's rim is narrower than an edge, its gradient turns between two
 ///    vertices while the triangle between them is flat, and interpolated shading shows saw teeth. With N the normal of
 ///    the faces around a vertex (weighted by the corners' angles) and delta' the turn that the least rotation from

@@ -50,13 +50,17 @@ class Raised {
     std::vector<glm::vec3> out = fieldNormals;
     std::vector<NormalsVertex> vertices(out.size());
     std::vector<int> rims(moved_.corners.size());
+    std::vector<float> weights(moved_.corners.size());
     NormalsInputs inputs;
     inputs.rings = &rings_;
     inputs.moved = &moved_;
+    inputs.patchNormals = patchNormals_;
     inputs.normals = out;
     inputs.vertices = vertices.data();
     inputs.teeth = rims;
+    inputs.weights = weights;
     const NormalsKernel kernel = normalsKernel(set);
+    kernel.takeTurns(inputs, 0, moved_.near.size());
     kernel.softenRims(inputs, 0, kernel.findRims(inputs, 0, moved_.near.size()));
     return out;
   }
@@ -218,27 +222,48 @@ TEST(ShadingNormals, OfARimAcrossTheMeshLoseTheirTeeth) {
   EXPECT_LT(roughness(shaded), 0.85 * roughness(faces));
 }
 
-/// As docs/design.md has it, in double precision: each neighbor once for every triangle shared.
-std::vector<glm::dvec3> softenedByDefinition(const Refinement& refinement, const std::vector<glm::vec3>& normals) {
-  std::vector<glm::dvec3> sums(normals.size(), glm::dvec3(0.0));
-  std::vector<double> counts(normals.size(), 0.0);
-  std::vector<double> most(normals.size(), 0.0);
+struct Around {
+  std::vector<glm::dvec3> difference;  ///< The ring's mean less the vertex's own.
+  std::vector<double> most;            ///< The largest distance from a neighbor.
+};
+
+/// Each neighbor counts once for every triangle shared.
+Around around(const Refinement& refinement, const std::vector<glm::dvec3>& of) {
+  Around out{std::vector<glm::dvec3>(of.size(), glm::dvec3(0.0)), std::vector<double>(of.size(), 0.0)};
+  std::vector<double> counts(of.size(), 0.0);
   for (const auto& t : refinement.triangles) {
     for (std::size_t i = 0; i < 3; ++i) {
       const auto own = static_cast<std::size_t>(t[i]);
       for (const std::size_t other : {(i + 1) % 3, (i + 2) % 3}) {
-        const glm::dvec3 apart = glm::dvec3(normals[static_cast<std::size_t>(t[other])]) - glm::dvec3(normals[own]);
-        sums[own] += apart;
+        const glm::dvec3 apart = of[static_cast<std::size_t>(t[other])] - of[own];
+        out.difference[own] += apart;
         counts[own] += 1.0;
-        most[own] = std::max(most[own], glm::length(apart));
+        out.most[own] = std::max(out.most[own], glm::length(apart));
       }
     }
   }
+  for (std::size_t v = 0; v < of.size(); ++v) out.difference[v] /= counts[v];
+  return out;
+}
+
+double step(double from, double to, double x) {
+  const double t = std::clamp((x - from) / (to - from), 0.0, 1.0);
+  return t * t * (3.0 - 2.0 * t);
+}
+
+/// As docs/design.md has it, in double precision.
+std::vector<glm::dvec3> softenedByDefinition(const Refinement& refinement, const std::vector<glm::vec3>& patch,
+                                             const std::vector<glm::vec3>& field) {
+  std::vector<glm::dvec3> turns;
+  for (std::size_t v = 0; v < field.size(); ++v) turns.push_back(glm::dvec3(field[v]) - glm::dvec3(patch[v]));
+  const Around first = around(refinement, turns);
+  const Around second = around(refinement, first.difference);
   std::vector<glm::dvec3> out;
-  for (std::size_t v = 0; v < normals.size(); ++v) {
-    const double t = std::clamp((most[v] - 0.2) / 0.25, 0.0, 1.0);
-    const double share = 0.8 * t * t * (3.0 - 2.0 * t);
-    out.push_back(glm::normalize(glm::dvec3(normals[v]) + share / counts[v] * sums[v]));
+  for (std::size_t v = 0; v < field.size(); ++v) {
+    const double mean = step(0.2, 0.45, first.most[v]);
+    const double weight = 0.44 * step(0.05, 0.2, first.most[v]) * (1.0 - mean);
+    const glm::dvec3 turn = turns[v] - weight * second.difference[v] + 0.8 * mean * first.difference[v];
+    out.push_back(glm::normalize(glm::dvec3(patch[v]) + turn));
   }
   return out;
 }
@@ -252,7 +277,8 @@ TEST(ShadingNormals, AreSoftenedAtRimsAsDefinedAndNowhereElse) {
   };
   sheet.shaded([&](const glm::vec3& p) { return bump.at(p); }, turned);
   const std::vector<bool> near = grown(sheet.refinement().triangles, movedBetween(sheet.patch(), sheet.positions), 1);
-  const std::vector<glm::dvec3> wanted = softenedByDefinition(sheet.refinement(), sheet.fieldNormals);
+  const std::vector<glm::dvec3> wanted =
+      softenedByDefinition(sheet.refinement(), sheet.patchNormals(), sheet.fieldNormals);
   for (const InstructionSet set : availableInstructionSets()) {
     if (set == InstructionSet::kScalar) continue;
     const std::vector<glm::vec3> softened = sheet.softened(set);
