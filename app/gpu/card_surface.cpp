@@ -257,8 +257,9 @@ void CardSurface::makeNormals() const {
   constexpr Buffer kTeeth = kBends;
   if (preparation_->softensRims()) {
     constexpr Buffer kRims = kBends;
-    run(Stage::kRims, vertices, {kRings, kNeighbors, kPatches, kSurface, kMarks, kRims});
-    run(Stage::kSoften, vertices, {kRings, kNeighbors, kPatches, kSurface, kRims});
+    constexpr Buffer kMeans = kFolded;
+    run(Stage::kRims, vertices, {kRings, kNeighbors, kPatches, kSurface, kMarks, kRims, kMeans});
+    run(Stage::kSoften, vertices, {kRings, kNeighbors, kPatches, kSurface, kRims, kMeans});
   }
   run(Stage::kHold, vertices, {kRings, kCorners, kTriangles, kPatches, kSurface, kMarks, kTurns});
   run(Stage::kTeeth, vertices, {kRings, kNeighbors, kMarks, kTurns, kTeeth});

@@ -1,5 +1,5 @@
 #version 450 core
-// shaders/compute/rims.comp: with adaptive detail, how the turns that the field gives to the patch's normals differ
+// shaders/compute/rims.comp: with adaptive detail, how normals, and the turns that the field gives to the patch's, differ
 // around a vertex. As core/smoothing/finish/normals_kernel.cpp.
 #include "compute/items.glsl"
 #include "compute/mesh.glsl"
@@ -9,23 +9,32 @@ layout(std430, binding = 1) readonly buffer Neighbors { int neighbors[]; };
 layout(std430, binding = 2) readonly buffer Patches { Vertex patches[]; };
 layout(std430, binding = 3) readonly buffer Surface { Vertex surface[]; };
 layout(std430, binding = 4) readonly buffer Marks { Mark marks[]; };
-// The first difference from the ring's mean; w: the largest difference from a neighbor.
+// The turn's first difference from the ring's mean; w: its largest difference from a neighbor's.
 layout(std430, binding = 5) writeonly buffer Rims { vec4 rims[]; };
+// What the ring's mean adds to the normal; w: how far it takes the place of the second step.
+layout(std430, binding = 6) writeonly buffer Means { vec4 means[]; };
 
-vec3 turnAt(int at) { return surface[at].normal.xyz - patches[at].normal.xyz; }
+const float kMeanFrom = 0.2, kMeanWhole = 0.45, kSoftening = 0.8;
 
 void main() {
   int v = item();
   if (v >= refinedVertices) return;
   int at = firstVertex() + v;
-  rims[at] = vec4(0.0);
+  rims[at] = means[at] = vec4(0.0);
   if (marks[at].moved == 0u) return;
-  vec3 own = turnAt(at), sum = vec3(0.0);
-  float most = 0.0;
+  vec3 own = surface[at].normal.xyz, ownTurn = own - patches[at].normal.xyz;
+  vec3 sum = vec3(0.0), sumOfTurns = vec3(0.0);
+  float most = 0.0, mostOfTurns = 0.0;
   for (int i = rings[v].begin; i < rings[v].end; ++i) {
-    vec3 apart = turnAt(firstVertex() + neighbors[i]) - own;
+    int other = firstVertex() + neighbors[i];
+    vec3 apart = surface[other].normal.xyz - own;
+    vec3 turn = (surface[other].normal.xyz - patches[other].normal.xyz) - ownTurn;
     sum += apart;
+    sumOfTurns += turn;
     most = max(most, dotOf(apart, apart));
+    mostOfTurns = max(mostOfTurns, dotOf(turn, turn));
   }
-  rims[at] = vec4(rings[v].share * sum, sqrt(most));
+  float mean = smoothstep(kMeanFrom, kMeanWhole, sqrt(most));
+  rims[at] = vec4(rings[v].share * sumOfTurns, sqrt(mostOfTurns));
+  means[at] = vec4(kSoftening * mean * rings[v].share * sum, mean);
 }

@@ -49,6 +49,7 @@ class Raised {
   [[nodiscard]] std::vector<glm::vec3> softened(InstructionSet set) const {
     std::vector<glm::vec3> out = fieldNormals;
     std::vector<NormalsVertex> vertices(out.size());
+    std::vector<CornerNormals> corners(rings_.corners.size());
     std::vector<int> rims(moved_.corners.size());
     std::vector<float> weights(moved_.corners.size());
     NormalsInputs inputs;
@@ -57,6 +58,7 @@ class Raised {
     inputs.patchNormals = patchNormals_;
     inputs.normals = out;
     inputs.vertices = vertices.data();
+    inputs.corners = corners.data();
     inputs.teeth = rims;
     inputs.weights = weights;
     const NormalsKernel kernel = normalsKernel(set);
@@ -254,16 +256,17 @@ double step(double from, double to, double x) {
 /// As docs/design.md has it, in double precision.
 std::vector<glm::dvec3> softenedByDefinition(const Refinement& refinement, const std::vector<glm::vec3>& patch,
                                              const std::vector<glm::vec3>& field) {
+  const std::vector<glm::dvec3> normals(field.begin(), field.end());
   std::vector<glm::dvec3> turns;
-  for (std::size_t v = 0; v < field.size(); ++v) turns.push_back(glm::dvec3(field[v]) - glm::dvec3(patch[v]));
-  const Around first = around(refinement, turns);
-  const Around second = around(refinement, first.difference);
+  for (std::size_t v = 0; v < field.size(); ++v) turns.push_back(normals[v] - glm::dvec3(patch[v]));
+  const Around ofNormals = around(refinement, normals);
+  const Around ofTurns = around(refinement, turns);
+  const Around second = around(refinement, ofTurns.difference);
   std::vector<glm::dvec3> out;
   for (std::size_t v = 0; v < field.size(); ++v) {
-    const double mean = step(0.2, 0.45, first.most[v]);
-    const double weight = 0.44 * step(0.05, 0.2, first.most[v]) * (1.0 - mean);
-    const glm::dvec3 turn = turns[v] - weight * second.difference[v] + 0.8 * mean * first.difference[v];
-    out.push_back(glm::normalize(glm::dvec3(patch[v]) + turn));
+    const double mean = step(0.2, 0.45, ofNormals.most[v]);
+    const double weight = 0.44 * step(0.05, 0.2, ofTurns.most[v]) * (1.0 - mean);
+    out.push_back(glm::normalize(normals[v] - weight * second.difference[v] + 0.8 * mean * ofNormals.difference[v]));
   }
   return out;
 }
