@@ -1,5 +1,5 @@
-// core/smoothing/finish/normals_kernel.cpp: normals softened at rims, held to
-// the faces and without teeth, compiled once per instruction set.
+// core/smoothing/finish/normals_kernel.cpp: normals softened at rims, held to the faces and without teeth, compiled
+// once per instruction set.
 #include "core/smoothing/finish/normals_kernel.h"
 
 #include <algorithm>
@@ -19,23 +19,19 @@
 HWY_BEFORE_NAMESPACE();
 namespace sinew::HWY_NAMESPACE {
 
-// Difference between neighbors' deltas from which the second step softens the
-// field's, and does so whole.
+// Difference between neighbors' deltas from which the second step softens the field's, and does so whole.
 constexpr float kRimFrom = 0.05f;
 constexpr float kRimWhole = 0.2f;
 constexpr float kRimSecond = 0.44f;  ///< Largest weight of the second step there.
-// Difference between neighbors' normals from which the ring's mean takes its
-// place, and does so whole.
+// Difference between neighbors' normals from which the ring's mean takes its place, and does so whole.
 constexpr float kMeanFrom = 0.2f;
 constexpr float kMeanWhole = 0.45f;
 constexpr float kSoftening = 0.8f;       ///< Largest share of the mean.
 constexpr float kFreedom = 0.145f;       ///< About 8 degrees.
-constexpr float kRotationFrom = -0.95f;  ///< Cosine between face normals from which a rotation between them
-                                         ///< counts.
+constexpr float kRotationFrom = -0.95f;  ///< Cosine between face normals from which a rotation between them counts.
 constexpr float kRotationWhole = -0.7f;
 constexpr float kTeeth = 0.23f;  ///< Largest weight of the second step.
-// Difference between neighbors' deltas from which the second step works, from
-// which it works whole, and where it ends.
+// Difference between neighbors' deltas from which the second step works, from which it works whole, and where it ends.
 constexpr float kTeethFrom = 0.22f;
 constexpr float kTeethWhole = 0.45f;
 constexpr float kCliffFrom = 0.45f;
@@ -44,8 +40,7 @@ constexpr float kTurnedWhole = 0.1f;  ///< Turn of a vertex from which the secon
 
 using Pair = Blocks<2>;
 
-/// An angle to 7e-5 from twice its cosine (Abramowitz & Stegun 4.4.45): a
-/// weight needs no more.
+/// An angle to 7e-5 from twice its cosine (Abramowitz & Stegun 4.4.45): a weight needs no more.
 template <std::size_t kCount>
 HWY_INLINE Blocks<kCount> roughAngle(const Blocks<kCount>& x) {
   const auto all = [](float value) HWY_ATTR { return Blocks<kCount>::all(value); };
@@ -56,8 +51,7 @@ HWY_INLINE Blocks<kCount> roughAngle(const Blocks<kCount>& x) {
   return whereNegative(x, all(3.14159265f) - angle, angle);
 }
 
-/// Normals of one triangle or of two, block by block, times the angle at one
-/// corner.
+/// Normals of one triangle or of two, block by block, times the angle at one corner.
 template <std::size_t kCount>
 struct LaneCorners {
   Blocks<kCount> a;
@@ -73,8 +67,7 @@ HWY_INLINE LaneCorners<kCount> cornerNormals(const Blocks<kCount>& a, const Bloc
   const Many bc = c - b;
   const Many ca = a - c;
   const Many face = yzxw(ab * yzxw(bc) - yzxw(ab) * bc);
-  // Squared lengths of ab, bc, ca and the face; corner by corner those of one
-  // edge, the other and the opposite one.
+  // Squared lengths of ab, bc, ca and the face; corner by corner those of one edge, the other and the opposite one.
   const Many one = sums(ab * ab, bc * bc, ca * ca, face * face);
   const Many other = xyzAndW(zxyw(one), Many::all(1.0f));
   const Many opposite = yzxw(one);
@@ -128,16 +121,14 @@ HWY_INLINE Pair sumOfFaces(const NormalsInputs& inputs, int vertex) {
   return sum;
 }
 
-/// Unit, where the length is that of a sum of a few weighted unit vectors;
-/// `fallback` where they cancel.
+/// Unit, where the length is that of a sum of a few weighted unit vectors; `fallback` where they cancel.
 HWY_INLINE V3 unitOfSum(const V3& sum, const V3& fallback) {
   const V squared = dot(sum, sum);
   return select(hn::Gt(squared, all(1e-12f)), (all(1.0f) / hn::Sqrt(squared)) * sum, fallback);
 }
 
-/// What the least rotation that takes `from` to `to`, both unit, adds to v.
-/// Opposite ones have no such rotation: towards them it goes over into their
-/// plain difference.
+/// What the least rotation that takes `from` to `to`, both unit, adds to v. Opposite ones have no such rotation:
+/// towards them it goes over into their plain difference.
 HWY_INLINE V3 turnOf(const V3& v, const V3& from, const V3& to) {
   const V cosine = dot(from, to);
   const V t = hn::Min(hn::Max((cosine - all(kRotationFrom)) / all(kRotationWhole - kRotationFrom), zero()), all(1.0f));
@@ -245,8 +236,7 @@ HWY_INLINE SixNeighbors differences(const NormalsInputs& inputs, const int* ring
   return {two(0), two(2), two(4)};
 }
 
-/// (M - 1) delta into `first`. Returns the square of the largest difference of
-/// delta from a neighbor's.
+/// (M - 1) delta into `first`. Returns the square of the largest difference of delta from a neighbor's.
 HWY_INLINE float setFirst(const NormalsInputs& inputs, int vertex) {
   const float* place = placeOf<&NormalsVertex::delta>(inputs, vertex);
   const Pair own = Pair::join(place, place);
@@ -292,14 +282,12 @@ void takeTurns(const NormalsInputs& inputs, std::size_t begin, std::size_t end) 
   }
 }
 
-/// What the ring's mean adds to a normal, and in the fourth number how far the
-/// mean is in the second step's place. Kept where faces() will put the vertex's
-/// first corner: every vertex has one.
+/// What the ring's mean adds to a normal; fourth, how far the mean is in the second step's place. Kept where faces()
+/// will put the vertex's first corner: every vertex has one.
 HWY_INLINE float* meanPlace(const NormalsInputs& inputs, int vertex) {
   return inputs.corners[inputs.rings->cornersBegin[static_cast<std::size_t>(vertex)]].of.data();
 }
 
-/// Returns how far it is.
 HWY_INLINE float keepMean(const NormalsInputs& inputs, const Rows& normals, int vertex) {
   const Pair own = twoRows(normals, vertex, vertex);
   const Apart apart = apartFrom(inputs.rings->at(vertex), [&](const int* ring) HWY_ATTR {
@@ -307,8 +295,7 @@ HWY_INLINE float keepMean(const NormalsInputs& inputs, const Rows& normals, int 
                         twoRows(normals, ring[4], ring[5]) - own};
   });
   float* place = meanPlace(inputs, vertex);
-  const float mean =
-      apart.squared > kMeanFrom * kMeanFrom ? smoothstep(kMeanFrom, kMeanWhole, std::sqrt(apart.squared)) : 0.0f;
+  const float mean = smoothstep(kMeanFrom, kMeanWhole, std::sqrt(apart.squared));
   const float share = kSoftening * mean * inputs.rings->share[static_cast<std::size_t>(vertex)];
   (Vector::all(share) * apart.sum).store(place);
   place[3] = mean;
@@ -371,8 +358,7 @@ void weighTeeth(const NormalsInputs& inputs, std::span<const int> teeth, float* 
   }
 }
 
-/// Vertices whose delta differs from a neighbor's by more than kTeethFrom, and
-/// their weights.
+/// Vertices whose delta differs from a neighbor's by more than kTeethFrom, and their weights.
 std::size_t findTeeth(const NormalsInputs& inputs, std::size_t begin, std::size_t end) {
   std::size_t count = 0;
   for (std::size_t at = begin; at < end; ++at) {
