@@ -92,8 +92,8 @@ class SurfaceDrawer {
   std::vector<int> controlOrder_;     ///< Control triangles in the order drawn: by material.
   std::vector<Range> ranges_;
   std::vector<int> shadowClusters_;
-  std::vector<Range> shadowRanges_;  ///< Culled ones too.
-  bool hasShadowMesh_ = false;       ///< shadowRanges_ are of shadowIndices_, else of indices_.
+  std::vector<Range>
+      shadowRanges_;  ///< Culled ones too; of shadowIndices_ where the processor draws, else of indices_.
   std::vector<Vertex> staging_;
   std::optional<CardVertices> cardVertices_;
   std::vector<float> open_;        ///< [V] how open each control vertex is (occlusion.h).

@@ -15,7 +15,7 @@ constexpr float kHiddenPart = 0.85f;  ///< Share of these where nothing is seen 
 void SurfaceDrawer::drawForShadow(const Frame& frame, const GlProgram& solid, const GlProgram& withAlpha) const {
   if (refinement_ == nullptr) return;
   glBindVertexArray(array_.id());
-  glVertexArrayElementBuffer(array_.id(), hasShadowMesh_ ? shadowIndices_.id() : indices_.id());
+  glVertexArrayElementBuffer(array_.id(), isSoftwareRenderer() ? shadowIndices_.id() : indices_.id());
   glVertexAttrib4f(5, 1.0f, 1.0f, 1.0f, 1.0f);  // For surfaces without colors.
   for (const Range& range : shadowRanges_) {
     const Material& material = materialOf(range);

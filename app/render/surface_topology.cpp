@@ -50,8 +50,7 @@ void SurfaceDrawer::rebuildTopology(const Character& character) {
   if (refinement.drawColor.empty()) glDisableVertexArrayAttrib(array_.id(), 5);
   else glEnableVertexArrayAttrib(array_.id(), 5);
   shadowRanges_ = ranges_;
-  hasShadowMesh_ = isSoftwareRenderer();
-  if (!hasShadowMesh_) return;
+  if (!isSoftwareRenderer()) return;
   const ShadowMesh shadow = makeShadowMesh(character, shadowClusters_, refinement, controlOrder_);
   uploadBuffer(shadowIndices_, std::span<const std::uint32_t>(shadow.indices), GL_STATIC_DRAW);
   shadowRanges_ = shadow.ranges;

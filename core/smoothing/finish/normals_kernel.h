@@ -34,7 +34,8 @@ struct NormalsInputs {
   std::span<const glm::vec3> patchNormals;
   std::span<const float> filtered;   ///< Empty: all are 0.
   std::span<glm::vec3> normals;      ///< In and out: as ShadingNormals::apply.
-  CornerNormals* corners = nullptr;  ///< [3 T n^2] scratch, vertex by vertex as rings->corners: those of moved.refined.
+  CornerNormals* corners = nullptr;  ///< [3 T n^2] scratch, vertex by vertex as rings->corners: those of moved.refined;
+                                     ///< before faces(), a vertex's first holds what softens it.
   NormalsVertex* vertices = nullptr;
   float* turns = nullptr;    ///< Squared, the larger of what the field and the faces show; 0 before and after.
   std::span<int> teeth;      ///< [moved.corners] scratch: vertices, rims first, those of a block from its place on.
