@@ -82,9 +82,9 @@ TEST_F(Drawing, NothingStaysBehindWhereTheCharacterWas) {
   const View view = app::framedView(boundsOf(moment.surface.positions), 0.6f, 0.4f, {161, 117}, false, 0.3f);
   const auto keeping = viewportFor(*limb);
   std::mt19937 random(3);
-  std::uniform_real_distribution<float> sway(-0.5f, 0.5f);
+  std::uniform_real_distribution<float> size(0.4f, 1.4f);
   for (int i = 0; i < 12; ++i) {
-    const Moment moved = movedBy(moment, {0.04f * sway(random), limb->height * sway(random), 0.0f});
+    const Moment moved = scaledBy(moment, size(random));  // The background that is kept stays the same one.
     keeping->draw(sceneOf(*limb, moved), view, {}, 1.0f);
     const auto fresh = viewportFor(*limb);
     fresh->draw(sceneOf(*limb, moved), view, {});
