@@ -75,6 +75,7 @@ SurfaceDrawer::SurfaceDrawer()
       colors_(makeBuffer()),
       indices_(makeBuffer()),
       keptIndices_(makeBuffer()),
+      seenIndices_(makeBuffer()),
       shadowIndices_(makeBuffer()),
       controlOf_(makeBuffer()),
       classes_(makeBuffer()),
@@ -193,6 +194,7 @@ void SurfaceDrawer::upload(const Scene& scene, bool showsClasses) {
     territory_ = territory;
     rebuildSkinValues(mesh);
   }
+  drawsSeen_ = false;
   const bool reordered = culled_ != surface.culled;
   if (reordered) {
     culled_ = surface.culled;
@@ -207,6 +209,18 @@ void SurfaceDrawer::upload(const Scene& scene, bool showsClasses) {
   }
   if (std::exchange(layers_, scene.layers) != scene.layers) hasClasses_ = false;
   if (showsClasses && !std::exchange(hasClasses_, true)) fillClasses(scene);
+}
+
+void SurfaceDrawer::leaveOutUnseen(const Frame& frame) {
+  // Classes are read by the place of a triangle among all; vertices on the card and those beside lie elsewhere.
+  const bool placed = frame.settings.shading == Shading::kClasses || hasBeside_ || cardVertices_;
+  if (!isSoftwareRenderer() || refinement_ == nullptr || placed) return;
+  std::vector<std::uint8_t> doubleSided;
+  for (const Range& range : ranges_) doubleSided.push_back(materialOf(range).doubleSided ? 1 : 0);
+  seen_.find({*refinement_, frame.scene.surface->positions, refinedOrder_, ranges_, doubleSided},
+             frame.view.clipFromWorld(), frame.view.size);
+  uploadBuffer(seenIndices_, seen_.triangles(), GL_STREAM_DRAW);
+  drawsSeen_ = true;
 }
 
 const GlProgram& SurfaceDrawer::prepareProgram(const Frame& frame, MapSet maps) const {
@@ -308,8 +322,10 @@ void SurfaceDrawer::drawOpaque(const GlProgram& program, const Frame& frame) con
 
 template <class Draw>
 void SurfaceDrawer::drawOpaqueRanges(const Frame& frame, const Draw& draw) const {
+  const GLuint all = culled_.empty() ? indices_.id() : keptIndices_.id();
+  glVertexArrayElementBuffer(array_.id(), drawsSeen_ ? seenIndices_.id() : all);
   glCullFace(GL_BACK);
-  for (const Range& range : ranges_) {
+  for (const Range& range : drawsSeen_ ? seen_.ranges() : std::span<const Range>(ranges_)) {
     const Material& material = materialOf(range);
     if (alphaIn(frame, material) == AlphaMode::kBlend) continue;
     if (material.doubleSided) glDisable(GL_CULL_FACE);
@@ -317,6 +333,7 @@ void SurfaceDrawer::drawOpaqueRanges(const Frame& frame, const Draw& draw) const
     draw(range);
   }
   glDisable(GL_CULL_FACE);
+  glVertexArrayElementBuffer(array_.id(), all);
 }
 
 void SurfaceDrawer::drawBlended(const Frame& frame) const {

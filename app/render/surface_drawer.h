@@ -11,6 +11,7 @@
 #include "app/render/card_vertices.h"
 #include "app/render/frame.h"
 #include "app/render/material_textures.h"
+#include "app/render/skin/seen_triangles.h"
 #include "app/render/skin/shadow_mesh.h"
 #include "app/render/surface_programs.h"
 
@@ -28,6 +29,9 @@ class SurfaceDrawer {
   /// refinement or what is culled is another one, skin values with refinement or territory. The scene has a surface.
   /// @param showsClasses  it is drawn in the colors of Shading::kClasses, which are uploaded for that alone
   void upload(const Scene& scene, bool showsClasses);
+  /// For the frame's picture, up to the next upload: where the processor draws, opaque triangles that leave no trace
+  /// are left out. The picture is the same, with one sample a pixel. The scene is the one of the last upload.
+  void leaveOutUnseen(const Frame& frame);
 
   void drawOpaque(const Frame& frame) const;
   /// The same with a program of the caller's, in use, that takes the attributes of shaders/surface.vert.
@@ -82,15 +86,18 @@ class SurfaceDrawer {
   GlProgram partProgram_;
   GlQuery partSeen_;  ///< Whether anything of a part was seen.
   GlVertexArray array_;
-  GlBuffer vertices_, besideVertices_, uvs_, skinValues_, colors_, indices_, keptIndices_, shadowIndices_, controlOf_,
-      classes_, parts_;
+  GlBuffer vertices_, besideVertices_, uvs_, skinValues_, colors_, indices_, keptIndices_, seenIndices_, shadowIndices_,
+      controlOf_, classes_, parts_;
   MaterialTextures textures_;
   std::vector<Material> materials_;
   std::vector<int> materialOfPart_;  ///< [parts]
   std::shared_ptr<const Refinement> refinement_;
   std::vector<std::uint8_t> culled_;  ///< Surface::culled as in keptIndices_; empty: all is drawn, from indices_.
   std::vector<int> controlOrder_;     ///< Control triangles in the order drawn: by material.
+  std::vector<int> refinedOrder_;     ///< Their refined triangles.
   std::vector<Range> ranges_;
+  SeenTriangles seen_;      ///< In seenIndices_.
+  bool drawsSeen_ = false;  ///< Opaque materials are drawn from there.
   std::vector<int> shadowClusters_;
   std::vector<Range>
       shadowRanges_;  ///< Culled ones too; of shadowIndices_ where the processor draws, else of indices_.

@@ -8,10 +8,15 @@
 namespace sinew::app {
 namespace {
 
-std::span<const std::array<std::uint32_t, 3>> drawTrianglesOf(const Refinement& refinement, int control) {
-  const auto first = static_cast<std::size_t>(refinement.triangleBegin[static_cast<std::size_t>(control)]);
-  return std::span(refinement.drawTriangles)
-      .subspan(first, static_cast<std::size_t>(refinement.refinedTriangles(control)));
+/// Refined triangles of control triangles, one after the other.
+std::vector<int> refinedOf(const Refinement& refinement, std::span<const int> controls) {
+  std::vector<int> refined;
+  refined.reserve(refinement.drawTriangles.size());
+  for (const int t : controls) {
+    const int first = refinement.triangleBegin[static_cast<std::size_t>(t)];
+    for (int i = 0; i < refinement.refinedTriangles(t); ++i) refined.push_back(first + i);
+  }
+  return refined;
 }
 
 }  // namespace
@@ -22,19 +27,20 @@ void SurfaceDrawer::rebuildOrder(const ControlMesh& mesh, const GlBuffer& indice
   std::iota(controlOrder_.begin(), controlOrder_.end(), 0);
   if (!culled_.empty()) std::erase_if(controlOrder_, [&](int t) { return culled_[static_cast<std::size_t>(t)] != 0; });
   std::ranges::stable_sort(controlOrder_, {}, materialIndex);
+  refinedOrder_ = refinedOf(*refinement_, controlOrder_);
   std::vector<std::array<std::uint32_t, 3>> ordered;
-  ordered.reserve(refinement_->drawTriangles.size());
   std::vector<int> controlOf;
-  controlOf.reserve(refinement_->drawTriangles.size());
+  ordered.reserve(refinedOrder_.size());
+  controlOf.reserve(refinedOrder_.size());
   ranges_.clear();
-  for (const int t : controlOrder_) {
+  for (const int refined : refinedOrder_) {
+    const int t = refinement_->controlOf[static_cast<std::size_t>(refined)];
     if (ranges_.empty() || ranges_.back().material != materialIndex(t)) {
       ranges_.push_back({materialIndex(t), static_cast<int>(ordered.size()), 0});
     }
-    const auto own = drawTrianglesOf(*refinement_, t);
-    ordered.insert(ordered.end(), own.begin(), own.end());
-    controlOf.insert(controlOf.end(), own.size(), t);
-    ranges_.back().triangles += static_cast<int>(own.size());
+    ordered.push_back(refinement_->drawTriangles[static_cast<std::size_t>(refined)]);
+    controlOf.push_back(t);
+    ++ranges_.back().triangles;
   }
   uploadBuffer(indices, std::span<const std::array<std::uint32_t, 3>>(ordered), usage);
   uploadBuffer(controlOf_, std::span<const int>(controlOf), usage);

@@ -299,6 +299,7 @@ void Viewport::draw(const Scene& scene, const View& whole, const DisplaySettings
   State& s = *state_;
   const Frame frame = beginPicture(scene, view, settings, moving.has_value());
   Stopwatch watch;
+  if (moving && s.samples == 1 && frame.scene.surface != nullptr) s.surface.leaveOutUnseen(frame);
   s.mean.begin(whole.size);
   shareFrame(frame, -1);
   const bool keeps = moving.has_value() && s.samples == 1 && scene.references.empty();
