@@ -4,6 +4,7 @@
 #include <cassert>
 
 #include "core/base/at.h"
+#include "core/base/parallel.h"
 #include "core/character/skinning_kernel.h"
 
 namespace sinew {
@@ -14,6 +15,13 @@ void poseMatrices(const Skeleton& skeleton, const Pose& pose, std::vector<glm::m
   for (const Binding& binding : skeleton.bindings) {
     out.push_back(at(pose.boneInWorld, binding.bone) * binding.inverseBind);
   }
+}
+
+void skinVertices(const SkinInputs& inputs) {
+  constexpr std::size_t kFew = 2048;  // For one thread.
+  const SkinKernels kernels = skinKernels(chosenVectorSet());
+  forRanges(inputs.directions.size(), kFew,
+            [&](std::size_t begin, std::size_t end) { kernels.vertices(inputs, begin, end); });
 }
 
 }  // namespace
@@ -27,9 +35,8 @@ void skin(const Character& character, const Pose& pose, std::span<const float> m
   poseMatrices(character.skeleton, pose, out.matrices);
   out.positions.resize(mesh.positions.size());
   out.normals.resize(mesh.positions.size());
-  skinKernels(chosenVectorSet())
-      .vertices({&mesh, out.matrices, morphed ? out.morphed.positions : mesh.positions,
-                 morphed ? out.morphed.normals : mesh.normals, out.positions, out.normals});
+  skinVertices({&mesh, out.matrices, morphed ? out.morphed.positions : mesh.positions,
+                morphed ? out.morphed.normals : mesh.normals, out.positions, out.normals});
 }
 
 void skin(const Character& character, const Pose& pose, SkinnedMesh& out) {
@@ -39,7 +46,7 @@ void skin(const Character& character, const Pose& pose, SkinnedMesh& out) {
 void skinDirections(const Character& character, std::span<const glm::vec3> bind, const SkinnedMesh& skinned,
                     std::vector<glm::vec3>& out) {
   out.resize(bind.size());
-  skinKernels(chosenVectorSet()).vertices({&character.mesh, skinned.matrices, {}, bind, {}, out});
+  skinVertices({&character.mesh, skinned.matrices, {}, bind, {}, out});
 }
 
 void skinWedgeNormals(const Character& character, std::span<const Wedge> wedges, const SkinnedMesh& skinned,

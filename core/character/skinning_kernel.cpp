@@ -67,11 +67,11 @@ HWY_INLINE LaneMatrix blendLanes(const ControlMesh& mesh, std::span<const glm::m
 }
 
 /// Lanes beyond the last vertex repeat it.
-void skinVertices(const SkinInputs& inputs) {
+void skinVertices(const SkinInputs& inputs, std::size_t begin, std::size_t end) {
   const Rows positions(inputs.positions);
   const Rows directions(inputs.directions);
-  const int count = static_cast<int>(inputs.directions.size());
-  for (int first = 0; first < count; first += static_cast<int>(width())) {
+  const int count = static_cast<int>(end);
+  for (int first = static_cast<int>(begin); first < count; first += static_cast<int>(width())) {
     const auto used = std::min(width(), toIndex(count - first));
     const auto vertex = [&](std::size_t lane) { return std::min(first + static_cast<int>(lane), count - 1); };
     const LaneMatrix matrix = blendLanes(*inputs.mesh, inputs.matrices, vertex);

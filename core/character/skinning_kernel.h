@@ -35,7 +35,7 @@ struct WedgeInputs {
 };
 
 struct SkinKernels {
-  void (*vertices)(const SkinInputs& inputs) = nullptr;
+  void (*vertices)(const SkinInputs& inputs, std::size_t begin, std::size_t end) = nullptr;  ///< Of `directions`.
   void (*wedges)(const WedgeInputs& inputs) = nullptr;
 };
 

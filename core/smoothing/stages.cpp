@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 
 #include "core/base/at.h"
+#include "core/base/parallel.h"
 #include "core/smoothing/patches/patch.h"
 #include "core/smoothing/projector.h"
 #include "sinew/base/geometry.h"
@@ -52,14 +53,15 @@ void cull(const Preparation& p, const PosedField& posed, const FieldView& field,
 /// Positions and normals of vertices whose heights have been lowered: skin that stands lower is flatter.
 /// @param lifted  vertices with a height.  @param raw [V'] heights before.
 void placeLowered(std::span<const int> lifted, std::span<const float> raw, const Workspace& w, Surface& out) {
-  for (const int vertex : lifted) {
-    const std::size_t v = toIndex(vertex);
-    if (out.displacement[v] == raw[v]) continue;
+  constexpr std::size_t kFew = 2048;
+  forEachIndex(lifted.size(), kFew, [&](std::size_t i) {
+    const std::size_t v = toIndex(lifted[i]);
+    if (out.displacement[v] == raw[v]) return;
     const float share = out.displacement[v] / raw[v];
     out.positions[v] = w.patchPositions[v] + share * (out.positions[v] - w.patchPositions[v]);
     const glm::vec3& n = w.patchNormals[v];
     out.normals[v] = normalizeOr(n + share * (out.normals[v] - n), n);
-  }
+  });
 }
 
 /// Heights as the posed skin can carry them: less in its own creases, nowhere steeper than the bound.
@@ -67,9 +69,9 @@ void boundHeights(const Preparation& preparation, const SkinnedMesh& control, Wo
   const RefinedMesh& refined = *preparation.refined;
   const std::span<float> heights = out.displacement;
   w.rawHeights.assign(heights.begin(), heights.end());
-  w.creaseLift.lower(
-      {preparation.mesh(), preparation.tables->perBindFront, control.positions, control.normals, *refined.refinement},
-      w.movedTriangles, heights);
+  w.creaseLift.lower({preparation.mesh(), preparation.tables->perBindFront, control.positions, control.normals,
+                      *refined.refinement, refined.rings},
+                     w.movedTriangles, heights);
   w.liftedHeights.start(refined.rings, w.movedTriangles, w.patchPositions, out.positions, heights);
   for (const int vertex : w.slopeBound.lower(w.liftedHeights)) at(heights, vertex) = w.liftedHeights.height(vertex);
   placeLowered(w.liftedHeights.lifted(), w.rawHeights, w, out);

@@ -3,7 +3,9 @@
 #include "core/smoothing/finish/crease_lift.h"
 
 #include <algorithm>
+#include <atomic>
 
+#include "core/base/parallel.h"
 #include "core/base/smoothstep.h"
 #include "core/smoothing/finish/fold.h"
 
@@ -14,6 +16,7 @@ constexpr float kFolded = -0.3f;      ///< rho up to which heights fall the most
 constexpr float kLevel = 0.4f;        ///< rho from which on they stay.
 constexpr float kLeft = 0.4f;         ///< What is left of them.
 constexpr float kLeastFront = 0.05f;  ///< In the bind pose.
+constexpr std::size_t kFew = 2048;    ///< Triangles, edges or vertices for one thread.
 
 /// How much of its height is left to a vertex.
 float leftOf(float rho) { return kLeft + (1.0f - kLeft) * smoothstep(kFolded, kLevel, rho); }
@@ -35,55 +38,72 @@ std::vector<float> bindFrontInverses(const ControlMesh& mesh) {
 }
 
 void CreaseLift::findRho(const CarryingMesh& c, const MovedTriangles& moved) {
-  rho_.assign(c.mesh.positions.size(), 1.0f);
   isNear_.assign(c.mesh.positions.size(), 0);
-  for (std::size_t t = 0; t < moved.isControl.size(); ++t) {
-    if (moved.isControl[t] == 0) continue;
-    for (const int v : c.mesh.triangles[t].vertices) at(isNear_, v) = 1;
-  }
-  for (std::size_t t = 0; t < c.mesh.triangles.size(); ++t) {
+  const std::span<std::uint8_t> isNear = isNear_;
+  forEachIndex(moved.isControl.size(), kFew, [&](std::size_t t) {
+    if (moved.isControl[t] == 0) return;
+    for (const int v : c.mesh.triangles[t].vertices) {
+      std::atomic_ref(at(isNear, v)).store(1, std::memory_order_relaxed);  // Several threads may.
+    }
+  });
+  fronts_.resize(c.mesh.triangles.size());
+  forEachIndex(fronts_.size(), kFew, [&](std::size_t t) {
     const std::array<int, 3>& corners = c.mesh.triangles[t].vertices;
-    if ((at(isNear_, corners[0]) | at(isNear_, corners[1]) | at(isNear_, corners[2])) == 0) continue;
+    if ((at(isNear, corners[0]) | at(isNear, corners[1]) | at(isNear, corners[2])) == 0) return;
     const float perBind = c.perBindFront[t];
-    if (perBind == 0.0f) continue;
-    const float front = std::clamp(perBind * ratioOf(corners, c.positions, c.normals), -1.0f, 1.0f);
-    for (const int v : corners) at(rho_, v) = std::min(at(rho_, v), front);
-  }
+    fronts_[t] = perBind == 0.0f ? 1.0f : std::clamp(perBind * ratioOf(corners, c.positions, c.normals), -1.0f, 1.0f);
+  });
+  rho_.resize(isNear_.size());
+  forEachIndex(rho_.size(), kFew, [&](std::size_t v) {
+    float least = 1.0f;
+    if (isNear[v] != 0) {
+      for (const int corner : c.rings.cornersOf(static_cast<int>(v))) {
+        least = std::min(least, at(fronts_, at(c.refinement.controlOf, corner / 3)));
+      }
+    }
+    rho_[v] = least;
+  });
 }
 
-void CreaseLift::lowerEdge(const CarryingMesh& c, int edge, std::span<float> heights) {
-  if (at(isLowered_, edge) != 0) return;
-  at(isLowered_, edge) = 1;
-  lowered_.push_back(edge);
-  const auto& [begin, end] = at(c.mesh.edges, edge).vertices;
-  const int level = c.refinement.edgeLevel(edge);
-  for (int step = 1; step < level; ++step) {
-    const float share = static_cast<float>(step) / static_cast<float>(level);
-    const float rho = at(rho_, begin) + share * (at(rho_, end) - at(rho_, begin));
-    at(heights, c.refinement.edgeVertex(edge, step)) *= leftOf(rho);
-  }
-}
-
-void CreaseLift::lower(const CarryingMesh& c, const MovedTriangles& moved, std::span<float> heights) {
-  for (const int edge : lowered_) at(isLowered_, edge) = 0;
-  lowered_.clear();
+void CreaseLift::lowerInside(const CarryingMesh& c, const MovedTriangles& moved, std::span<float> heights) {
   isLowered_.resize(c.mesh.edges.size(), 0);
-  findRho(c, moved);
-  for (std::size_t t = 0; t < moved.isControl.size(); ++t) {
-    if (moved.isControl[t] == 0) continue;
+  const std::span<std::uint8_t> isLowered = isLowered_;
+  forEachIndex(moved.isControl.size(), kFew, [&](std::size_t t) {
+    if (moved.isControl[t] == 0) return;
     const ControlTriangle& triangle = c.mesh.triangles[t];
     const auto& [a, b, d] = triangle.vertices;
     const std::array rho{at(rho_, a), at(rho_, b), at(rho_, d)};
-    if (*std::ranges::min_element(rho) >= kLevel) continue;
-    for (const int edge : triangle.edges) lowerEdge(c, edge, heights);
+    if (*std::ranges::min_element(rho) >= kLevel) return;
+    for (const int edge : triangle.edges) std::atomic_ref(at(isLowered, edge)).store(1, std::memory_order_relaxed);
     for (int v = c.refinement.insideBegin[t]; v < c.refinement.insideBegin[t + 1]; ++v) {
       const glm::vec2 place = c.refinement.insideAt(v);
       at(heights, v) *= leftOf(rho[0] + place.x * (rho[1] - rho[0]) + place.y * (rho[2] - rho[0]));
     }
-  }
-  for (std::size_t v = 0; v < isNear_.size(); ++v) {
-    if (isNear_[v] != 0 && rho_[v] < kLevel) heights[v] *= leftOf(rho_[v]);
-  }
+  });
+}
+
+void CreaseLift::lowerEdges(const CarryingMesh& c, std::span<float> heights) {
+  forEachIndex(isLowered_.size(), 2 * kFew, [&](std::size_t e) {
+    if (isLowered_[e] == 0) return;
+    isLowered_[e] = 0;
+    const auto edge = static_cast<int>(e);
+    const auto& [begin, end] = c.mesh.edges[e].vertices;
+    const int level = c.refinement.edgeLevel(edge);
+    for (int step = 1; step < level; ++step) {
+      const float share = static_cast<float>(step) / static_cast<float>(level);
+      const float rho = at(rho_, begin) + share * (at(rho_, end) - at(rho_, begin));
+      at(heights, c.refinement.edgeVertex(edge, step)) *= leftOf(rho);
+    }
+  });
+}
+
+void CreaseLift::lower(const CarryingMesh& c, const MovedTriangles& moved, std::span<float> heights) {
+  findRho(c, moved);
+  lowerInside(c, moved, heights);
+  lowerEdges(c, heights);
+  forEachIndex(rho_.size(), 2 * kFew, [&](std::size_t v) {
+    if (rho_[v] < kLevel) heights[v] *= leftOf(rho_[v]);
+  });
 }
 
 }  // namespace sinew

@@ -8,6 +8,7 @@
 #include <glm/vec3.hpp>
 
 #include "core/smoothing/finish/moved_triangles.h"
+#include "core/smoothing/finish/vertex_rings.h"
 #include "sinew/mesh/control_mesh.h"
 #include "sinew/smoothing/refinement.h"
 
@@ -20,6 +21,7 @@ struct CarryingMesh {
   std::span<const glm::vec3> positions;  ///< [V] world.
   std::span<const glm::vec3> normals;    ///< [V] unit.
   const Refinement& refinement;
+  const VertexRings& rings;  ///< Of the refinement.
 };
 
 /// [T] 1 / the front (fold.h) of each control triangle in the bind pose; 0 where that is below 0.05.
@@ -32,17 +34,18 @@ struct CarryingMesh {
 /// 0.05, have no say. Continuous in time; the same at every detail, since refined triangles are not looked at.
 class CreaseLift {
  public:
-  /// @param moved  of the refinement.  @param heights [V'] in and out.
+  /// @param moved  of the refinement.  @param heights [V'] in and out.  On all cores.
   void lower(const CarryingMesh& carrying, const MovedTriangles& moved, std::span<float> heights);
 
  private:
   void findRho(const CarryingMesh& carrying, const MovedTriangles& moved);
-  void lowerEdge(const CarryingMesh& carrying, int edge, std::span<float> heights);
+  void lowerInside(const CarryingMesh& carrying, const MovedTriangles& moved, std::span<float> heights);
+  void lowerEdges(const CarryingMesh& carrying, std::span<float> heights);
 
-  std::vector<float> rho_;               ///< [V] of this pose; whole where isNear_.
   std::vector<std::uint8_t> isNear_;     ///< [V] at a moved triangle.
-  std::vector<std::uint8_t> isLowered_;  ///< [E]
-  std::vector<int> lowered_;             ///< Those edges.
+  std::vector<float> fronts_;            ///< [T] over those of the bind pose, where a corner is near; else not read.
+  std::vector<float> rho_;               ///< [V] of this pose; 1 where not near.
+  std::vector<std::uint8_t> isLowered_;  ///< [E] of moved triangles with a corner below kLevel.
 };
 
 }  // namespace sinew

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/base/parallel_list.h"
 #include "core/smoothing/finish/fold_kernel.h"
 
 namespace sinew {
@@ -22,17 +23,25 @@ void FoldRegion::find(const ControlMesh& mesh, const Refinement& refinement, con
   isNear_.assign(mesh.positions.size(), 0);
   folding_.clear();
 
-  constexpr std::size_t kRoom = 4;
-  shrunk_.resize(moved.refined.size() + kRoom);
-  const std::size_t count =
-      foldKernel(chosenVectorSet())({moved.refined, refinement.triangles.data(), pairs.data(), least, shrunk_.data()});
-  for (const int i : std::span(shrunk_).first(count)) {
+  findShrunk(moved.refined, pairs, least);
+  for (const int i : shrunk_) {
     if (at(isFolding_, at(refinement.controlOf, i)) != 0) continue;
     FoldTriangle triangle = triangleOf(i);
     const float left = glm::dot(faceOf(triangle.corners, positions), triangle.face);
     if (left < least * triangle.whole && trustOf(triangle) != 0.0f) add(triangle);
   }
   grow();
+}
+
+void FoldRegion::findShrunk(std::span<const int> asked, const VertexPairs& pairs, float least) {
+  constexpr std::size_t kFew = 2048;
+  constexpr std::size_t kRoom = 4;  // Blocks but the last one are multiples of it.
+  const FoldKernel kernel = foldKernel(chosenVectorSet());
+  shrunk_.resize(asked.size() + kRoom);
+  const auto list = [&](std::size_t begin, std::size_t end, int* shrunk) {
+    return kernel({asked.subspan(begin, end - begin), refinement_->triangles.data(), pairs.data(), least, shrunk});
+  };
+  shrunk_.resize(listInBlocks(asked.size(), kFew, shrunk_.data(), list));
 }
 
 FoldTriangle FoldRegion::triangleOf(int index) const {

@@ -50,6 +50,7 @@ class FoldRegion {
   void grow();
 
  private:
+  void findShrunk(std::span<const int> asked, const VertexPairs& pairs, float least);
   [[nodiscard]] FoldTriangle triangleOf(int index) const;
 
   const ControlMesh* mesh_ = nullptr;
@@ -63,7 +64,7 @@ class FoldRegion {
   std::vector<std::uint8_t> isNear_;     ///< [V] a corner of a control triangle in which one folds.
   std::vector<int> folding_;             ///< Control triangles that fold since the last grow().
   std::vector<int> near_;                ///< Scratch.
-  std::vector<int> shrunk_;              ///< Scratch.
+  std::vector<int> shrunk_;              ///< Refined triangles with q below what was asked for.
 };
 
 }  // namespace sinew

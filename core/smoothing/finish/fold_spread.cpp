@@ -5,6 +5,8 @@
 #include <array>
 #include <cmath>
 
+#include "core/base/parallel_list.h"
+
 namespace sinew {
 namespace {
 
@@ -41,6 +43,20 @@ void FoldSpread::ask(int triangle, FoldMesh& mesh) {
   }
 }
 
+void FoldSpread::findFolded(FoldMesh& mesh) {
+  constexpr std::size_t kFew = 2048;
+  folded_.resize(toIndex(mesh.triangleCount()));
+  const auto list = [&](std::size_t begin, std::size_t end, int* folded) {
+    std::size_t count = 0;
+    for (std::size_t t = begin; t < end; ++t) {
+      folded[count] = static_cast<int>(t);
+      count += mesh.foldOf(static_cast<int>(t), kLeastArea).weight != 0.0f ? 1 : 0;
+    }
+    return count;
+  };
+  folded_.resize(listInBlocks(folded_.size(), kFew, folded_.data(), list));
+}
+
 void FoldSpread::moveAsked(FoldMesh& mesh) {
   moved_.clear();
   for (const int v : asked_) {
@@ -60,7 +76,8 @@ void FoldSpread::moveAsked(FoldMesh& mesh) {
 /// the squared gradients. A corner takes the weighted mean of what all its triangles ask for (Jacobi), so
 /// that the order of triangles does not matter. docs/design.md, Folds.
 void FoldSpread::apply(FoldMesh& mesh) {
-  for (int t = 0; t < mesh.triangleCount(); ++t) ask(t, mesh);
+  findFolded(mesh);
+  for (const int t : folded_) ask(t, mesh);
   mesh.grow();
   moveAsked(mesh);
   for (int round = 1; round < kMostRounds && !moved_.empty(); ++round) {

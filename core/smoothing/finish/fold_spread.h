@@ -24,11 +24,13 @@ class FoldSpread {
   void apply(FoldMesh& mesh);
 
  private:
+  void findFolded(FoldMesh& mesh);
   void ask(int triangle, FoldMesh& mesh);
   void moveAsked(FoldMesh& mesh);
 
-  std::vector<int> asked_;  ///< Of the mesh's vertices.
-  std::vector<int> moved_;  ///< Those of the last round.
+  std::vector<int> folded_;  ///< Triangles, before the first round.
+  std::vector<int> asked_;   ///< Of the mesh's vertices.
+  std::vector<int> moved_;   ///< Those of the last round.
 };
 
 }  // namespace sinew

@@ -3,19 +3,27 @@
 
 #include <cmath>
 
+#include "core/base/parallel_list.h"
+
 namespace sinew {
 
 void LiftedHeights::start(const VertexRings& rings, const MovedTriangles& moved, std::span<const glm::vec3> patch,
                           std::span<const glm::vec3> positions, std::span<const float> heights) {
+  constexpr std::size_t kFew = 2048;
   rings_ = &rings;
-  lifted_.clear();
   places_.resize(patch.size());
-  for (const int vertex : moved.corners) {
-    const glm::vec3& p = at(patch, vertex);
-    const float height = at(heights, vertex);
-    at(places_, vertex).of = {p.x, p.y, p.z, height};
-    if (height != 0.0f && at(positions, vertex) != p) lifted_.push_back(vertex);
-  }
+  lifted_.resize(moved.corners.size());
+  const auto list = [&](std::size_t begin, std::size_t end, int* lifted) {
+    std::size_t count = 0;
+    for (const int vertex : std::span(moved.corners).subspan(begin, end - begin)) {
+      const glm::vec3& p = at(patch, vertex);
+      const float height = at(heights, vertex);
+      at(places_, vertex).of = {p.x, p.y, p.z, height};
+      if (height != 0.0f && at(positions, vertex) != p) lifted[count++] = vertex;
+    }
+    return count;
+  };
+  lifted_.resize(listInBlocks(moved.corners.size(), kFew, lifted_.data(), list));
 }
 
 float LiftedHeights::distance(int a, int b) const {

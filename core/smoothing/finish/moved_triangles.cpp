@@ -1,22 +1,28 @@
-// core/smoothing/finish/moved_triangles.cpp: from moved vertices to the triangles around them.
+// core/smoothing/finish/moved_triangles.cpp: from moved vertices to the triangles around them, on all cores.
 #include "core/smoothing/finish/moved_triangles.h"
 
 #include <array>
+#include <atomic>
 
 #include "core/base/at.h"
+#include "core/base/parallel_list.h"
 
 namespace sinew {
 namespace {
 
+constexpr std::size_t kFew = 4096;  ///< Vertices or triangles for one thread.
+
 /// What is flagged, ascending. Without a branch: flags change too often to be foreseen.
-void list(const std::vector<std::uint8_t>& flags, std::vector<int>& out) {
+void list(std::span<const std::uint8_t> flags, std::vector<int>& out) {
   out.resize(flags.size());
-  std::size_t count = 0;
-  for (std::size_t v = 0; v < flags.size(); ++v) {
-    out[count] = static_cast<int>(v);
-    count += flags[v];
-  }
-  out.resize(count);
+  out.resize(listInBlocks(flags.size(), kFew, out.data(), [&](std::size_t begin, std::size_t end, int* listed) {
+    std::size_t count = 0;
+    for (std::size_t v = begin; v < end; ++v) {
+      listed[count] = static_cast<int>(v);
+      count += flags[v];
+    }
+    return count;
+  }));
 }
 
 // Spans of their own: bytes may lie anywhere, so that a flag that is written has members of vectors read again.
@@ -28,21 +34,22 @@ bool isAny(Flags flags, const std::array<int, 3>& t) {
   return (at(flags, t[0]) | at(flags, t[1]) | at(flags, t[2])) != 0;
 }
 
+/// Several threads may flag the same corner.
 void flag(const std::array<int, 3>& t, Flags flags) {
-  for (const int corner : t) at(flags, corner) = 1;
+  for (const int corner : t) std::atomic_ref(at(flags, corner)).store(1, std::memory_order_relaxed);
 }
 
 void findMoved(std::span<const glm::vec3> patch, std::span<const glm::vec3> positions, Flags isMoved) {
-  for (std::size_t v = 0; v < positions.size(); ++v) {
+  forEachIndex(positions.size(), kFew, [&](std::size_t v) {
     const glm::vec3& p = patch[v];
     const glm::vec3& q = positions[v];
     isMoved[v] = static_cast<std::uint8_t>((p.x != q.x) | (p.y != q.y) | (p.z != q.z));
-  }
+  });
 }
 
 /// Control triangles with a moved vertex, and the vertices of their pieces that have one.
 void findNear(Triangles triangles, std::span<const int> begin, Flags isMoved, Flags isControl, Flags isNear) {
-  for (std::size_t t = 0; t < isControl.size(); ++t) {
+  forEachIndex(isControl.size(), kFew, [&](std::size_t t) {
     std::uint8_t any = 0;
     for (int i = begin[t]; i < begin[t + 1]; ++i) {
       if (!isAny(isMoved, at(triangles, i))) continue;
@@ -50,18 +57,20 @@ void findNear(Triangles triangles, std::span<const int> begin, Flags isMoved, Fl
       flag(at(triangles, i), isNear);
     }
     isControl[t] = any;
-  }
+  });
 }
 
 /// Triangles at those vertices, and their corners. @return  how many
 std::size_t findRefined(Triangles triangles, Flags isNear, Flags isCorner, std::span<int> refined) {
-  std::size_t count = 0;
-  for (std::size_t i = 0; i < triangles.size(); ++i) {
-    if (!isAny(isNear, triangles[i])) continue;
-    refined[count++] = static_cast<int>(i);
-    flag(triangles[i], isCorner);
-  }
-  return count;
+  return listInBlocks(triangles.size(), kFew, refined.data(), [&](std::size_t begin, std::size_t end, int* listed) {
+    std::size_t count = 0;
+    for (std::size_t i = begin; i < end; ++i) {
+      if (!isAny(isNear, triangles[i])) continue;
+      listed[count++] = static_cast<int>(i);
+      flag(triangles[i], isCorner);
+    }
+    return count;
+  });
 }
 
 }  // namespace

@@ -196,31 +196,6 @@ struct SixNeighbors {
   Pair c;
 };
 
-/// Over all neighbors of a vertex.
-struct Apart {
-  Vector sum;            ///< Of what they differ by.
-  float squared = 0.0f;  ///< Of the largest of that.
-};
-
-/// @param six  what the six from a place in the ring on differ by.
-template <class Six>
-HWY_INLINE Apart apartFrom(std::span<const int> ring, Six six) {
-  Pair sum = Pair::all(0.0f);
-  Pair most = sum;
-  for (std::size_t i = 0; i < ring.size(); i += VertexRings::kMultiple) {
-    const SixNeighbors by = six(ring.data() + i);
-    sum = sum + ((by.a + by.b) + by.c);
-    most = max(most, sums(by.a * by.a, by.b * by.b, by.c * by.c, by.c * by.c));
-  }
-  const Vector furthest = max(lower(most), upper(most));
-  return {lower(sum) + upper(sum), first(max(max(furthest, spread<1>(furthest)), spread<2>(furthest)))};
-}
-
-/// The fourth number, which is any in Rows, is 0.
-HWY_INLINE Pair twoRows(const Rows& rows, int a, int b) {
-  return xyzAndW(Pair::join(rows.at(a), rows.at(b)), Pair::all(0.0f));
-}
-
 using OfVertex = std::array<float, 4> NormalsVertex::*;
 
 template <OfVertex kWhat>
@@ -240,12 +215,18 @@ HWY_INLINE SixNeighbors differences(const NormalsInputs& inputs, const int* ring
 HWY_INLINE float setFirst(const NormalsInputs& inputs, int vertex) {
   const float* place = placeOf<&NormalsVertex::delta>(inputs, vertex);
   const Pair own = Pair::join(place, place);
-  const Apart apart = apartFrom(inputs.rings->at(vertex), [&](const int* ring) HWY_ATTR {
-    return differences<&NormalsVertex::delta>(inputs, ring, own);
-  });
+  Pair sum = Pair::all(0.0f);
+  Pair most = sum;
+  const std::span<const int> ring = inputs.rings->at(vertex);
+  for (std::size_t i = 0; i < ring.size(); i += VertexRings::kMultiple) {
+    const SixNeighbors by = differences<&NormalsVertex::delta>(inputs, ring.data() + i, own);
+    sum = sum + ((by.a + by.b) + by.c);
+    most = max(most, sums(by.a * by.a, by.b * by.b, by.c * by.c, by.c * by.c));
+  }
   const Vector share = Vector::all(inputs.rings->share[static_cast<std::size_t>(vertex)]);
-  (share * apart.sum).store(inputs.vertices[vertex].first.data());
-  return apart.squared;
+  (share * (lower(sum) + upper(sum))).store(inputs.vertices[vertex].first.data());
+  const Vector furthest = max(lower(most), upper(most));
+  return first(max(max(furthest, spread<1>(furthest)), spread<2>(furthest)));
 }
 
 /// delta less a share of (M - 1)^2 delta.
@@ -272,47 +253,54 @@ void setNormal(const NormalsInputs& inputs, int vertex, const Vector& delta) {
   if (squared > 1e-12f) inputs.normals[v] = (1.0f / std::sqrt(squared)) * direction;
 }
 
-/// What the field turns normals by.
+/// What the field turns normals by, and these.
 void takeTurns(const NormalsInputs& inputs, std::size_t begin, std::size_t end) {
   const Rows normals(inputs.normals);
   const Rows patchNormals(inputs.patchNormals);
-  for (const int vertex : std::span(inputs.moved->near).subspan(begin, end - begin)) {
-    const Pair turned = twoRows(normals, vertex, vertex) - twoRows(patchNormals, vertex, vertex);
-    lower(turned).store(inputs.vertices[vertex].delta.data());
+  constexpr std::array<float, 4> kZero{};
+  for (const int vertex : std::span(inputs.moved->corners).subspan(begin, end - begin)) {
+    const Pair normal = Pair::join(normals.at(vertex), normals.at(vertex));
+    const Pair both = normal - Pair::join(patchNormals.at(vertex), kZero.data());
+    xyzAndW(both, Pair::all(0.0f)).store(inputs.vertices[vertex].delta.data());  // The fourth is any in Rows.
   }
 }
 
-/// What the ring's mean adds to a normal; fourth, how far the mean is in the second step's place. Kept where faces()
-/// will put the vertex's first corner: every vertex has one.
-HWY_INLINE float* meanPlace(const NormalsInputs& inputs, int vertex) {
-  return inputs.corners[inputs.rings->cornersBegin[static_cast<std::size_t>(vertex)]].of.data();
-}
-
-HWY_INLINE float keepMean(const NormalsInputs& inputs, const Rows& normals, int vertex) {
-  const Pair own = twoRows(normals, vertex, vertex);
-  const Apart apart = apartFrom(inputs.rings->at(vertex), [&](const int* ring) HWY_ATTR {
-    return SixNeighbors{twoRows(normals, ring[0], ring[1]) - own, twoRows(normals, ring[2], ring[3]) - own,
-                        twoRows(normals, ring[4], ring[5]) - own};
-  });
-  float* place = meanPlace(inputs, vertex);
-  const float mean = smoothstep(kMeanFrom, kMeanWhole, std::sqrt(apart.squared));
-  const float share = kSoftening * mean * inputs.rings->share[static_cast<std::size_t>(vertex)];
-  (Vector::all(share) * apart.sum).store(place);
-  place[3] = mean;
-  return mean;
+/// (M - 1) delta, and what the ring's mean adds where normals differ enough.
+/// @return  the square of the largest difference of delta from a neighbor's
+HWY_INLINE float setFirstAndMean(const NormalsInputs& inputs, int vertex) {
+  const auto both = [&](int v) HWY_ATTR { return Pair::load(inputs.vertices[v].delta.data()); };
+  const Pair own = both(vertex);
+  Pair sum = Pair::all(0.0f);
+  Pair most = sum;
+  const std::span<const int> ring = inputs.rings->at(vertex);
+  for (std::size_t i = 0; i < ring.size(); i += VertexRings::kMultiple) {
+    const auto by = [&](std::size_t k) HWY_ATTR { return both(ring[i + k]) - own; };
+    const Pair a = by(0), b = by(1), c = by(2), d = by(3), e = by(4), f = by(5);
+    sum = sum + (((a + b) + (c + d)) + (e + f));
+    most = max(most, max(sums(a * a, b * b, c * c, c * c), sums(d * d, e * e, f * f, f * f)));
+  }
+  most = max(max(most, spread<1>(most)), spread<2>(most));
+  const Pair means = Pair::all(inputs.rings->share[static_cast<std::size_t>(vertex)]) * sum;
+  NormalsVertex& out = inputs.vertices[vertex];
+  lower(means).store(out.first.data());
+  const float apart = first(upper(most));  // Of normals, squared.
+  if (apart > kMeanFrom * kMeanFrom) {
+    const float mean = smoothstep(kMeanFrom, kMeanWhole, std::sqrt(apart));
+    (Vector::all(kSoftening * mean) * upper(means)).store(out.mean.data());
+    out.mean[3] = mean;
+  }
+  return first(lower(most));
 }
 
 /// Those that differ enough from a neighbor in their deltas or their normals.
 std::size_t findRims(const NormalsInputs& inputs, std::size_t begin, std::size_t end) {
-  const Rows normals(inputs.normals);
   std::size_t count = 0;
   for (std::size_t at = begin; at < end; ++at) {
     const int vertex = inputs.moved->near[at];
-    const float squared = setFirst(inputs, vertex);
-    const float mean = keepMean(inputs, normals, vertex);
+    const float squared = setFirstAndMean(inputs, vertex);
     inputs.teeth[begin + count] = vertex;
     inputs.weights[begin + count] = squared;
-    count += squared > kRimFrom * kRimFrom || mean > 0.0f ? 1 : 0;
+    count += squared > kRimFrom * kRimFrom || inputs.vertices[vertex].mean[3] > 0.0f ? 1 : 0;
   }
   return count;
 }
@@ -320,7 +308,7 @@ std::size_t findRims(const NormalsInputs& inputs, std::size_t begin, std::size_t
 void softenRims(const NormalsInputs& inputs, std::size_t begin, std::size_t count) {
   for (std::size_t rim = begin; rim < begin + count; ++rim) {
     const int vertex = inputs.teeth[rim];
-    const float* mean = meanPlace(inputs, vertex);
+    const float* mean = placeOf<&NormalsVertex::mean>(inputs, vertex);
     const float second = smoothstep(kRimFrom, kRimWhole, std::sqrt(inputs.weights[rim])) * (1.0f - mean[3]);
     const Vector added = xyzAndW(Vector::load(mean), Vector::all(0.0f));
     setNormal(inputs, vertex, withoutSecond(inputs, vertex, kRimSecond * second) + added);

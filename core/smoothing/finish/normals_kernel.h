@@ -18,10 +18,13 @@ struct alignas(32) CornerNormals {
   std::array<float, 8> of;
 };
 
-/// Scratch of one vertex, 0 before and after. A fourth number that is 0 each.
-struct alignas(32) NormalsVertex {
-  std::array<float, 4> delta{};  ///< What muscles turn the normal by: the field's, then held to the faces.
-  std::array<float, 4> first{};  ///< (M - 1) delta.
+/// Scratch of one vertex, 0 before and after; one cache line. Unless said otherwise the fourth numbers are 0.
+struct alignas(64) NormalsVertex {
+  std::array<float, 4> delta{};   ///< What muscles turn the normal by: the field's, then held to the faces.
+  std::array<float, 4> normal{};  ///< The field's, as what softens reads it beside `delta`.
+  std::array<float, 4> first{};   ///< (M - 1) delta.
+  std::array<float, 4> mean{};    ///< What the ring's mean adds to the normal; fourth: 0..1, how far that is in the
+                                  ///< second step's place.
 };
 
 /// What shading_normals.h passes to the kernel. Spans and arrays of vertices are [V']; all but `rings` are read and
@@ -34,8 +37,7 @@ struct NormalsInputs {
   std::span<const glm::vec3> patchNormals;
   std::span<const float> filtered;   ///< Empty: all are 0.
   std::span<glm::vec3> normals;      ///< In and out: as ShadingNormals::apply.
-  CornerNormals* corners = nullptr;  ///< [3 T n^2] scratch, vertex by vertex as rings->corners: those of moved.refined;
-                                     ///< before faces(), a vertex's first holds what softens it.
+  CornerNormals* corners = nullptr;  ///< [3 T n^2] scratch, vertex by vertex as rings->corners: those of moved.refined.
   NormalsVertex* vertices = nullptr;
   float* turns = nullptr;    ///< Squared, the larger of what the field and the faces show; 0 before and after.
   std::span<int> teeth;      ///< [moved.corners] scratch: vertices, rims first, those of a block from its place on.
@@ -45,7 +47,7 @@ struct NormalsInputs {
 /// Stages, one after the other: each can be shared out, as its parts write to different places. Of the spans of
 /// `moved` from begin to end.
 struct NormalsKernel {
-  void (*takeTurns)(const NormalsInputs& inputs, std::size_t begin, std::size_t end);         ///< moved.near
+  void (*takeTurns)(const NormalsInputs& inputs, std::size_t begin, std::size_t end);         ///< moved.corners
   std::size_t (*findRims)(const NormalsInputs& inputs, std::size_t begin, std::size_t end);   ///< moved.near
   void (*softenRims)(const NormalsInputs& inputs, std::size_t begin, std::size_t count);      ///< Those found there.
   void (*faces)(const NormalsInputs& inputs, std::size_t begin, std::size_t end);             ///< moved.refined

@@ -42,15 +42,16 @@ void ShadingNormals::apply(const Refinement& refinement, const VertexRings& ring
   forBlocks(moved.corners.size(), [&](std::size_t block, std::size_t begin, std::size_t) {
     kernel.removeTeeth(inputs, begin, foundIn_[block]);
   });
-  for (const int vertex : moved.corners) {
-    at(vertices_, vertex) = {};
-    at(turns_, vertex) = 0.0f;
-  }
+  forEachIndex(moved.corners.size(), 4 * kBlock, [&](std::size_t i) {
+    at(vertices_, moved.corners[i]) = {};
+    at(turns_, moved.corners[i]) = 0.0f;
+  });
 }
 
 void ShadingNormals::softenRims(const NormalsInputs& inputs, const NormalsKernel& kernel) {
   const std::size_t near = inputs.moved->near.size();
-  forRanges(near, 2 * kBlock, [&](std::size_t begin, std::size_t end) { kernel.takeTurns(inputs, begin, end); });
+  forRanges(inputs.moved->corners.size(), 2 * kBlock,
+            [&](std::size_t begin, std::size_t end) { kernel.takeTurns(inputs, begin, end); });
   forBlocks(near, [&](std::size_t block, std::size_t begin, std::size_t end) {
     foundIn_[block] = kernel.findRims(inputs, begin, end);
   });

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/parallel_list.h"
+
 namespace sinew {
 namespace {
 
@@ -27,14 +29,23 @@ void SlopeBound::offer(float height, int vertex) {
   std::ranges::push_heap(offers_, std::ranges::greater{}, &Offer::height);
 }
 
+void SlopeBound::findSteep(const LiftedHeights& heights) {
+  constexpr std::size_t kFew = 1024;
+  const std::span<const int> lifted = heights.lifted();
+  const SteepKernel kernel = steepKernel(chosenVectorSet());
+  steep_.resize(lifted.size());
+  steep_.resize(listInBlocks(lifted.size(), kFew, steep_.data(), [&](std::size_t begin, std::size_t end, int* steep) {
+    return kernel({&heights.rings(), lifted.subspan(begin, end - begin), kSlope, heights.places(), steep});
+  }));
+}
+
 /// Dijkstra's algorithm with every height as a start. Only vertices that are too steep for another one a step away can
 /// be lowered first; so the search begins at those, and reaches others where a lowered one is too low for them. The
 /// lowest offer is final when it is taken, since each further step adds to it. Sums of floats grow with both their
 /// terms: the least over all paths is the same bits in whatever order it is found.
 std::span<const int> SlopeBound::lower(LiftedHeights& heights) {
   const VertexRings& rings = heights.rings();
-  steep_.resize(heights.lifted().size());
-  steep_.resize(steepKernel(chosenVectorSet())({&rings, heights.lifted(), kSlope, heights.places(), steep_.data()}));
+  findSteep(heights);
   offers_.clear();
   lowered_.clear();
   for (const int v : steep_) {

@@ -30,6 +30,7 @@ class SlopeBound {
     int vertex = 0;
   };
   void offer(float height, int vertex);
+  void findSteep(const LiftedHeights& heights);
 
   std::vector<int> steep_;
   std::vector<Offer> offers_;  ///< A heap, the lowest first.

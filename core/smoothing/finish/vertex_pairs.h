@@ -8,6 +8,7 @@
 #include <glm/vec3.hpp>
 
 #include "core/base/at.h"
+#include "core/base/parallel.h"
 
 namespace sinew {
 
@@ -21,12 +22,13 @@ class VertexPairs {
  public:
   /// @param vertices  those that will be read.  @param patch, positions [V'] world.
   void fill(std::span<const int> vertices, std::span<const glm::vec3> patch, std::span<const glm::vec3> positions) {
+    constexpr std::size_t kFew = 2048;
     pairs_.resize(positions.size());
-    for (const int vertex : vertices) {
-      const glm::vec3& p = at(patch, vertex);
-      const glm::vec3& q = at(positions, vertex);
-      at(pairs_, vertex).of = {p.x, p.y, p.z, 0.0f, q.x, q.y, q.z, 0.0f};
-    }
+    forEachIndex(vertices.size(), kFew, [&](std::size_t i) {
+      const glm::vec3& p = at(patch, vertices[i]);
+      const glm::vec3& q = at(positions, vertices[i]);
+      at(pairs_, vertices[i]).of = {p.x, p.y, p.z, 0.0f, q.x, q.y, q.z, 0.0f};
+    });
   }
 
   /// A filled vertex has moved on.

@@ -33,7 +33,8 @@ struct CreasedSheet {
     posed = mesh.positions;
     for (glm::vec3& p : posed) p.x -= 2.0f * share * std::clamp(p.x, -0.1f, 0.1f);
     std::vector<float> heights(static_cast<std::size_t>(refinement.vertexCount), 1.0f);
-    crease_.lower({mesh, bindFrontInverses(mesh), posed, mesh.normals, refinement}, moved, heights);
+    crease_.lower({mesh, bindFrontInverses(mesh), posed, mesh.normals, refinement, vertexRings(refinement)}, moved,
+                  heights);
     return heights;
   }
 

@@ -49,7 +49,6 @@ class Raised {
   [[nodiscard]] std::vector<glm::vec3> softened(InstructionSet set) const {
     std::vector<glm::vec3> out = fieldNormals;
     std::vector<NormalsVertex> vertices(out.size());
-    std::vector<CornerNormals> corners(rings_.corners.size());
     std::vector<int> rims(moved_.corners.size());
     std::vector<float> weights(moved_.corners.size());
     NormalsInputs inputs;
@@ -58,11 +57,10 @@ class Raised {
     inputs.patchNormals = patchNormals_;
     inputs.normals = out;
     inputs.vertices = vertices.data();
-    inputs.corners = corners.data();
     inputs.teeth = rims;
     inputs.weights = weights;
     const NormalsKernel kernel = normalsKernel(set);
-    kernel.takeTurns(inputs, 0, moved_.near.size());
+    kernel.takeTurns(inputs, 0, moved_.corners.size());
     kernel.softenRims(inputs, 0, kernel.findRims(inputs, 0, moved_.near.size()));
     return out;
   }

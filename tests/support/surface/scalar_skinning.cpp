@@ -19,8 +19,8 @@ glm::vec3 carry(const glm::vec3& direction, const glm::mat4& matrix) {
   return normalizeOr(normalMatrix(glm::mat3(matrix)) * direction, direction);
 }
 
-void skinVertices(const SkinInputs& inputs) {
-  for (std::size_t v = 0; v < inputs.directions.size(); ++v) {
+void skinVertices(const SkinInputs& inputs, std::size_t begin, std::size_t end) {
+  for (std::size_t v = begin; v < end; ++v) {
     const glm::mat4 matrix = blend(*inputs.mesh, inputs.matrices, static_cast<int>(v));
     if (!inputs.outPositions.empty()) {
       inputs.outPositions[v] = glm::vec3(matrix * glm::vec4(inputs.positions[v], 1.0f));
