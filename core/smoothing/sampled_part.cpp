@@ -12,6 +12,14 @@ namespace sinew {
 namespace {
 
 constexpr std::size_t kMostOfPiece = 4'000;
+constexpr std::size_t kFewOfPiece = 500;  ///< No more than that is not divided.
+
+/// Of equal pieces, an even number of them, as cores mostly are.
+std::size_t sizeOfPieces(std::size_t asked) {
+  if (asked <= kFewOfPiece) return kFewOfPiece;
+  const std::size_t pairs = (asked + 2 * kMostOfPiece - 1) / (2 * kMostOfPiece);
+  return (asked + 2 * pairs - 1) / (2 * pairs);
+}
 
 /// Which are kept, and their new numbers.
 struct Numbering {
@@ -120,7 +128,8 @@ std::vector<int> placesIn(const std::vector<int>& inWhole, const std::vector<int
 
 std::vector<SampledPiece> sampledPieces(const Preparation& next, std::vector<std::uint8_t> edges,
                                         const std::vector<std::uint8_t>& triangles) {
-  const std::size_t most = next.swells() ? kMostOfPiece : std::numeric_limits<std::size_t>::max();
+  const auto asked = static_cast<std::size_t>(std::ranges::count(edges, 1) + std::ranges::count(triangles, 1));
+  const std::size_t most = next.swells() ? sizeOfPieces(asked) : std::numeric_limits<std::size_t>::max();
   std::vector<SampledPiece> out;
   const auto room = [&]() -> SampledPiece& {
     if (out.empty() || out.back().triangles.size() + out.back().edges.size() >= most) out.emplace_back();

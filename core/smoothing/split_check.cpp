@@ -158,14 +158,15 @@ RefinementLevels levelsThatFit(const Preparation& next, const std::vector<Pose>&
                                RefinementLevels needed, CheckedSplits& known) {
   const ControlMesh& mesh = next.mesh();
   known.resize(mesh.triangles.size());
-  RefinementLevels levels = gradedLevels(mesh, needed);
+  const LevelGrader grader(mesh);
+  RefinementLevels levels = grader.graded(needed);
   for (int round = 0; round < kRounds; ++round) {
     std::vector<std::uint8_t> unknown(mesh.triangles.size(), 0);
-    for (int t = 0; t < static_cast<int>(mesh.triangles.size()); ++t) {
-      const SplitLevels split = splitOf(mesh, levels, t);
+    forEachIndex(unknown.size(), 4096, [&](std::size_t t) {
+      const SplitLevels split = splitOf(mesh, levels, static_cast<int>(t));
       // The fit has seen the n^2 split.
-      if (!split.isUniform() && !find(at(known, t), split)) at(unknown, t) = 1;
-    }
+      if (!split.isUniform() && !find(known[t], split)) unknown[t] = 1;
+    });
     const std::vector<SampledPiece> pieces =
         sampledPieces(next, std::vector<std::uint8_t>(mesh.edges.size(), 0), unknown);
     forEachIndex(pieces.size(), 1, [&](std::size_t p) {
@@ -178,6 +179,7 @@ RefinementLevels levelsThatFit(const Preparation& next, const std::vector<Pose>&
     });
     bool raised = false;
     for (int t = 0; t < static_cast<int>(mesh.triangles.size()); ++t) {
+      if (at(known, t).empty()) continue;
       const SplitLevels split = splitOf(mesh, levels, t);
       const CheckedSplit* checked = find(at(known, t), split);
       if (!checked || checked->fits) continue;
@@ -185,7 +187,7 @@ RefinementLevels levelsThatFit(const Preparation& next, const std::vector<Pose>&
       raised = true;
     }
     if (!raised) break;
-    levels = gradedLevels(mesh, needed);
+    levels = grader.graded(needed);
   }
   return levels;
 }

@@ -4,29 +4,37 @@
 #include <algorithm>
 
 #include "core/base/at.h"
+#include "core/base/parallel.h"
 
 namespace sinew {
 
+namespace {
+
+constexpr std::size_t kFew = 4096;  ///< Triangles or vertices for one thread.
+
+}  // namespace
+
 std::vector<TriangleClass> classifyTriangles(const ControlMesh& mesh, std::span<const float> omega) {
-  std::vector<TriangleClass> classes;
-  classes.reserve(mesh.triangles.size());
-  for (const ControlTriangle& triangle : mesh.triangles) {
-    const auto inside = std::ranges::count_if(triangle.vertices, [&](int vertex) { return at(omega, vertex) > 0.0f; });
-    classes.push_back(inside == 3   ? TriangleClass::kImplicit
-                      : inside == 0 ? TriangleClass::kNormal
-                                    : TriangleClass::kStraddling);
-  }
+  std::vector<TriangleClass> classes(mesh.triangles.size());
+  forEachIndex(classes.size(), kFew, [&](std::size_t t) {
+    const auto isInside = [&](int vertex) { return at(omega, vertex) > 0.0f; };
+    const auto inside = std::ranges::count_if(mesh.triangles[t].vertices, isInside);
+    classes[t] = inside == 3   ? TriangleClass::kImplicit
+                 : inside == 0 ? TriangleClass::kNormal
+                               : TriangleClass::kStraddling;
+  });
   return classes;
 }
 
 std::vector<float> influenceWeights(const ControlMesh& mesh, const FieldView& bindField) {
   std::vector<float> omega(mesh.positions.size(), 0.0f);
-  for (std::size_t v = 0; v < omega.size(); ++v) {
-    for (const CarrierCandidate& candidate : bindField.lists->of(static_cast<int>(v))) {
-      const UnitBallMap& ball = at(bindField.primitives, candidate.primitive).influence;
-      if (ball.holds(mesh.positions[v])) omega[v] = 1.0f;
-    }
-  }
+  forEachIndex(omega.size(), kFew / 4, [&](std::size_t v) {
+    const bool isInside =
+        std::ranges::any_of(bindField.lists->of(static_cast<int>(v)), [&](const CarrierCandidate& candidate) {
+          return at(bindField.primitives, candidate.primitive).influence.holds(mesh.positions[v]);
+        });
+    if (isInside) omega[v] = 1.0f;
+  });
   return omega;
 }
 

@@ -6,6 +6,7 @@
 #include <compare>
 
 #include "core/base/at.h"
+#include "core/base/parallel.h"
 
 namespace sinew {
 namespace {
@@ -64,6 +65,31 @@ void addAcross(int vertex, std::span<const Other> sorted, std::vector<std::array
   }
 }
 
+constexpr std::size_t kBlock = 4096;  ///< Vertices whose lists one thread makes.
+
+/// Of the vertices of a block, one after the other.
+struct RingBlock {
+  std::vector<int> neighbors;              ///< As in VertexRings.
+  std::vector<std::array<int, 2>> across;  ///< addAcross.
+};
+
+/// @param rings  with its corners; the vertices' shares are filled in, and rings.begin[v + 1] with how many neighbors v
+///               has.
+void listBlock(const Refinement& refinement, std::size_t begin, std::size_t end, VertexRings& rings, RingBlock& out) {
+  std::vector<Other> all;
+  for (std::size_t v = begin; v < end; ++v) {
+    const auto vertex = static_cast<int>(v);
+    const std::size_t before = out.neighbors.size();
+    otherVertices(refinement, rings.cornersOf(vertex), all);
+    addAcross(vertex, all, out.across);
+    const std::size_t step = comeTwice(all) ? 2 : 1;
+    for (std::size_t i = 0; i < all.size(); i += step) out.neighbors.push_back(all[i].vertex);
+    rings.share[v] = all.empty() ? 0.0f : static_cast<float>(step) / static_cast<float>(all.size());
+    while (out.neighbors.size() % VertexRings::kMultiple != 0) out.neighbors.push_back(vertex);
+    rings.begin[v + 1] = static_cast<int>(out.neighbors.size() - before);
+  }
+}
+
 /// Lists of both vertices of every pair, filled up to multiples with the vertex itself.
 void listAcross(std::span<const std::array<int, 2>> pairs, int vertices, VertexRings& rings) {
   std::vector<int> next(toIndex(vertices) + 1, 0);
@@ -95,20 +121,22 @@ VertexRings vertexRings(const Refinement& refinement) {
   rings.cornersBegin.push_back(0);
   for (const int count : refinement.trianglesAt) rings.cornersBegin.push_back(rings.cornersBegin.back() + count);
   findCorners(refinement, rings);
-  rings.begin.push_back(0);
-  rings.neighbors.reserve(2 * rings.corners.size());
-  std::vector<Other> all;
+  const std::size_t vertices = toIndex(refinement.vertexCount);
+  rings.begin.assign(vertices + 1, 0);
+  rings.share.resize(vertices);
+  std::vector<RingBlock> blocks((vertices + kBlock - 1) / kBlock);
+  forEachIndex(blocks.size(), 1, [&](std::size_t block) {
+    const std::size_t begin = block * kBlock;
+    listBlock(refinement, begin, std::min(begin + kBlock, vertices), rings, blocks[block]);
+  });
   std::vector<std::array<int, 2>> across;
+  rings.neighbors.reserve(2 * rings.corners.size());
   across.reserve(rings.corners.size() / 2);
-  for (int v = 0; v < refinement.vertexCount; ++v) {
-    otherVertices(refinement, rings.cornersOf(v), all);
-    addAcross(v, all, across);
-    const std::size_t step = comeTwice(all) ? 2 : 1;
-    for (std::size_t i = 0; i < all.size(); i += step) rings.neighbors.push_back(all[i].vertex);
-    rings.share.push_back(all.empty() ? 0.0f : static_cast<float>(step) / static_cast<float>(all.size()));
-    while (rings.neighbors.size() % VertexRings::kMultiple != 0) rings.neighbors.push_back(v);
-    rings.begin.push_back(static_cast<int>(rings.neighbors.size()));
+  for (const RingBlock& block : blocks) {
+    rings.neighbors.insert(rings.neighbors.end(), block.neighbors.begin(), block.neighbors.end());
+    across.insert(across.end(), block.across.begin(), block.across.end());
   }
+  for (std::size_t v = 0; v < vertices; ++v) rings.begin[v + 1] += rings.begin[v];
   listAcross(across, refinement.vertexCount, rings);
   return rings;
 }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <numeric>
 
 #include <glm/geometric.hpp>
 
@@ -20,52 +21,68 @@ int levelFor(float length, float most) {
   return found == kGradedLevels.end() ? kGradedLevels.back() : *found;
 }
 
-class Grader {
+/// The shortest piece of a triangle's sides and inside, and the level that makes it.
+struct Finest {
+  float piece = 0.0f;
+  int level = 1;
+};
+
+/// A work list of triangles.
+class Waiting {
  public:
-  Grader(const ControlMesh& mesh, RefinementLevels& levels)
-      : mesh_(mesh),
-        levels_(levels),
-        trianglesBegin_(mesh.edges.size() + 1, 0),
-        trianglesAt_(3 * mesh.triangles.size()),
-        waits_(mesh.triangles.size(), true) {
-    for (const Edge& edge : mesh.edges) {
-      lengths_.push_back(glm::distance(at(mesh.positions, edge.vertices[0]), at(mesh.positions, edge.vertices[1])));
-    }
-    for (const ControlTriangle& triangle : mesh.triangles) {
-      for (const int edge : triangle.edges) ++at(trianglesBegin_, edge + 1);
-    }
-    for (std::size_t e = 0; e < mesh.edges.size(); ++e) trianglesBegin_[e + 1] += trianglesBegin_[e];
-    std::vector<int> next = trianglesBegin_;
-    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-      for (const int edge : mesh.triangles[t].edges) at(trianglesAt_, at(next, edge)++) = static_cast<int>(t);
-      waiting_.push_back(static_cast<int>(t));
-    }
+  explicit Waiting(std::size_t triangles) : waits_(triangles, true), list_(triangles) {
+    std::iota(list_.begin(), list_.end(), 0);
   }
 
-  void run() {
-    while (!waiting_.empty()) {
-      const int t = waiting_.back();
-      waiting_.pop_back();
-      at(waits_, t) = false;
-      grade(t);
-    }
+  [[nodiscard]] bool empty() const { return list_.empty(); }
+
+  [[nodiscard]] int take() {
+    const int t = list_.back();
+    list_.pop_back();
+    at(waits_, t) = false;
+    return t;
+  }
+
+  void add(int t) {
+    if (!at(waits_, t)) list_.push_back(t);
+    at(waits_, t) = true;
   }
 
  private:
-  /// The shortest piece of a triangle's sides and inside, and the level that makes it.
-  struct Finest {
-    float piece = 0.0f;
-    int level = 1;
-  };
+  std::vector<bool> waits_;  ///< [T]
+  std::vector<int> list_;
+};
 
-  void grade(int t) {
-    const ControlTriangle& triangle = at(mesh_.triangles, t);
+}  // namespace
+
+LevelGrader::LevelGrader(const ControlMesh& mesh)
+    : mesh_(mesh), trianglesBegin_(mesh.edges.size() + 1, 0), trianglesAt_(3 * mesh.triangles.size()) {
+  for (const Edge& edge : mesh.edges) {
+    lengths_.push_back(glm::distance(at(mesh.positions, edge.vertices[0]), at(mesh.positions, edge.vertices[1])));
+  }
+  for (const ControlTriangle& triangle : mesh.triangles) {
+    for (const int edge : triangle.edges) ++at(trianglesBegin_, edge + 1);
+  }
+  for (std::size_t e = 0; e < mesh.edges.size(); ++e) trianglesBegin_[e + 1] += trianglesBegin_[e];
+  std::vector<int> next = trianglesBegin_;
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    for (const int edge : mesh.triangles[t].edges) at(trianglesAt_, at(next, edge)++) = static_cast<int>(t);
+  }
+}
+
+RefinementLevels LevelGrader::graded(RefinementLevels levels) const {
+  Waiting waiting(mesh_.triangles.size());
+  while (!waiting.empty()) {
+    const int t = waiting.take();
+    const std::array<int, 3>& edges = at(mesh_.triangles, t).edges;
+    std::uint8_t& inside = at(levels.triangles, t);
+    const auto isWhole = [&](int edge) { return at(levels.edges, edge) == 1; };
+    if (inside == 1 && std::ranges::all_of(edges, isWhole)) continue;  // Most of a fine mesh.
     float longest = 0.0f;
-    for (const int edge : triangle.edges) longest = std::max(longest, at(lengths_, edge));
-    std::uint8_t& inside = at(levels_.triangles, t);
+    for (const int edge : edges) longest = std::max(longest, at(lengths_, edge));
     Finest finest{longest / static_cast<float>(inside), inside};
-    for (const int edge : triangle.edges) {
-      const int level = at(levels_.edges, edge);
+    for (const int edge : edges) {
+      const int level = at(levels.edges, edge);
       const Finest own{at(lengths_, edge) / static_cast<float>(level), level};
       if (level > 1 && own.piece < finest.piece) finest = own;
     }
@@ -73,31 +90,13 @@ class Grader {
       return std::min(levelFor(length, kMostRatio * finest.piece), finest.level);
     };
     inside = static_cast<std::uint8_t>(std::max<int>(inside, needed(longest)));
-    for (const int edge : triangle.edges) {
+    for (const int edge : edges) {
       const int level = needed(at(lengths_, edge));
-      if (level <= at(levels_.edges, edge)) continue;
-      at(levels_.edges, edge) = static_cast<std::uint8_t>(level);
-      for (int i = at(trianglesBegin_, edge); i < at(trianglesBegin_, edge + 1); ++i) {
-        const int other = at(trianglesAt_, i);
-        if (!at(waits_, other)) waiting_.push_back(other);
-        at(waits_, other) = true;
-      }
+      if (level <= at(levels.edges, edge)) continue;
+      at(levels.edges, edge) = static_cast<std::uint8_t>(level);
+      for (int i = at(trianglesBegin_, edge); i < at(trianglesBegin_, edge + 1); ++i) waiting.add(at(trianglesAt_, i));
     }
   }
-
-  const ControlMesh& mesh_;
-  RefinementLevels& levels_;
-  std::vector<float> lengths_;       ///< [E]
-  std::vector<int> trianglesBegin_;  ///< [E + 1] into trianglesAt_.
-  std::vector<int> trianglesAt_;     ///< Edge by edge.
-  std::vector<bool> waits_;          ///< [T]
-  std::vector<int> waiting_;
-};
-
-}  // namespace
-
-RefinementLevels gradedLevels(const ControlMesh& mesh, RefinementLevels levels) {
-  Grader(mesh, levels).run();
   return levels;
 }
 

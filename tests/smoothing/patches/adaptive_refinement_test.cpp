@@ -141,7 +141,7 @@ TEST(AdaptiveRefinement, GradedLevelsMakeNoSlivers) {
     for (int v = 0; v < 3; ++v) mesh.wedges.push_back({v});
     mesh.edges = {{{0, 1}, 1}, {{1, 2}, 1}, {{0, 2}, 1}};
     mesh.triangles.push_back({{0, 1, 2}, {0, 1, 2}, {0, 1, 2}, 0});
-    const Levels levels = gradedLevels(mesh, randomLevels(mesh, random, 12));
+    const Levels levels = LevelGrader(mesh).graded(randomLevels(mesh, random, 12));
     const Refinement refinement = refine(mesh, levels);
     for (const auto& t : refinement.triangles) {
       const double angle = leastAngle(flatPoint(mesh, refinement, 0, t[0]), flatPoint(mesh, refinement, 0, t[1]),
@@ -158,16 +158,17 @@ TEST(AdaptiveRefinement, GradedLevelsMakeNoSlivers) {
 TEST(AdaptiveRefinement, GradingIsTheLeastAndDoesNotDependOnOrder) {
   std::mt19937 random(8);
   const CharacterPtr character = makeBodyWithArms();
+  const LevelGrader grader(character->mesh);
   for (int round = 0; round < 20; ++round) {
     const Levels asked = randomLevels(character->mesh, random, 12);
-    const Levels graded = gradedLevels(character->mesh, asked);
-    EXPECT_EQ(gradedLevels(character->mesh, graded), graded);
+    const Levels graded = grader.graded(asked);
+    EXPECT_EQ(grader.graded(graded), graded);
     for (std::size_t e = 0; e < asked.edges.size(); ++e) EXPECT_GE(graded.edges[e], asked.edges[e]);
     for (std::size_t t = 0; t < asked.triangles.size(); ++t) EXPECT_GE(graded.triangles[t], asked.triangles[t]);
   }
   const Levels ones{std::vector<std::uint8_t>(character->mesh.edges.size(), 12),
                     std::vector<std::uint8_t>(character->mesh.triangles.size(), 12)};
-  EXPECT_EQ(gradedLevels(character->mesh, ones), ones);
+  EXPECT_EQ(grader.graded(ones), ones);
 }
 
 // A circle's chord at level n is off by r (1 - cos(a / 2n)).
