@@ -19,7 +19,7 @@ namespace {
 /// How far a patch may bulge, of the most that one of its edges rises along an end's normal: 1/2 of PN triangles
 /// (a third at the sides' control points, half as much more at the middle one), 3/4 of Phong's.
 constexpr float kMostBulge = 0.75f;
-constexpr std::size_t kFew = 1024;  ///< Carriers or triangles for one thread.
+constexpr std::size_t kFewLooked = 1024;  ///< Carriers or triangles for one thread.
 
 bool samePosed(const PosedPrimitive& a, const PosedPrimitive& b) {
   const UnitBallMap& x = a.influence;
@@ -138,7 +138,7 @@ class Changes {
       if (poses_[pose].influences.empty()) continue;
       skin(next_.character(), after_.poses[pose], base, skinned);
       skinDirections(next_.character(), next_.tables->riseInBind, skinned, rise);
-      forRanges(out.size(), kFew, [&](std::size_t begin, std::size_t end) {
+      forRanges(out.size(), kFewLooked, [&](std::size_t begin, std::size_t end) {
         for (std::size_t t = begin; t < end; ++t) {
           if (mayChange[t] == 0 || out[t] != 0) continue;
           const PosedTriangle posed = posedTriangle(next_.mesh().triangles[t], skinned, rise, poses_[pose].carves);
@@ -181,12 +181,12 @@ class Changes {
     const std::size_t firstEdge = mesh.positions.size();
     const std::size_t firstTriangle = firstEdge + mesh.edges.size();
     std::vector<std::uint8_t> sees(firstTriangle + mesh.triangles.size());
-    forEachIndex(sees.size(), kFew, [&](std::size_t c) {
+    forEachIndex(sees.size(), kFewLooked, [&](std::size_t c) {
       sees[c] = std::ranges::any_of(next_.attached->candidates.of(static_cast<int>(c)),
                                     [&](const CarrierCandidate& one) { return changed_[toIndex(one.primitive)]; });
     });
     std::vector<std::uint8_t> out(mesh.triangles.size());
-    forEachIndex(out.size(), kFew, [&](std::size_t t) {
+    forEachIndex(out.size(), kFewLooked, [&](std::size_t t) {
       const ControlTriangle& triangle = mesh.triangles[t];
       std::uint8_t any = sees[firstTriangle + t];
       for (const int v : triangle.vertices) any |= at(sees, v);

@@ -10,13 +10,13 @@ namespace sinew {
 
 namespace {
 
-constexpr std::size_t kFew = 4096;  ///< Triangles or vertices for one thread.
+constexpr std::size_t kFewClassified = 4096;  ///< Triangles or vertices for one thread.
 
 }  // namespace
 
 std::vector<TriangleClass> classifyTriangles(const ControlMesh& mesh, std::span<const float> omega) {
   std::vector<TriangleClass> classes(mesh.triangles.size());
-  forEachIndex(classes.size(), kFew, [&](std::size_t t) {
+  forEachIndex(classes.size(), kFewClassified, [&](std::size_t t) {
     const auto isInside = [&](int vertex) { return at(omega, vertex) > 0.0f; };
     const auto inside = std::ranges::count_if(mesh.triangles[t].vertices, isInside);
     classes[t] = inside == 3   ? TriangleClass::kImplicit
@@ -28,7 +28,7 @@ std::vector<TriangleClass> classifyTriangles(const ControlMesh& mesh, std::span<
 
 std::vector<float> influenceWeights(const ControlMesh& mesh, const FieldView& bindField) {
   std::vector<float> omega(mesh.positions.size(), 0.0f);
-  forEachIndex(omega.size(), kFew / 4, [&](std::size_t v) {
+  forEachIndex(omega.size(), kFewClassified / 4, [&](std::size_t v) {
     const bool isInside =
         std::ranges::any_of(bindField.lists->of(static_cast<int>(v)), [&](const CarrierCandidate& candidate) {
           return at(bindField.primitives, candidate.primitive).influence.holds(mesh.positions[v]);

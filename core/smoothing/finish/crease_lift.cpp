@@ -12,11 +12,11 @@
 namespace sinew {
 namespace {
 
-constexpr float kFolded = -0.3f;      ///< rho up to which heights fall the most.
-constexpr float kLevel = 0.4f;        ///< rho from which on they stay.
-constexpr float kLeft = 0.4f;         ///< What is left of them.
-constexpr float kLeastFront = 0.05f;  ///< In the bind pose.
-constexpr std::size_t kFew = 2048;    ///< Triangles, edges or vertices for one thread.
+constexpr float kFolded = -0.3f;           ///< rho up to which heights fall the most.
+constexpr float kLevel = 0.4f;             ///< rho from which on they stay.
+constexpr float kLeft = 0.4f;              ///< What is left of them.
+constexpr float kLeastFront = 0.05f;       ///< In the bind pose.
+constexpr std::size_t kFewCreased = 2048;  ///< Triangles, edges or vertices for one thread.
 
 /// How much of its height is left to a vertex.
 float leftOf(float rho) { return kLeft + (1.0f - kLeft) * smoothstep(kFolded, kLevel, rho); }
@@ -40,21 +40,21 @@ std::vector<float> bindFrontInverses(const ControlMesh& mesh) {
 void CreaseLift::findRho(const CarryingMesh& c, const MovedTriangles& moved) {
   isNear_.assign(c.mesh.positions.size(), 0);
   const std::span<std::uint8_t> isNear = isNear_;
-  forEachIndex(moved.isControl.size(), kFew, [&](std::size_t t) {
+  forEachIndex(moved.isControl.size(), kFewCreased, [&](std::size_t t) {
     if (moved.isControl[t] == 0) return;
     for (const int v : c.mesh.triangles[t].vertices) {
       std::atomic_ref(at(isNear, v)).store(1, std::memory_order_relaxed);  // Several threads may.
     }
   });
   fronts_.resize(c.mesh.triangles.size());
-  forEachIndex(fronts_.size(), kFew, [&](std::size_t t) {
+  forEachIndex(fronts_.size(), kFewCreased, [&](std::size_t t) {
     const std::array<int, 3>& corners = c.mesh.triangles[t].vertices;
     if ((at(isNear, corners[0]) | at(isNear, corners[1]) | at(isNear, corners[2])) == 0) return;
     const float perBind = c.perBindFront[t];
     fronts_[t] = perBind == 0.0f ? 1.0f : std::clamp(perBind * ratioOf(corners, c.positions, c.normals), -1.0f, 1.0f);
   });
   rho_.resize(isNear_.size());
-  forEachIndex(rho_.size(), kFew, [&](std::size_t v) {
+  forEachIndex(rho_.size(), kFewCreased, [&](std::size_t v) {
     float least = 1.0f;
     if (isNear[v] != 0) {
       for (const int corner : c.rings.cornersOf(static_cast<int>(v))) {
@@ -68,7 +68,7 @@ void CreaseLift::findRho(const CarryingMesh& c, const MovedTriangles& moved) {
 void CreaseLift::lowerInside(const CarryingMesh& c, const MovedTriangles& moved, std::span<float> heights) {
   isLowered_.resize(c.mesh.edges.size(), 0);
   const std::span<std::uint8_t> isLowered = isLowered_;
-  forEachIndex(moved.isControl.size(), kFew, [&](std::size_t t) {
+  forEachIndex(moved.isControl.size(), kFewCreased, [&](std::size_t t) {
     if (moved.isControl[t] == 0) return;
     const ControlTriangle& triangle = c.mesh.triangles[t];
     const auto& [a, b, d] = triangle.vertices;
@@ -83,7 +83,7 @@ void CreaseLift::lowerInside(const CarryingMesh& c, const MovedTriangles& moved,
 }
 
 void CreaseLift::lowerEdges(const CarryingMesh& c, std::span<float> heights) {
-  forEachIndex(isLowered_.size(), 2 * kFew, [&](std::size_t e) {
+  forEachIndex(isLowered_.size(), 2 * kFewCreased, [&](std::size_t e) {
     if (isLowered_[e] == 0) return;
     isLowered_[e] = 0;
     const auto edge = static_cast<int>(e);
@@ -101,7 +101,7 @@ void CreaseLift::lower(const CarryingMesh& c, const MovedTriangles& moved, std::
   findRho(c, moved);
   lowerInside(c, moved, heights);
   lowerEdges(c, heights);
-  forEachIndex(rho_.size(), 2 * kFew, [&](std::size_t v) {
+  forEachIndex(rho_.size(), 2 * kFewCreased, [&](std::size_t v) {
     if (rho_[v] < kLevel) heights[v] *= leftOf(rho_[v]);
   });
 }

@@ -10,12 +10,12 @@
 namespace sinew {
 namespace {
 
-constexpr std::size_t kFew = 4096;  ///< Vertices or triangles for one thread.
+constexpr std::size_t kFewMoved = 4096;  ///< Vertices or triangles for one thread.
 
 /// What is flagged, ascending. Without a branch: flags change too often to be foreseen.
 void list(std::span<const std::uint8_t> flags, std::vector<int>& out) {
   out.resize(flags.size());
-  out.resize(listInBlocks(flags.size(), kFew, out.data(), [&](std::size_t begin, std::size_t end, int* listed) {
+  out.resize(listInBlocks(flags.size(), kFewMoved, out.data(), [&](std::size_t begin, std::size_t end, int* listed) {
     std::size_t count = 0;
     for (std::size_t v = begin; v < end; ++v) {
       listed[count] = static_cast<int>(v);
@@ -40,7 +40,7 @@ void flag(const std::array<int, 3>& t, Flags flags) {
 }
 
 void findMoved(std::span<const glm::vec3> patch, std::span<const glm::vec3> positions, Flags isMoved) {
-  forEachIndex(positions.size(), kFew, [&](std::size_t v) {
+  forEachIndex(positions.size(), kFewMoved, [&](std::size_t v) {
     const glm::vec3& p = patch[v];
     const glm::vec3& q = positions[v];
     isMoved[v] = static_cast<std::uint8_t>((p.x != q.x) | (p.y != q.y) | (p.z != q.z));
@@ -49,7 +49,7 @@ void findMoved(std::span<const glm::vec3> patch, std::span<const glm::vec3> posi
 
 /// Control triangles with a moved vertex, and the vertices of their pieces that have one.
 void findNear(Triangles triangles, std::span<const int> begin, Flags isMoved, Flags isControl, Flags isNear) {
-  forEachIndex(isControl.size(), kFew, [&](std::size_t t) {
+  forEachIndex(isControl.size(), kFewMoved, [&](std::size_t t) {
     std::uint8_t any = 0;
     for (int i = begin[t]; i < begin[t + 1]; ++i) {
       if (!isAny(isMoved, at(triangles, i))) continue;
@@ -62,15 +62,16 @@ void findNear(Triangles triangles, std::span<const int> begin, Flags isMoved, Fl
 
 /// Triangles at those vertices, and their corners. @return  how many
 std::size_t findRefined(Triangles triangles, Flags isNear, Flags isCorner, std::span<int> refined) {
-  return listInBlocks(triangles.size(), kFew, refined.data(), [&](std::size_t begin, std::size_t end, int* listed) {
-    std::size_t count = 0;
-    for (std::size_t i = begin; i < end; ++i) {
-      if (!isAny(isNear, triangles[i])) continue;
-      listed[count++] = static_cast<int>(i);
-      flag(triangles[i], isCorner);
-    }
-    return count;
-  });
+  return listInBlocks(triangles.size(), kFewMoved, refined.data(),
+                      [&](std::size_t begin, std::size_t end, int* listed) {
+                        std::size_t count = 0;
+                        for (std::size_t i = begin; i < end; ++i) {
+                          if (!isAny(isNear, triangles[i])) continue;
+                          listed[count++] = static_cast<int>(i);
+                          flag(triangles[i], isCorner);
+                        }
+                        return count;
+                      });
 }
 
 }  // namespace

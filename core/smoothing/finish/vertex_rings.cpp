@@ -65,7 +65,7 @@ void addAcross(int vertex, std::span<const Other> sorted, std::vector<std::array
   }
 }
 
-constexpr std::size_t kBlock = 4096;  ///< Vertices whose lists one thread makes.
+constexpr std::size_t kRingBlock = 4096;  ///< Vertices whose lists one thread makes.
 
 /// Of the vertices of a block, one after the other.
 struct RingBlock {
@@ -124,10 +124,10 @@ VertexRings vertexRings(const Refinement& refinement) {
   const std::size_t vertices = toIndex(refinement.vertexCount);
   rings.begin.assign(vertices + 1, 0);
   rings.share.resize(vertices);
-  std::vector<RingBlock> blocks((vertices + kBlock - 1) / kBlock);
+  std::vector<RingBlock> blocks((vertices + kRingBlock - 1) / kRingBlock);
   forEachIndex(blocks.size(), 1, [&](std::size_t block) {
-    const std::size_t begin = block * kBlock;
-    listBlock(refinement, begin, std::min(begin + kBlock, vertices), rings, blocks[block]);
+    const std::size_t begin = block * kRingBlock;
+    listBlock(refinement, begin, std::min(begin + kRingBlock, vertices), rings, blocks[block]);
   });
   std::vector<std::array<int, 2>> across;
   rings.neighbors.reserve(2 * rings.corners.size());
