@@ -215,9 +215,7 @@ void SurfaceDrawer::leaveOutUnseen(const Frame& frame) {
   // Classes are read by the place of a triangle among all; vertices on the card and those beside lie elsewhere.
   const bool placed = frame.settings.shading == Shading::kClasses || hasBeside_ || cardVertices_;
   if (!isSoftwareRenderer() || refinement_ == nullptr || placed) return;
-  std::vector<std::uint8_t> doubleSided;
-  for (const Range& range : ranges_) doubleSided.push_back(materialOf(range).doubleSided ? 1 : 0);
-  seen_.find({*refinement_, frame.scene.surface->positions, refinedOrder_, ranges_, doubleSided},
+  seen_.find({*refinement_, frame.scene.surface->positions, refinedOrder_, ranges_, showsBacks_},
              frame.view.clipFromWorld(), frame.view.size);
   uploadBuffer(seenIndices_, seen_.triangles(), GL_STREAM_DRAW);
   drawsSeen_ = true;

@@ -96,8 +96,9 @@ class SurfaceDrawer {
   std::vector<int> controlOrder_;     ///< Control triangles in the order drawn: by material.
   std::vector<int> refinedOrder_;     ///< Their refined triangles.
   std::vector<Range> ranges_;
-  SeenTriangles seen_;      ///< In seenIndices_.
-  bool drawsSeen_ = false;  ///< Opaque materials are drawn from there.
+  std::vector<std::uint8_t> showsBacks_;  ///< [ranges_] 1: the material is double-sided.
+  SeenTriangles seen_;                    ///< In seenIndices_.
+  bool drawsSeen_ = false;                ///< Opaque materials are drawn from there.
   std::vector<int> shadowClusters_;
   std::vector<Range>
       shadowRanges_;  ///< Culled ones too; of shadowIndices_ where the processor draws, else of indices_.

@@ -42,6 +42,8 @@ void SurfaceDrawer::rebuildOrder(const ControlMesh& mesh, const GlBuffer& indice
     controlOf.push_back(t);
     ++ranges_.back().triangles;
   }
+  showsBacks_.clear();
+  for (const Range& range : ranges_) showsBacks_.push_back(materialOf(range).doubleSided ? 1 : 0);
   uploadBuffer(indices, std::span<const std::array<std::uint32_t, 3>>(ordered), usage);
   uploadBuffer(controlOf_, std::span<const int>(controlOf), usage);
   glVertexArrayElementBuffer(array_.id(), indices.id());

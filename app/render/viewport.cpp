@@ -142,6 +142,11 @@ void divideByAlpha(std::vector<std::uint8_t>& rgba) {
   }
 }
 
+/// Whether there is a surface, and it is drawn.
+bool showsSurface(const Frame& frame) {
+  return frame.scene.surface != nullptr && !frame.surfaceBounds.isEmpty() && frame.settings.surface;
+}
+
 }  // namespace
 
 Viewport::Viewport() = default;
@@ -218,7 +223,7 @@ void Viewport::noteChange(const Frame& frame, bool kept) {
 void Viewport::drawInto(const RenderTarget& target, const Frame& frame, bool kept) {
   State& s = *state_;
   const DisplaySettings& settings = frame.settings;
-  const bool showSurface = frame.scene.surface != nullptr && !frame.surfaceBounds.isEmpty() && settings.surface;
+  const bool showSurface = showsSurface(frame);
   target.begin();
   glClearColor(0.0f, 0.0f, 0.0f, 0.0f);
   glClearDepth(1.0);
@@ -299,7 +304,7 @@ void Viewport::draw(const Scene& scene, const View& whole, const DisplaySettings
   State& s = *state_;
   const Frame frame = beginPicture(scene, view, settings, moving.has_value());
   Stopwatch watch;
-  if (moving && s.samples == 1 && frame.scene.surface != nullptr) s.surface.leaveOutUnseen(frame);
+  if (moving && s.samples == 1 && showsSurface(frame)) s.surface.leaveOutUnseen(frame);
   s.mean.begin(whole.size);
   shareFrame(frame, -1);
   const bool keeps = moving.has_value() && s.samples == 1 && scene.references.empty();

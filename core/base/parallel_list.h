@@ -19,7 +19,7 @@ template <class T, class List>
 std::size_t listInBlocks(std::size_t count, std::size_t least, T* out, const List& list) {
   constexpr std::size_t kMostBlocks = 64;
   constexpr std::size_t kMultiple = 64;
-  const std::size_t even = std::max(least, (count + kMostBlocks - 1) / kMostBlocks);
+  const std::size_t even = std::max({least, kMultiple, (count + kMostBlocks - 1) / kMostBlocks});
   const std::size_t size = (even + kMultiple - 1) / kMultiple * kMultiple;
   const std::size_t blocks = (count + size - 1) / size;
   std::array<std::size_t, kMostBlocks> listed{};

@@ -12,7 +12,7 @@ namespace sinew {
 namespace {
 
 constexpr std::size_t kMostOfPiece = 4'000;
-constexpr std::size_t kFewOfPiece = 500;  ///< No more than that is not divided.
+constexpr std::size_t kFewOfPiece = 500;  ///< Up to so many stay together.
 
 /// Of equal pieces, an even number of them, as cores mostly are.
 std::size_t sizeOfPieces(std::size_t asked) {

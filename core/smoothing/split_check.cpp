@@ -19,6 +19,7 @@
 namespace sinew {
 namespace {
 
+constexpr std::size_t kFewSplits = 4096;  ///< For one thread.
 constexpr int kRounds = 6;
 constexpr int kSamples = 12;          ///< Along each side.
 constexpr std::size_t kMany = 8'000;  ///< Triangles of a mesh from which on fewer will do: they are small.
@@ -162,7 +163,7 @@ RefinementLevels levelsThatFit(const Preparation& next, const std::vector<Pose>&
   RefinementLevels levels = grader.graded(needed);
   for (int round = 0; round < kRounds; ++round) {
     std::vector<std::uint8_t> unknown(mesh.triangles.size(), 0);
-    forEachIndex(unknown.size(), 4096, [&](std::size_t t) {
+    forEachIndex(unknown.size(), kFewSplits, [&](std::size_t t) {
       const SplitLevels split = splitOf(mesh, levels, static_cast<int>(t));
       // The fit has seen the n^2 split.
       if (!split.isUniform() && !find(known[t], split)) unknown[t] = 1;

@@ -53,7 +53,7 @@ void cull(const Preparation& p, const PosedField& posed, const FieldView& field,
 /// Positions and normals of vertices whose heights have been lowered: skin that stands lower is flatter.
 /// @param lifted  vertices with a height.  @param raw [V'] heights before.
 void placeLowered(std::span<const int> lifted, std::span<const float> raw, const Workspace& w, Surface& out) {
-  constexpr std::size_t kFew = 2048;
+  constexpr std::size_t kFew = 2048;  // For one thread.
   forEachIndex(lifted.size(), kFew, [&](std::size_t i) {
     const std::size_t v = toIndex(lifted[i]);
     if (out.displacement[v] == raw[v]) return;

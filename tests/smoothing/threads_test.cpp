@@ -2,49 +2,56 @@
 
 #include <gtest/gtest.h>
 
+#include "core/rig/trial_rig.h"
 #include "sinew/base/threads.h"
 #include "sinew/smoothing/smoother.h"
+#include "tests/support/characters/stand_ins.h"
 #include "tests/support/rigs/trial_scenes.h"
 
 namespace sinew::test {
 namespace {
 
-constexpr int kSharedDepth = 7;  // Every bundled character is large enough to be shared out.
+constexpr int kSharedDepth = 7;  // Every bundled character has patches and roots enough to be shared out.
 constexpr int kLeastVertices = 10'000;
+
+/// One thread's surfaces against those of several, of a smoother each, which several threads have prepared.
+void expectSame(const std::shared_ptr<const Character>& character, const Rig& rig) {
+  Smoother one(character);
+  Smoother several(character);
+  {
+    const ThreadLimit limit(1);
+    ASSERT_TRUE(one.prepare(rig).ok());
+  }
+  ASSERT_TRUE(several.prepare(rig).ok());
+  Surface wanted;
+  Surface surface;
+  for (const Pose& pose : spreadPoses(*character, 5)) {
+    {
+      const ThreadLimit limit(1);
+      one.smooth(pose, wanted);
+    }
+    ASSERT_GT(wanted.positions.size(), static_cast<std::size_t>(kLeastVertices));
+    ASSERT_GT(wanted.report.projected, 100);
+    for (const int threads : {2, 3, 0}) {
+      const ThreadLimit limit(threads);
+      several.smooth(pose, surface);
+      ASSERT_EQ(surface.refinement->triangles, wanted.refinement->triangles);
+      ASSERT_EQ(surface.classes, wanted.classes);
+      ASSERT_EQ(surface.positions, wanted.positions) << threads;
+      ASSERT_EQ(surface.normals, wanted.normals) << threads;
+      ASSERT_EQ(surface.shadingNormals, wanted.shadingNormals) << threads;
+      ASSERT_EQ(surface.displacement, wanted.displacement) << threads;
+      EXPECT_EQ(surface.report.projected, wanted.report.projected);
+      EXPECT_EQ(surface.report.uncertified, wanted.report.uncertified);
+      EXPECT_EQ(surface.report.evaluations.field, wanted.report.evaluations.field);
+      EXPECT_EQ(surface.report.residualMax, wanted.report.residualMax);
+    }
+  }
+}
 
 class Threads : public ::testing::TestWithParam<const char*> {
  protected:
   TrialScene scene_ = bundledTrialScene(GetParam());
-
-  /// One thread's surfaces against those of several, of a smoother each.
-  void expectSame(const Rig& rig) {
-    const std::vector<Pose> poses = spreadPoses(*scene_.character, 5);
-    Smoother one(scene_.character);
-    Smoother several(scene_.character);
-    ASSERT_TRUE(one.prepare(rig).ok() && several.prepare(rig).ok());
-    Surface wanted;
-    Surface surface;
-    for (const Pose& pose : poses) {
-      {
-        const ThreadLimit limit(1);
-        one.smooth(pose, wanted);
-      }
-      ASSERT_GT(wanted.positions.size(), static_cast<std::size_t>(kLeastVertices));
-      ASSERT_GT(wanted.report.projected, 100);
-      for (const int threads : {2, 3, 0}) {
-        const ThreadLimit limit(threads);
-        several.smooth(pose, surface);
-        ASSERT_EQ(surface.positions, wanted.positions) << threads;
-        ASSERT_EQ(surface.normals, wanted.normals) << threads;
-        ASSERT_EQ(surface.shadingNormals, wanted.shadingNormals) << threads;
-        ASSERT_EQ(surface.displacement, wanted.displacement) << threads;
-        EXPECT_EQ(surface.report.projected, wanted.report.projected);
-        EXPECT_EQ(surface.report.uncertified, wanted.report.uncertified);
-        EXPECT_EQ(surface.report.evaluations.field, wanted.report.evaluations.field);
-        EXPECT_EQ(surface.report.residualMax, wanted.report.residualMax);
-      }
-    }
-  }
 };
 
 TEST_P(Threads, MakeTheSameSurfaceInBothModes) {
@@ -53,7 +60,7 @@ TEST_P(Threads, MakeTheSameSurfaceInBothModes) {
   rig.smoothing.depth = kSharedDepth;
   for (const SurfaceMode mode : {SurfaceMode::kSwell, SurfaceMode::kReplace}) {
     rig.surface.mode = mode;
-    expectSame(rig);
+    expectSame(scene_.character, rig);
   }
 }
 
@@ -63,7 +70,18 @@ TEST_P(Threads, MakeTheSameCreases) {
   rig.smoothing.depth = kSharedDepth;
   rig.smoothing.creaseAngle = 30.0f;
   rig.smoothing.patch = PatchKind::kPhong;
-  expectSame(rig);
+  expectSame(scene_.character, rig);
+}
+
+// Stages that go by control triangles or control vertices are shared out from some thousands of these on.
+TEST(ThreadsOfAFineBody, MakeTheSameSurface) {
+  const auto character = fineHumanoid();
+  Rig rig = trialRig(*character, 14, 3);
+  rig.smoothing.depth = 1;
+  for (const DetailKind detail : {DetailKind::kUniform, DetailKind::kAdaptive}) {
+    rig.smoothing.detail = detail;
+    expectSame(character, rig);
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Rigs, Threads, ::testing::Values("humanoid", "horse", "demo", "wrapped"),

@@ -26,34 +26,28 @@ class SeenTriangles {
   /// What is drawn.
   struct Input {
     const Refinement& refinement;
-    std::span<const glm::vec3> positions;      ///< [V'] world.
+    std::span<const glm::vec3> positions;      ///< [V'] world, finite.
     std::span<const int> order;                ///< Refined triangles in the order drawn.
-    std::span<const Range> ranges;             ///< Of `order`.
+    std::span<const Range> ranges;             ///< Of `order`, one after the other.
     std::span<const std::uint8_t> keepsBacks;  ///< [ranges] 1: both sides are drawn.
   };
 
   /// @param size  of the picture in pixels, which have one sample each.
   void find(const Input& input, const glm::mat4& clipFromWorld, const glm::ivec2& size);
 
-  /// In the order drawn. All that OpenGL would draw is among them, and so are those for which rounding could decide.
+  /// In the order drawn. All that OpenGL would draw is among them, and so are those for which rounding could decide:
+  /// ours, or that of OpenGL to fractions of a pixel.
   [[nodiscard]] std::span<const Corners> triangles() const { return triangles_; }
   /// The same materials, of triangles().
   [[nodiscard]] std::span<const Range> ranges() const { return ranges_; }
 
  private:
-  /// Triangles of one range that one thread looks at.
-  struct Block {
-    std::size_t begin = 0;
-    std::size_t end = 0;
-    std::size_t kept = 0;  ///< From `begin` on.
-  };
   void place(std::span<const glm::vec3> positions, const glm::mat4& clipFromWorld, const glm::vec2& size);
-  void findIn(const Input& input, const Range& range, bool keepsBacks, const glm::vec2& size);
+  [[nodiscard]] bool leavesTrace(const std::array<int, 3>& triangle, const glm::vec2& size, bool keepsBack) const;
 
-  std::vector<glm::vec2> pixels_;  ///< [V'] from the lower left; NaN: behind the eye.
+  std::vector<glm::vec2> pixels_;  ///< [V'] from the lower left; NaN: left to OpenGL, as is every triangle there.
   std::vector<Corners> triangles_;
   std::vector<Range> ranges_;
-  std::vector<Block> blocks_;
 };
 
 }  // namespace sinew::app

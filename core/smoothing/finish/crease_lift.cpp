@@ -83,7 +83,7 @@ void CreaseLift::lowerInside(const CarryingMesh& c, const MovedTriangles& moved,
 }
 
 void CreaseLift::lowerEdges(const CarryingMesh& c, std::span<float> heights) {
-  forEachIndex(isLowered_.size(), 2 * kFewCreased, [&](std::size_t e) {
+  forEachIndex(isLowered_.size(), kFewCreased, [&](std::size_t e) {
     if (isLowered_[e] == 0) return;
     isLowered_[e] = 0;
     const auto edge = static_cast<int>(e);
@@ -101,7 +101,7 @@ void CreaseLift::lower(const CarryingMesh& c, const MovedTriangles& moved, std::
   findRho(c, moved);
   lowerInside(c, moved, heights);
   lowerEdges(c, heights);
-  forEachIndex(rho_.size(), 2 * kFewCreased, [&](std::size_t v) {
+  forEachIndex(rho_.size(), kFewCreased, [&](std::size_t v) {
     if (rho_[v] < kLevel) heights[v] *= leftOf(rho_[v]);
   });
 }

@@ -34,8 +34,8 @@ void FoldRegion::find(const ControlMesh& mesh, const Refinement& refinement, con
 }
 
 void FoldRegion::findShrunk(std::span<const int> asked, const VertexPairs& pairs, float least) {
-  constexpr std::size_t kFew = 2048;
-  constexpr std::size_t kRoom = 4;  // Blocks but the last one are multiples of it.
+  constexpr std::size_t kFew = 2048;  // For one thread.
+  constexpr std::size_t kRoom = 4;    // Blocks but the last one are multiples of it.
   const FoldKernel kernel = foldKernel(chosenVectorSet());
   shrunk_.resize(asked.size() + kRoom);
   const auto list = [&](std::size_t begin, std::size_t end, int* shrunk) {

@@ -44,7 +44,7 @@ void FoldSpread::ask(int triangle, FoldMesh& mesh) {
 }
 
 void FoldSpread::findFolded(FoldMesh& mesh) {
-  constexpr std::size_t kFew = 2048;
+  constexpr std::size_t kFew = 2048;  // For one thread.
   folded_.resize(toIndex(mesh.triangleCount()));
   const auto list = [&](std::size_t begin, std::size_t end, int* folded) {
     std::size_t count = 0;

@@ -9,7 +9,7 @@ namespace sinew {
 
 void LiftedHeights::start(const VertexRings& rings, const MovedTriangles& moved, std::span<const glm::vec3> patch,
                           std::span<const glm::vec3> positions, std::span<const float> heights) {
-  constexpr std::size_t kFew = 2048;
+  constexpr std::size_t kFew = 2048;  // For one thread.
   rings_ = &rings;
   places_.resize(patch.size());
   lifted_.resize(moved.corners.size());

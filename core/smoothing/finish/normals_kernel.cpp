@@ -253,7 +253,7 @@ void setNormal(const NormalsInputs& inputs, int vertex, const Vector& delta) {
   if (squared > 1e-12f) inputs.normals[v] = (1.0f / std::sqrt(squared)) * direction;
 }
 
-/// What the field turns normals by, and these.
+/// The field's normals, and what they turn the patch's by.
 void takeTurns(const NormalsInputs& inputs, std::size_t begin, std::size_t end) {
   const Rows normals(inputs.normals);
   const Rows patchNormals(inputs.patchNormals);

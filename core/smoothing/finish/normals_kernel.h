@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -21,11 +22,13 @@ struct alignas(32) CornerNormals {
 /// Scratch of one vertex, 0 before and after; one cache line. Unless said otherwise the fourth numbers are 0.
 struct alignas(64) NormalsVertex {
   std::array<float, 4> delta{};   ///< What muscles turn the normal by: the field's, then held to the faces.
-  std::array<float, 4> normal{};  ///< The field's, as what softens reads it beside `delta`.
+  std::array<float, 4> normal{};  ///< The field's. It follows `delta`: softening reads both as eight numbers.
   std::array<float, 4> first{};   ///< (M - 1) delta.
   std::array<float, 4> mean{};    ///< What the ring's mean adds to the normal; fourth: 0..1, how far that is in the
                                   ///< second step's place.
 };
+
+static_assert(offsetof(NormalsVertex, normal) == sizeof(NormalsVertex::delta));
 
 /// What shading_normals.h passes to the kernel. Spans and arrays of vertices are [V']; all but `rings` are read and
 /// written at moved.corners alone. Nothing is allocated.

@@ -30,7 +30,7 @@ void SlopeBound::offer(float height, int vertex) {
 }
 
 void SlopeBound::findSteep(const LiftedHeights& heights) {
-  constexpr std::size_t kFew = 1024;
+  constexpr std::size_t kFew = 1024;  // For one thread.
   const std::span<const int> lifted = heights.lifted();
   const SteepKernel kernel = steepKernel(chosenVectorSet());
   steep_.resize(lifted.size());

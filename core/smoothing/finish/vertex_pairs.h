@@ -22,7 +22,7 @@ class VertexPairs {
  public:
   /// @param vertices  those that will be read.  @param patch, positions [V'] world.
   void fill(std::span<const int> vertices, std::span<const glm::vec3> patch, std::span<const glm::vec3> positions) {
-    constexpr std::size_t kFew = 2048;
+    constexpr std::size_t kFew = 2048;  // For one thread.
     pairs_.resize(positions.size());
     forEachIndex(vertices.size(), kFew, [&](std::size_t i) {
       const glm::vec3& p = at(patch, vertices[i]);

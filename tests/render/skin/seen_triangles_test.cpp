@@ -2,8 +2,13 @@
 #include "app/render/skin/seen_triangles.h"
 
 #include <algorithm>
+#include <array>
+#include <cstdio>
 #include <numeric>
+#include <optional>
 #include <random>
+
+#include <glm/gtc/matrix_transform.hpp>
 
 #include "tests/render/pictures.h"
 #include "tests/support/characters/stand_ins.h"
@@ -128,6 +133,65 @@ TEST(SeenTriangles, HoldAllThatCoverAPixelsCenterAndLittleElse) {
               counts.all);
   EXPECT_GT(counts.covering, 5'000);
   EXPECT_LT(counts.kept, 3 * counts.covering);
+}
+
+/// Whether one triangle is kept in a picture of 8 x 8 pixels.
+bool isKept(const std::array<glm::vec3, 3>& corners, const glm::mat4& clipFromWorld) {
+  Refinement refinement;
+  refinement.triangles = {{0, 1, 2}};
+  refinement.drawTriangles = {{0, 1, 2}};
+  const std::array order{0};
+  const std::array<SeenTriangles::Range, 1> ranges{{{0, 0, 1}}};
+  const std::array<std::uint8_t, 1> keepsBacks{0};
+  SeenTriangles seen;
+  seen.find({refinement, corners, order, ranges, keepsBacks}, clipFromWorld, {8, 8});
+  return !seen.triangles().empty();
+}
+
+/// Corners in pixels, from the lower left.
+std::array<glm::vec3, 3> inPixels(const glm::vec2& a, const glm::vec2& b, const glm::vec2& c) {
+  const auto device = [](const glm::vec2& p) { return glm::vec3(p / 4.0f - 1.0f, 0.0f); };
+  return {device(a), device(b), device(c)};
+}
+
+TEST(SeenTriangles, WhatRoundingCouldMoveOverACenterIsKept) {
+  const glm::mat4 flat(1.0f);
+  for (const float sign : {-1.0f, 1.0f}) {  // Beside the center at 3.5, on either side, across and upright.
+    const auto beside = [&](float off, bool upright) {
+      const float near = 3.5f + sign * off;
+      const float far = 3.5f + sign * (off + 0.3f);
+      const auto place = [&](float x, float y) { return upright ? glm::vec2(y, x) : glm::vec2(x, y); };
+      const bool turned = upright != (sign < 0.0f);
+      const auto a = place(near, 3.0f), b = place(far, 3.0f), c = place(near, 4.0f);
+      return isKept(turned ? inPixels(a, c, b) : inPixels(a, b, c), flat);
+    };
+    for (const bool upright : {false, true}) {
+      EXPECT_TRUE(beside(-0.01f, upright));
+      EXPECT_TRUE(beside(1.0f / 32.0f, upright)) << sign;
+      EXPECT_FALSE(beside(1.0f / 8.0f, upright)) << sign;
+    }
+  }
+  // Turned away: nearly along the sight, and clearly so.
+  EXPECT_TRUE(isKept(inPixels({1.0f, 2.4f}, {6.0f, 2.6f}, {6.0f, 2.55f}), flat));
+  EXPECT_FALSE(isKept(inPixels({1.0f, 2.0f}, {6.0f, 3.6f}, {6.0f, 1.0f}), flat));
+}
+
+TEST(SeenTriangles, WhatTheNearPlaneCutsAndWhatFloatsCannotPlaceIsLeftToOpenGL) {
+  Bounds bounds;
+  bounds.add(glm::vec3(-1.0f));
+  bounds.add(glm::vec3(1.0f));
+  const View view = app::framedView(bounds, 0.0f, 0.0f, {8, 8}, false);
+  const glm::vec3 aside = 10.0f * view.forwardInWorld() + glm::vec3(0.0f, 400.0f, 0.0f);  // Above the picture.
+  const std::array<glm::vec3, 3> above{aside, aside + glm::vec3(1.0f, 0.0f, 0.0f), aside + glm::vec3(0.0f, 1.0f, 0.0f)};
+  EXPECT_FALSE(isKept(above, view.clipFromWorld()));
+  const float near = view.clipFromView[3][2] / (view.clipFromView[2][2] - 1.0f);
+  std::array<glm::vec3, 3> before = above;  // One corner between eye and near plane, above the picture too.
+  before[0] = view.eyeInWorld + near * (0.5f * view.forwardInWorld() + glm::vec3(0.0f, 1.0f, 0.0f));
+  EXPECT_TRUE(isKept(before, view.clipFromWorld()));
+  const glm::mat4 moved = view.clipFromWorld() * glm::translate(glm::mat4(1.0f), glm::vec3(-1e6f, 0.0f, 0.0f));
+  std::array<glm::vec3, 3> far = above;
+  for (glm::vec3& corner : far) corner.x += 1e6f;
+  EXPECT_TRUE(isKept(far, moved));
 }
 
 TEST_F(Drawing, AMovingPictureWithoutUnseenTrianglesIsTheSameToThePixel) {
