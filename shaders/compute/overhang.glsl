@@ -1,34 +1,49 @@
 // shaders/compute/overhang.glsl: heights where psi falls slowly, as below what hangs over the skin, in numbers of the
 // type Real. As core/smoothing/projection/overhang.h. Needs Real, Real2 and psiAt(Real), psi and its slope.
 const float kOverhangSlope = 0.5, kPart = 0.25;
-const int kMostParts = 32, kNarrowings = 3;
+const int kMostParts = 32, kNarrowings = 4;
 
 // Of psi, below which it falls slowly. @param radius  mean of the muscles'
 Real overhangSlope(Real radius) {
   return Real(kOverhangSlope) * 4.0 * Real(isoRadius) * Real(isoRoot) * (1.0 - Real(isoRadius)) / radius;
 }
 
+// An end of a part: where it is, and s + psi(s) / sigma there.
+struct PartEnd {
+  Real at;
+  Real sum;
+  Real slope;
+};
+
+PartEnd partEndAt(Real s, Real sigma) {
+  Real2 here = psiAt(s);
+  return PartEnd(s, s + here.x / sigma, Real(1.0) + here.y / sigma);
+}
+
+// Where to look inside a part in which low.slope < 0 and high.slope > 0. @param atKink  or as on a parabola
+Real lowestBetween(PartEnd low, PartEnd high, bool atKink) {
+  Real way = high.at - low.at;
+  Real turns = high.slope - low.slope;
+  Real step = atKink ? (high.slope * way + (low.sum - high.sum)) / turns : -low.slope * way / turns;
+  return low.at + clamp(step, Real(0.0), way);
+}
+
 // @param t  the root  @param sigma  overhangSlope()  @param blendWidth  h
 Real belowOverhangs(Real t, Real sigma, Real blendWidth) {
   Real part = Real(kPart) * blendWidth;
-  Real2 from = psiAt(Real(0.0));
-  Real height = min(t, from.x / sigma);
+  PartEnd from = partEndAt(Real(0.0), sigma);
+  Real height = min(t, from.sum);
   for (int i = 0; i < kMostParts && Real(i) * part < t; ++i) {
-    Real low = Real(i) * part, high = min(Real(i + 1) * part, t);
-    Real2 to = psiAt(high);
-    if (high < t) height = min(height, high + to.x / sigma);
-    Real falls = from.y + sigma, rises = to.y + sigma;  // The slope of sigma s + psi(s).
-    for (int k = 0; k < kNarrowings && falls < Real(0.0) && rises > Real(0.0); ++k) {
-      Real lowest = low - falls * (high - low) / (rises - falls);
-      Real2 at = psiAt(lowest);
-      height = min(height, lowest + at.x / sigma);
-      Real slope = at.y + sigma;
-      if (slope < Real(0.0)) {
-        low = lowest;
-        falls = slope;
+    PartEnd to = partEndAt(min(Real(i + 1) * part, t), sigma);
+    if (to.at < t) height = min(height, to.sum);
+    PartEnd low = from, high = to;
+    for (int k = 0; k < kNarrowings && low.slope < Real(0.0) && high.slope > Real(0.0); ++k) {
+      PartEnd inside = partEndAt(lowestBetween(low, high, k % 2 == 0), sigma);
+      height = min(height, inside.sum);
+      if (inside.slope < Real(0.0)) {
+        low = inside;
       } else {
-        high = lowest;
-        rises = slope;
+        high = inside;
       }
     }
     from = to;

@@ -13,46 +13,63 @@
 HWY_BEFORE_NAMESPACE();
 namespace sinew::HWY_NAMESPACE {
 
-/// A part of the way, and the slopes of sigma s + psi(s) at its ends.
-struct LanePart {
-  V low;
-  V high;
-  V falls;
-  V rises;
+/// PartEnd of overhang.h.
+struct LaneEnd {
+  V at;
+  V sum;
+  V slope;
 };
 
+struct SlowFall {
+  const RayLanes& rays;
+  V inverseSigma;
+
+  HWY_INLINE LaneEnd endAt(V s) const {
+    const LaneSample here = rays.sample(s);
+    return {s, s + here.value * inverseSigma, all(1.0f) + here.slope * inverseSigma};
+  }
+};
+
+/// lowestBetween().
+HWY_INLINE V lowestBetween(const LaneEnd& low, const LaneEnd& high, bool atKink) {
+  const V length = high.at - low.at;
+  const V turns = high.slope - low.slope;
+  const V step = atKink ? (high.slope * length + (low.sum - high.sum)) / turns : zero() - low.slope * length / turns;
+  return low.at + hn::Min(hn::Max(zero(), step), length);
+}
+
+HWY_INLINE LaneEnd select(M mask, const LaneEnd& yes, const LaneEnd& no) {
+  return {select(mask, yes.at, no.at), select(mask, yes.sum, no.sum), select(mask, yes.slope, no.slope)};
+}
+
 /// The least of s + psi(s) / sigma inside a part in which it falls, then rises. @param height  in and out
-HWY_INLINE void lowerInside(const RayLanes& rays, V sigma, LanePart part, M dips, V& height) {
-  for (int k = 0; k < Overhang::kNarrowings && any(dips); ++k) {
-    const V lowest = part.low - part.falls * (part.high - part.low) / (part.rises - part.falls);
-    const LaneSample at = rays.sample(lowest);
-    rays.count(dips);
-    height = select(dips, hn::Min(height, lowest + at.value / sigma), height);
-    const V slope = at.slope + sigma;
-    const M fallsOn = hn::Lt(slope, zero());
-    part.low = select(fallsOn, lowest, part.low);
-    part.falls = select(fallsOn, slope, part.falls);
-    part.high = select(fallsOn, part.high, lowest);
-    part.rises = select(fallsOn, part.rises, slope);
-    dips = both(dips, both(hn::Lt(part.falls, zero()), hn::Gt(part.rises, zero())));
+HWY_INLINE void lowerInside(const SlowFall& fall, LaneEnd low, LaneEnd high, M asked, V& height) {
+  const auto dips = [&] { return both(asked, both(hn::Lt(low.slope, zero()), hn::Gt(high.slope, zero()))); };
+  asked = dips();
+  for (int k = 0; k < Overhang::kNarrowings && any(asked); ++k) {
+    const LaneEnd inside = fall.endAt(lowestBetween(low, high, k % 2 == 0));
+    fall.rays.count(asked);
+    height = select(asked, hn::Min(height, inside.sum), height);
+    const M fallsOn = hn::Lt(inside.slope, zero());
+    low = select(fallsOn, inside, low);
+    high = select(fallsOn, high, inside);
+    asked = dips();
   }
 }
 
 /// heightBelowOverhangs(). @param t  roots.  @param asked  lanes; others keep t.
 HWY_NOINLINE inline V heightBelowOverhangs(const RayLanes& rays, V t, V sigma, V part, M asked) {
-  LaneSample from = rays.sample(zero());
+  const SlowFall fall{rays, all(1.0f) / sigma};
+  LaneEnd from = fall.endAt(zero());
   rays.count(asked);
-  V height = select(asked, hn::Min(t, from.value / sigma), t);
+  V height = select(asked, hn::Min(t, from.sum), t);
   for (int i = 0; i < Overhang::kMostParts; ++i) {
-    const V low = all(static_cast<float>(i)) * part;
-    asked = both(asked, hn::Lt(low, t));
+    asked = both(asked, hn::Lt(all(static_cast<float>(i)) * part, t));
     if (!any(asked)) break;
-    const V high = hn::Min(all(static_cast<float>(i + 1)) * part, t);
-    const LaneSample to = rays.sample(high);
+    const LaneEnd to = fall.endAt(hn::Min(all(static_cast<float>(i + 1)) * part, t));
     rays.count(asked);
-    height = select(both(asked, hn::Lt(high, t)), hn::Min(height, high + to.value / sigma), height);
-    const LanePart here{low, high, from.slope + sigma, to.slope + sigma};
-    lowerInside(rays, sigma, here, both(asked, both(hn::Lt(here.falls, zero()), hn::Gt(here.rises, zero()))), height);
+    height = select(both(asked, hn::Lt(to.at, t)), hn::Min(height, to.sum), height);
+    lowerInside(fall, from, to, asked, height);
     from = to;
   }
   return hn::Max(height, zero());

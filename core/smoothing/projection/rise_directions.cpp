@@ -9,7 +9,7 @@
 namespace sinew {
 namespace {
 
-constexpr int kRounds = 12;
+constexpr int kRounds = 24;
 constexpr float kNearestWide = 0.5f;  ///< Cosine of the widest angle between a direction and its normal.
 
 /// How strongly an edge asks for its ends to agree: rise over the height at which lifted ends would meet. 0 where the
@@ -48,7 +48,10 @@ std::vector<glm::vec3> riseDirections(const ControlMesh& mesh, float rise) {
     }
     for (std::size_t v = 0; v < directions.size(); ++v) {
       if (weights[v] == 0.0f) continue;
-      directions[v] = nearNormal(normalizeOr(directions[v] + sums[v], mesh.normals[v]), mesh.normals[v]);
+      // At least half is the direction's own: on dense meshes neighbors weigh so much that they would trade places,
+      // round after round.
+      directions[v] =
+          nearNormal(normalizeOr((1.0f + weights[v]) * directions[v] + sums[v], mesh.normals[v]), mesh.normals[v]);
     }
   }
   return directions;

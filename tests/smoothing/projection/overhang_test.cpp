@@ -68,5 +68,50 @@ TEST(Overhang, NoChangeOfPsiMovesTheHeightFurtherThanThroughSigma) {
   }
 }
 
+/// What one muscle leaves steeply, and a second one lets fall on slowly before it rises: the higher of the two counts,
+/// as among muscles that are not linked.
+struct Kinked {
+  double kink = 0.0;
+  double curvature = 0.0;
+  double least = 0.0;
+
+  Psi operator()(double t) const {
+    const Psi steep{12.0 * (kink - t) + 0.01, -12.0};
+    const double dip = kink + 0.03;
+    const Psi slow{curvature * (t - dip) * (t - dip) * (1.0 - t) + least,
+                   curvature * (t - dip) * (2.0 * (1.0 - t) - (t - dip))};
+    return steep.value > slow.value ? steep : slow;
+  }
+  [[nodiscard]] double root() const {
+    double t = 0.0;
+    while (t < 2.0 && (*this)(t).value > 0.0) t += 1e-5;
+    return t;
+  }
+  [[nodiscard]] double height(double sigma) const { return heightBelowOverhangs(root(), sigma, kPart, *this); }
+};
+
+// Where muscles are not linked psi has kinks, and its slopes on both sides may differ a hundredfold.
+TEST(Overhang, TheLeastIsFoundAtAKinkToo) {
+  for (const double sigma : {1.0, 2.0}) {
+    for (const double kink : {0.11, 0.153, 0.17, 0.31}) {
+      for (const double curvature : {1.0, 10.0, 60.0}) {
+        double before = 0.0;
+        for (const double least : {-1e-3, -1e-4, 1e-4, 1e-3, 2e-3}) {
+          const Kinked psi{kink, curvature, least};
+          const double root = psi.root();
+          double expected = root;
+          for (double t = 0.0; t < root; t += 1e-5) expected = std::min(expected, t + psi(t).value / sigma);
+          const double height = psi.height(sigma);
+          EXPECT_NEAR(height, expected, 2e-5) << sigma << ' ' << kink << ' ' << curvature << ' ' << least;
+          if (before > 0.0) {
+            EXPECT_NEAR(height, before, 1.2e-3 / sigma + 2e-5) << kink << ' ' << least;
+          }
+          before = height;
+        }
+      }
+    }
+  }
+}
+
 }  // namespace
 }  // namespace sinew::test

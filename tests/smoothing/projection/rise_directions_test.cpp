@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <gtest/gtest.h>
 #include <glm/geometric.hpp>
@@ -72,13 +73,33 @@ TEST(RiseDirections, FarFromTheGrooveAreTheNormals) {
   for (std::size_t v = 0; v < directions.size(); ++v) {
     const bool same = sameBits(directions[v], mesh.normals[v]);
     changed += same ? 0 : 1;
-    if (std::abs(mesh.positions[v].x) < 0.4f) continue;  // Twelve rounds reach twelve edges of 0.02.
+    if (std::abs(mesh.positions[v].x) < 0.6f) continue;  // Each round reaches an edge of 0.02 further.
     ++far;
     // On the flank normals are parallel up to rounding, which must not count as convergence that grows.
     EXPECT_LT(glm::distance(directions[v], mesh.normals[v]), 1e-5f) << v;
   }
   EXPECT_GT(far, 100);
   EXPECT_GT(changed, 20);
+}
+
+// Edges are a tenth of the rise: neighbors that pulled with their whole weight would throw directions to and fro.
+TEST(RiseDirections, OfADenseRoundValleyTurnEvenlyFromSideToSide) {
+  const Sheet sheet = sheetOf(200, [](float x, float) { return std::sqrt(x * x + 0.002f); });
+  const ControlMesh mesh = meshOf(sheet.positions, sheet.triangles);
+  const std::vector<glm::vec3> directions = riseDirections(mesh, kRise);
+  std::vector<std::pair<float, float>> section;  // x, and how far the direction leans along it.
+  for (std::size_t v = 0; v < directions.size(); ++v) {
+    if (std::abs(mesh.positions[v].y) < 1e-5f) section.emplace_back(mesh.positions[v].x, directions[v].x);
+  }
+  std::ranges::sort(section);
+  ASSERT_EQ(section.size(), 201U);
+  float farthest = 0.0f;
+  for (std::size_t i = 1; i + 1 < section.size(); ++i) {
+    const float between = 0.5f * (section[i - 1].second + section[i + 1].second);
+    farthest = std::max(farthest, std::abs(section[i].second - between));
+  }
+  EXPECT_LT(farthest, 0.01f) << "from the mean of its neighbors";
+  EXPECT_LT(widest(mesh, directions), 0.7f * widest(mesh, mesh.normals));
 }
 
 TEST(RiseDirections, StayWithin60DegreesOfTheNormal) {

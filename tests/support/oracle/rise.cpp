@@ -1,4 +1,4 @@
-// tests/support/oracle/rise.cpp: twelve rounds over all edges, each from the round before alone.
+// tests/support/oracle/rise.cpp: rounds over all edges, each from the round before alone.
 
 #include "tests/support/oracle/rise.h"
 
@@ -11,7 +11,7 @@
 namespace sinew::oracle {
 namespace {
 
-constexpr int kRounds = 12;
+constexpr int kRounds = 24;
 
 /// A unit vector at most 60 degrees from a unit normal: turned towards it in the plane of the two.
 Vec limited(const Vec& direction, const Vec& normal) {
@@ -63,8 +63,8 @@ std::vector<Vec> relaxedDirections(const ControlMesh& mesh, double rise) {
       const double squared = dot(along, along);
       if (squared == 0.0) continue;
       const double weight = std::max(0.0, -rise * dot(directions[b] - directions[a], along) / squared);
-      sums[a] = sums[a] + weight * directions[b];
-      sums[b] = sums[b] + weight * directions[a];
+      sums[a] = sums[a] + weight * (directions[a] + directions[b]);
+      sums[b] = sums[b] + weight * (directions[b] + directions[a]);
     }
     for (std::size_t v = 0; v < sums.size(); ++v) directions[v] = limited(unitOr(sums[v], normals[v]), normals[v]);
   }
@@ -111,19 +111,20 @@ std::vector<double> inverseLimits(const ControlMesh& mesh, const std::vector<Vec
 
 double heightBelowOverhangs(double root, double sigma, double part, const Function& psi, const Function& slope) {
   const Function sum = [&](double s) { return s + psi(s) / sigma; };
-  const Function sumSlope = [&](double s) { return sigma + slope(s); };
+  const Function sumSlope = [&](double s) { return 1.0 + slope(s) / sigma; };
   double height = std::min(root, sum(0.0));
   for (int i = 0; i < 32 && i * part < root; ++i) {
     std::array<double, 2> ends{i * part, std::min((i + 1) * part, root)};
-    std::array<double, 2> slopes{sumSlope(ends[0]), sumSlope(ends[1])};
     if (ends[1] < root) height = std::min(height, sum(ends[1]));
-    for (int step = 0; step < 3 && slopes[0] < 0.0 && slopes[1] > 0.0; ++step) {
-      const double lowest = (ends[0] * slopes[1] - ends[1] * slopes[0]) / (slopes[1] - slopes[0]);
-      const double there = sumSlope(lowest);
+    for (int step = 0; step < 4 && sumSlope(ends[0]) < 0.0 && sumSlope(ends[1]) > 0.0; ++step) {
+      const std::array<double, 2> slopes{sumSlope(ends[0]), sumSlope(ends[1])};
+      const double zero = (ends[0] * slopes[1] - ends[1] * slopes[0]) / (slopes[1] - slopes[0]);
+      // Two tangents y = sum(end) + slope (s - end).
+      const double meeting =
+          (sum(ends[0]) - slopes[0] * ends[0] - sum(ends[1]) + slopes[1] * ends[1]) / (slopes[1] - slopes[0]);
+      const double lowest = std::clamp(step % 2 == 0 ? meeting : zero, ends[0], ends[1]);
       height = std::min(height, sum(lowest));
-      const std::size_t moved = there < 0.0 ? 0 : 1;
-      ends.at(moved) = lowest;
-      slopes.at(moved) = there;
+      ends.at(sumSlope(lowest) < 0.0 ? 0 : 1) = lowest;
     }
   }
   return height;
