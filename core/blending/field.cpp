@@ -21,6 +21,22 @@ void add(FieldSample& sum, const FieldSample& part) {
   sum.gradient += part.gradient;
 }
 
+/// The highest sum above 0. Where another one ties with it, the mean of their gradients.
+FieldSample highest(std::span<const FieldSample> sums) {
+  FieldSample best;
+  for (const FieldSample& sum : sums) {
+    if (sum.value > best.value) best = sum;
+  }
+  FieldSample other;  // Its value: how much of its gradient counts, times kTie.
+  for (const FieldSample& sum : sums) {
+    const float near = kTie - (best.value - sum.value);
+    if (near > other.value && sum.gradient != best.gradient) other = {near, sum.gradient};
+  }
+  const float share = other.value / kTie;
+  best.gradient = (best.gradient + share * other.gradient) / (1.0f + share);
+  return best;
+}
+
 }  // namespace
 
 PosedPrimitive posedPrimitive(const FieldPrimitive& primitive, const glm::mat4& carrier) {
@@ -38,32 +54,29 @@ void poseField(std::span<const FieldPrimitive> primitives, std::span<const glm::
 
 FieldSample sampleField(std::span<const PosedPrimitive> primitives, std::span<const Candidate> candidates,
                         const CliqueLists& cliques, const glm::vec3& point, FieldScratch& scratch) {
-  FieldSample carved;
-  FieldSample best;
+  FieldSample sum;  // Of what is in every clique.
   std::vector<FieldSample>& ofSlot = scratch.ofSlot;
   ofSlot.clear();
   for (const Candidate& candidate : candidates) {
     const PosedPrimitive& primitive = at(primitives, candidate.primitive);
     const FieldSample part = sampleCandidate(primitive, candidate.weight, point);
-    if (primitive.strength < 0.0f) {
-      add(carved, part);
-    } else if (cliques.empty()) {
-      add(best, part);
+    if (primitive.strength < 0.0f || cliques.empty()) {
+      add(sum, part);
     } else {
       const auto slot = static_cast<std::size_t>(candidate.slot);
       if (ofSlot.size() <= slot) ofSlot.resize(slot + 1);
       add(ofSlot[slot], part);
     }
   }
-  for (const std::vector<int>& clique : cliques) {
-    FieldSample sum;
-    for (const int slot : clique) {
-      if (static_cast<std::size_t>(slot) < ofSlot.size()) add(sum, at(ofSlot, slot));
+  std::vector<FieldSample>& ofClique = scratch.ofClique;
+  ofClique.assign(cliques.size(), {});
+  for (std::size_t k = 0; k < cliques.size(); ++k) {
+    for (const int slot : cliques[k]) {
+      if (static_cast<std::size_t>(slot) < ofSlot.size()) add(ofClique[k], at(ofSlot, slot));
     }
-    if (sum.value > best.value) best = sum;
   }
-  add(best, carved);
-  return best;
+  add(sum, highest(ofClique));
+  return sum;
 }
 
 FieldSample sampleField(std::span<const PosedPrimitive> primitives, std::span<const Candidate> candidates,

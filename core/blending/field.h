@@ -39,13 +39,18 @@ using CliqueLists = std::vector<std::vector<int>>;
 /// F and grad F at one point.
 struct FieldSample {
   float value = 0.0f;
-  glm::vec3 gradient{0.0f};  ///< Per character unit, world space; of the winning clique.
+  glm::vec3 gradient{0.0f};  ///< Per character unit, world space; of the winning clique, or the mean of two that tie.
 };
+
+/// A clique of another gradient that is less than this below the highest counts in the gradient, the more the nearer it
+/// is. Without it rounding would choose on the line between mirrored muscles, where the sums of both sides are equal.
+inline constexpr float kTie = 1e-4f;
 
 /// Memory that is reused from point to point, so that nothing is allocated; its contents carry nothing from one call to
 /// the next. One a thread.
 struct FieldScratch {
   std::vector<FieldSample> ofSlot;
+  std::vector<FieldSample> ofClique;
 };
 
 /// A primitive as a matrix places it. @param carrier  bone space -> world

@@ -19,7 +19,9 @@ vec3 halfSlopeAt(Primitive p, vec3 fromCenter) {
   return vec3(dotOf(p.toUnit[0].xyz, y), dotOf(p.toUnit[1].xyz, y), dotOf(p.toUnit[2].xyz, y));
 }
 
-// F and its gradient.
+const float kTie = 1e-4;
+
+// F and its gradient: of the highest clique, or the mean of two that tie.
 vec4 fieldAt(vec3 x) {
   vec4 carved = vec4(0.0);
   vec4 sums[kMostCliques];
@@ -44,5 +46,12 @@ vec4 fieldAt(vec3 x) {
   for (int k = 0; k < cliqueCount; ++k) {
     if (sums[k].x > best.x) best = sums[k];
   }
+  vec4 other = vec4(0.0);  // x: how much of its gradient counts, times kTie.
+  for (int k = 0; k < cliqueCount; ++k) {
+    float near = kTie - (best.x - sums[k].x);
+    if (near > other.x && sums[k].yzw != best.yzw) other = vec4(near, sums[k].yzw);
+  }
+  float share = other.x / kTie;
+  best.yzw = (best.yzw + share * other.yzw) / (1.0 + share);
   return best + carved;
 }

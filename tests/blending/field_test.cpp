@@ -78,5 +78,27 @@ TEST(Field, GradientMatchesDifferences) {
   EXPECT_GT(compared, 1500);
 }
 
+// Between a muscle and its mirror image both sums are equal: the gradient leans to neither side.
+TEST(Field, GradientBetweenMirroredMusclesLiesInThePlane) {
+  const std::vector<PosedPrimitive> two{sphere({-0.4f, 0, 0}, 0.8f), sphere({0.4f, 0, 0}, 0.8f)};
+  const std::vector<Candidate> all{{0, 1.0f, 0}, {1, 1.0f, 1}, {1, 0.0f, 2}};
+  // The second one in two cliques, as beside a group that adds nothing here: that must not count twice.
+  const CliqueLists unlinked{{0}, {1}, {1, 2}};
+  const auto gradientAt = [&](float x) { return sampleField(two, all, unlinked, {x, 0.5f, 0.1f}).gradient; };
+  const glm::vec3 between = gradientAt(0.0f);
+  const glm::vec3 beside = gradientAt(0.01f);
+  EXPECT_GT(std::abs(beside.x), 0.3f * glm::length(beside)) << "a crease runs here";
+  EXPECT_NEAR(between.x, 0.0f, 1e-3f * glm::length(between));
+  EXPECT_NEAR(between.y, beside.y, 0.05f * std::abs(beside.y));
+  const std::span<const Candidate> right = std::span(all).subspan(1, 1);
+  EXPECT_EQ(beside, sampleField(two, right, {}, {0.01f, 0.5f, 0.1f}).gradient) << "away from the tie: of one alone";
+  glm::vec3 before = gradientAt(-1e-4f);
+  for (float x = -1e-4f; x <= 1e-4f; x += 1e-7f) {
+    const glm::vec3 now = gradientAt(x);
+    EXPECT_LT(glm::distance(now, before), 0.02f * glm::length(now)) << x;
+    before = now;
+  }
+}
+
 }  // namespace
 }  // namespace sinew

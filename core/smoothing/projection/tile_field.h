@@ -163,14 +163,30 @@ class TileField {
     }
     V best = zero();
     V3 bestGradient{zero(), zero(), zero()};
+    const auto gradientOf = [&](std::size_t k) HWY_ATTR {
+      return V3{rays.sumOf(k, 1), rays.sumOf(k, 2), rays.sumOf(k, 3)};
+    };
     for (std::size_t k = 0; k < cliques_.count(); ++k) {
       const V sum = rays.sumOf(k, 0);
       const M wins = hn::Gt(sign * sum, sign * best);
       best = select(wins, sum, best);
-      bestGradient = select(wins, V3{rays.sumOf(k, 1), rays.sumOf(k, 2), rays.sumOf(k, 3)}, bestGradient);
+      bestGradient = select(wins, gradientOf(k), bestGradient);
     }
     value = value + best;
-    return gradient + bestGradient;
+    V nearest = zero();
+    V3 other{zero(), zero(), zero()};
+    for (std::size_t k = 0; k < cliques_.count(); ++k) {
+      const V near = all(kTie) - sign * (best - rays.sumOf(k, 0));
+      M ties = hn::Gt(near, nearest);
+      if (!any(ties)) continue;
+      const V3 own = gradientOf(k);
+      const V3 apart = own - bestGradient;
+      ties = both(ties, hn::Gt(hn::Abs(apart.x) + hn::Abs(apart.y) + hn::Abs(apart.z), zero()));
+      nearest = select(ties, near, nearest);
+      other = select(ties, own, other);
+    }
+    const V share = nearest * all(1.0f / kTie);
+    return gradient + (all(1.0f) / (all(1.0f) + share)) * (bestGradient + share * other);
   }
 
   /// The largest of the residuals, by lane.

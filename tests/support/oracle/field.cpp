@@ -203,13 +203,11 @@ double Field::value(const Vec& point, std::span<const double> weights) const {
   return out;
 }
 
-Vec Field::gradient(const Vec& point, std::span<const double> weights) const {
-  const std::vector<double> sums = cliqueSums(point, weights);
-  const auto winner = static_cast<std::size_t>(std::max_element(sums.begin(), sums.end()) - sums.begin());
+Vec Field::gradientOf(std::size_t clique, const Vec& point, std::span<const double> weights) const {
   Vec out;
   for (std::size_t i = 0; i < primitives_.size(); ++i) {
     const Item& item = primitives_[i];
-    const bool counts = item.sign < 0 || cliques_[winner][static_cast<std::size_t>(item.group)];
+    const bool counts = item.sign < 0 || cliques_[clique][static_cast<std::size_t>(item.group)];
     if (weights[i] <= 0.0 || !counts || item.flat) continue;
     const Vec inUnit = item.toUnit * (point - item.center);
     if (!item.shape.isPlain()) {
@@ -223,6 +221,23 @@ Vec Field::gradient(const Vec& point, std::span<const double> weights) const {
     out = out + (item.sign * weights[i] * item.strength * gSlope(r) / r) * (transpose(item.toUnit) * inUnit);
   }
   return out;
+}
+
+Vec Field::gradient(const Vec& point, std::span<const double> weights) const {
+  const std::vector<double> sums = cliqueSums(point, weights);
+  const auto winner = static_cast<std::size_t>(std::max_element(sums.begin(), sums.end()) - sums.begin());
+  const Vec best = gradientOf(winner, point, weights);
+  double share = 0.0;  // Of another clique that all but ties: 1 where it does, 0 from 1e-4 on.
+  Vec other;
+  for (std::size_t k = 0; k < sums.size(); ++k) {
+    const double own = 1.0 - (sums[winner] - sums[k]) / 1e-4;
+    if (own <= share) continue;
+    const Vec gradient = gradientOf(k, point, weights);
+    if (length(gradient - best) <= 1e-12 * length(best)) continue;
+    share = own;
+    other = gradient;
+  }
+  return (1.0 / (1.0 + share)) * (best + share * other);
 }
 
 double Field::lead(const Vec& point, std::span<const double> weights) const {

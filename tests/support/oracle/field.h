@@ -84,6 +84,7 @@ class Field {
     bool flat = false;
   };
 
+  [[nodiscard]] Vec gradientOf(std::size_t clique, const Vec& point, std::span<const double> weights) const;
   [[nodiscard]] double radius(const Item& item, const Vec& point) const;
   /// Positive sums [cliques] at a point.
   [[nodiscard]] std::vector<double> cliqueSums(const Vec& point, std::span<const double> weights) const;
