@@ -50,9 +50,10 @@ std::string tableOf(const std::vector<PopsRow>& rows) {
       "against\n"
       "the patch under it. A pop: more than 0.15 % H of that within its fastest 26 microseconds. Largest in % H a "
       "frame.\n"
-      "Definition: degrees that muscles turn normals, mean. Backs: pixels, every 15th frame from 14 sides, beyond the "
-      "bare\n"
-      "skin's. Muscles: the file's own, 16 by the tool's defaults, 24 of short reach at random.\n"
+      "Definition: degrees that muscles turn normals, mean. Backs: pixels, every 15th frame from 14 sides, that a "
+      "frame\n"
+      "shows more than the bare skin does. Muscles: the file's own, 16 by the tool's defaults, 24 of short reach at\n"
+      "random.\n"
       "\n"
       "scene             muscles  detail    rigs  frames     steps  largest      pops  largest  definition  backs\n";
   char line[160];
@@ -60,7 +61,7 @@ std::string tableOf(const std::vector<PopsRow>& rows) {
     std::snprintf(line, sizeof line, "%-16.40s  %-7s  %-8s  %4d  %6d  %8lld  %7.2f  %8lld  %7.2f  %10.2f  %5lld\n",
                   row.scene.c_str(), row.laid, row.detail, row.rigs, row.pops.frames, row.pops.steps,
                   100.0 * static_cast<double>(row.pops.largestStep), row.pops.pops,
-                  100.0 * static_cast<double>(row.pops.largestPop), row.pops.definition(), row.pops.backs);
+                  100.0 * static_cast<double>(row.pops.largestPop), row.pops.definition(), row.pops.moreBacks);
     table += line;
   }
   return table;
@@ -93,6 +94,8 @@ Json jsonOf(const std::vector<PopsRow>& rows) {
         .set("largest_step", static_cast<double>(row.pops.largestStep));
     item.set("pops", static_cast<double>(row.pops.pops)).set("largest_pop", static_cast<double>(row.pops.largestPop));
     item.set("definition", row.pops.definition()).set("backs", static_cast<double>(row.pops.backs));
+    item.set("bare_backs", static_cast<double>(row.pops.bareBacks))
+        .set("more_backs", static_cast<double>(row.pops.moreBacks));
     item.set("places", placesOf(row.pops));
     list.push(item);
   }

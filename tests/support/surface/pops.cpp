@@ -94,7 +94,11 @@ class PopSearch {
     const auto backs = [&](const Surface& surface) {
       return visibleBacks(*surface.refinement, surface.positions, box.center(), extent, kPixels);
     };
-    out.backs += std::max(0LL, backs(surface_) - backs(*patch_));
+    const long long own = backs(surface_);
+    const long long bare = backs(*patch_);
+    out.backs += own;
+    out.bareBacks += bare;
+    out.moreBacks += std::max(0LL, own - bare);
   }
 
   /// Against the patch's frame, or the world's where that is less: a frame may turn over in a crease in which nothing
@@ -185,6 +189,8 @@ void Pops::add(const Pops& other) {
   turned += other.turned;
   moved += other.moved;
   backs += other.backs;
+  bareBacks += other.bareBacks;
+  moreBacks += other.moreBacks;
   places.insert(places.end(), other.places.begin(), other.places.end());
 }
 

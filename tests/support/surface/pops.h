@@ -28,13 +28,15 @@ struct PopPlace {
 /// Moves of refined vertices over time.
 struct Pops {
   int frames = 0;
-  long long steps = 0;       ///< Vertices that move by more than kStep from one frame to the next.
-  long long pops = 0;        ///< Those of them that keep more than kKept.
-  float largestStep = 0.0f;  ///< Fraction of H.
-  float largestPop = 0.0f;   ///< Move within 1/60 s of the farthest vertex that pops, fraction of H.
-  double turned = 0.0;       ///< Degrees between shading normal and patch normal, summed over moved vertices.
-  long long moved = 0;       ///< Those vertices.
-  long long backs = 0;       ///< Pixels (visible_backs.h) beyond those of the bare skin, every fifteenth frame.
+  long long steps = 0;                ///< Vertices that move by more than kStep from one frame to the next.
+  long long pops = 0;                 ///< Those of them that keep more than kKept.
+  float largestStep = 0.0f;           ///< Fraction of H.
+  float largestPop = 0.0f;            ///< Move within 1/60 s of the farthest vertex that pops, fraction of H.
+  double turned = 0.0;                ///< Degrees between shading normal and patch normal, summed over moved vertices.
+  long long moved = 0;                ///< Those vertices.
+  long long backs = 0;                ///< Pixels (visible_backs.h), every fifteenth frame.
+  long long bareBacks = 0;            ///< Of the bare skin in the same pictures.
+  long long moreBacks = 0;            ///< Of the frames that show more than the bare skin, by how much they do.
   std::vector<PopPlace> places = {};  ///< [pops]
 
   /// Definition: mean degrees that muscles turn the normals of skin that they move.
