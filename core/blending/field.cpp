@@ -1,6 +1,10 @@
 // core/blending/field.cpp: sums and maxima of potentials.
 #include "core/blending/field.h"
 
+#include <algorithm>
+
+#include <glm/geometric.hpp>
+
 #include "core/base/at.h"
 #include "core/primitives/potential.h"
 
@@ -27,10 +31,16 @@ FieldSample highest(std::span<const FieldSample> sums) {
   for (const FieldSample& sum : sums) {
     if (sum.value > best.value) best = sum;
   }
-  FieldSample other;  // Its value: how much of its gradient counts, times kTie.
+  FieldSample other;  // Its value: by how much it ties, of kTie.
+  float most = 0.0f;
   for (const FieldSample& sum : sums) {
-    const float near = kTie - (best.value - sum.value);
-    if (near > other.value && sum.gradient != best.gradient) other = {near, sum.gradient};
+    const float near = std::min(kTie - (best.value - sum.value), sum.value);
+    if (!(near > 0.0f)) continue;
+    const glm::vec3 apart = sum.gradient - best.gradient;
+    const float pull = near * near * glm::dot(apart, apart);
+    if (!(pull > most)) continue;
+    most = pull;
+    other = {near, sum.gradient};
   }
   const float share = other.value / kTie;
   best.gradient = (best.gradient + share * other.gradient) / (1.0f + share);
@@ -54,14 +64,17 @@ void poseField(std::span<const FieldPrimitive> primitives, std::span<const glm::
 
 FieldSample sampleField(std::span<const PosedPrimitive> primitives, std::span<const Candidate> candidates,
                         const CliqueLists& cliques, const glm::vec3& point, FieldScratch& scratch) {
-  FieldSample sum;  // Of what is in every clique.
+  FieldSample carved;
+  FieldSample linked;
   std::vector<FieldSample>& ofSlot = scratch.ofSlot;
   ofSlot.clear();
   for (const Candidate& candidate : candidates) {
     const PosedPrimitive& primitive = at(primitives, candidate.primitive);
     const FieldSample part = sampleCandidate(primitive, candidate.weight, point);
-    if (primitive.strength < 0.0f || cliques.empty()) {
-      add(sum, part);
+    if (primitive.strength < 0.0f) {
+      add(carved, part);
+    } else if (cliques.empty()) {
+      add(linked, part);
     } else {
       const auto slot = static_cast<std::size_t>(candidate.slot);
       if (ofSlot.size() <= slot) ofSlot.resize(slot + 1);
@@ -75,8 +88,9 @@ FieldSample sampleField(std::span<const PosedPrimitive> primitives, std::span<co
       if (static_cast<std::size_t>(slot) < ofSlot.size()) add(ofClique[k], at(ofSlot, slot));
     }
   }
-  add(sum, highest(ofClique));
-  return sum;
+  FieldSample out = cliques.empty() ? linked : highest(ofClique);
+  add(out, carved);
+  return out;
 }
 
 FieldSample sampleField(std::span<const PosedPrimitive> primitives, std::span<const Candidate> candidates,

@@ -42,8 +42,9 @@ struct FieldSample {
   glm::vec3 gradient{0.0f};  ///< Per character unit, world space; of the winning clique, or the mean of two that tie.
 };
 
-/// A clique of another gradient that is less than this below the highest counts in the gradient, the more the nearer it
-/// is. Without it rounding would choose on the line between mirrored muscles, where the sums of both sides are equal.
+/// A clique that is less than this below the highest counts in the gradient, the more the nearer it is; of several, the
+/// one that turns it most. Without it rounding would choose on the line between mirrored muscles, where the sums of
+/// both sides are equal.
 inline constexpr float kTie = 1e-4f;
 
 /// Memory that is reused from point to point, so that nothing is allocated; its contents carry nothing from one call to

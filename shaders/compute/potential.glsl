@@ -46,10 +46,15 @@ vec4 fieldAt(vec3 x) {
   for (int k = 0; k < cliqueCount; ++k) {
     if (sums[k].x > best.x) best = sums[k];
   }
-  vec4 other = vec4(0.0);  // x: how much of its gradient counts, times kTie.
+  vec4 other = vec4(0.0);  // x: by how much it ties, of kTie.
+  float most = 0.0;
   for (int k = 0; k < cliqueCount; ++k) {
-    float near = kTie - (best.x - sums[k].x);
-    if (near > other.x && sums[k].yzw != best.yzw) other = vec4(near, sums[k].yzw);
+    float near = min(kTie - (best.x - sums[k].x), sums[k].x);
+    vec3 apart = sums[k].yzw - best.yzw;
+    float pull = near * near * dotOf(apart, apart);
+    if (!(near > 0.0 && pull > most)) continue;
+    most = pull;
+    other = vec4(near, sums[k].yzw);
   }
   float share = other.x / kTie;
   best.yzw = (best.yzw + share * other.yzw) / (1.0 + share);

@@ -50,12 +50,12 @@ std::string tableOf(const std::vector<PopsRow>& rows) {
       "against\n"
       "the patch under it. A pop: more than 0.15 % H of that within its fastest 26 microseconds. Largest in % H a "
       "frame.\n"
-      "Definition: degrees that muscles turn normals, mean. Backs: pixels, every 15th frame from 14 sides, that a "
-      "frame\n"
-      "shows more than the bare skin does. Muscles: the file's own, 16 by the tool's defaults, 24 of short reach at\n"
-      "random.\n"
+      "Definition: degrees that muscles turn normals, mean. More: pixels of backs, every 15th frame from 14 sides, "
+      "that\n"
+      "a frame shows beyond those of the bare skin. Muscles: the file's own, 16 by the tool's defaults, 24 of short\n"
+      "reach at random.\n"
       "\n"
-      "scene             muscles  detail    rigs  frames     steps  largest      pops  largest  definition  backs\n";
+      "scene             muscles  detail    rigs  frames     steps  largest      pops  largest  definition   more\n";
   char line[160];
   for (const PopsRow& row : rows) {
     std::snprintf(line, sizeof line, "%-16.40s  %-7s  %-8s  %4d  %6d  %8lld  %7.2f  %8lld  %7.2f  %10.2f  %5lld\n",

@@ -10,16 +10,17 @@ namespace sinew {
 /// leaps from there. The height is therefore the least of s + psi(s) / sigma on the way, 0 <= s <= t: no change of psi
 /// moves it by more than 1 / sigma times as much. It is t wherever psi falls by sigma or more all the way.
 ///
-/// The least is looked for at the ends of parts of the way that do not depend on the root. Inside a part in which the
-/// sum falls, then rises, steps go by turns to where the tangents at both ends meet, the place of a kink between
-/// straight sides, and to where false position finds the slope to be 0, the lowest point of a parabola. psi has a kink
-/// where one muscle's field gives way to that of another one, which is not linked to it.
+/// The least is looked for at the ends of parts of the way that do not depend on the root, and inside a part at whose
+/// ends the sum falls and rises. There steps go alternately to where the tangents at both ends meet, the place of a
+/// kink between straight sides, and to the middle, without which a curved side would hold them up. The last one goes to
+/// where false position finds the slope to be 0, the lowest point of a parabola. psi has a kink where one muscle's
+/// field gives way to that of another one, which is not linked to it.
 struct Overhang {
   /// sigma over the slope that the skin's own field would have on the skin, were the muscles' mean radius its width.
   static constexpr float kSlope = 0.5f;
   static constexpr float kPart = 0.25f;  ///< Fraction of the blend width h.
   static constexpr int kMostParts = 32;
-  static constexpr int kNarrowings = 4;
+  static constexpr int kNarrowings = 6;
 };
 
 /// An end of a part: where it is, and s + psi(s) / sigma there.
@@ -30,13 +31,14 @@ struct PartEnd {
   Real slope;
 };
 
-/// Where to look inside a part in which low.slope < 0 and high.slope > 0. @param atKink  or as on a parabola
+/// Where to look inside a part in which low.slope < 0 and high.slope > 0. @param step  from 0
 template <class Real>
-[[nodiscard]] Real lowestBetween(const PartEnd<Real>& low, const PartEnd<Real>& high, bool atKink) {
+[[nodiscard]] Real lowestBetween(const PartEnd<Real>& low, const PartEnd<Real>& high, int step) {
   const Real length = high.at - low.at;
+  if (step % 2 != 0 && step + 1 < Overhang::kNarrowings) return low.at + Real(0.5) * length;
   const Real turns = high.slope - low.slope;
-  const Real step = atKink ? (high.slope * length + (low.sum - high.sum)) / turns : -low.slope * length / turns;
-  return low.at + std::clamp(step, Real(0), length);
+  const Real to = step % 2 == 0 ? (high.slope * length + (low.sum - high.sum)) / turns : -low.slope * length / turns;
+  return low.at + std::clamp(to, Real(0), length);
 }
 
 /// @param t  the root, > 0.  @param sigma  > 0.  @param part  length.  @param psi  (s) -> a value and a slope.
@@ -54,7 +56,7 @@ template <class Real, class Psi>
     PartEnd<Real> low = from;
     PartEnd<Real> high = to;
     for (int k = 0; k < Overhang::kNarrowings && low.slope < Real(0) && high.slope > Real(0); ++k) {
-      const PartEnd<Real> inside = endAt(lowestBetween(low, high, k % 2 == 0));
+      const PartEnd<Real> inside = endAt(lowestBetween(low, high, k));
       height = std::min(height, inside.sum);
       (inside.slope < Real(0) ? low : high) = inside;
     }

@@ -31,23 +31,25 @@ struct SlowFall {
 };
 
 /// lowestBetween().
-HWY_INLINE V lowestBetween(const LaneEnd& low, const LaneEnd& high, bool atKink) {
+HWY_INLINE V lowestBetween(const LaneEnd& low, const LaneEnd& high, int step) {
   const V length = high.at - low.at;
+  if (step % 2 != 0 && step + 1 < Overhang::kNarrowings) return low.at + all(0.5f) * length;
   const V turns = high.slope - low.slope;
-  const V step = atKink ? (high.slope * length + (low.sum - high.sum)) / turns : zero() - low.slope * length / turns;
-  return low.at + hn::Min(hn::Max(zero(), step), length);
+  const V to =
+      step % 2 == 0 ? (high.slope * length + (low.sum - high.sum)) / turns : zero() - low.slope * length / turns;
+  return low.at + hn::Min(hn::Max(zero(), to), length);
 }
 
 HWY_INLINE LaneEnd select(M mask, const LaneEnd& yes, const LaneEnd& no) {
   return {select(mask, yes.at, no.at), select(mask, yes.sum, no.sum), select(mask, yes.slope, no.slope)};
 }
 
-/// The least of s + psi(s) / sigma inside a part in which it falls, then rises. @param height  in and out
+/// The least of s + psi(s) / sigma inside a part at whose ends it falls and rises. @param height  in and out
 HWY_INLINE void lowerInside(const SlowFall& fall, LaneEnd low, LaneEnd high, M asked, V& height) {
   const auto dips = [&] { return both(asked, both(hn::Lt(low.slope, zero()), hn::Gt(high.slope, zero()))); };
   asked = dips();
   for (int k = 0; k < Overhang::kNarrowings && any(asked); ++k) {
-    const LaneEnd inside = fall.endAt(lowestBetween(low, high, k % 2 == 0));
+    const LaneEnd inside = fall.endAt(lowestBetween(low, high, k));
     fall.rays.count(asked);
     height = select(asked, hn::Min(height, inside.sum), height);
     const M fallsOn = hn::Lt(inside.slope, zero());

@@ -173,19 +173,22 @@ class TileField {
       bestGradient = select(wins, gradientOf(k), bestGradient);
     }
     value = value + best;
-    V nearest = zero();
+    V share = zero();
+    V most = zero();
     V3 other{zero(), zero(), zero()};
     for (std::size_t k = 0; k < cliques_.count(); ++k) {
-      const V near = all(kTie) - sign * (best - rays.sumOf(k, 0));
-      M ties = hn::Gt(near, nearest);
-      if (!any(ties)) continue;
+      const V sum = sign * rays.sumOf(k, 0);
+      const V near = hn::Min(all(kTie) - (sign * best - sum), sum);
+      if (!any(hn::Gt(near, zero()))) continue;
       const V3 own = gradientOf(k);
       const V3 apart = own - bestGradient;
-      ties = both(ties, hn::Gt(hn::Abs(apart.x) + hn::Abs(apart.y) + hn::Abs(apart.z), zero()));
-      nearest = select(ties, near, nearest);
-      other = select(ties, own, other);
+      const V pull = near * near * dot(apart, apart);
+      const M turns = both(hn::Gt(near, zero()), hn::Gt(pull, most));
+      most = select(turns, pull, most);
+      share = select(turns, near, share);
+      other = select(turns, own, other);
     }
-    const V share = nearest * all(1.0f / kTie);
+    share = share * all(1.0f / kTie);
     return gradient + (all(1.0f) / (all(1.0f) + share)) * (bestGradient + share * other);
   }
 

@@ -113,5 +113,32 @@ TEST(Overhang, TheLeastIsFoundAtAKinkToo) {
   }
 }
 
+/// Up to its peak a muscle's field flattens: steps that look at slopes alone do not get away from there.
+struct Peaked {
+  double kink = 0.0;
+  double steep = 0.0;
+  double peak = 0.0;  ///< Half a wave long.
+
+  Psi operator()(double t) const {
+    const Psi falls{steep * (kink - t) + 0.02, -steep};
+    const double angle = 0.5 * 3.14159265358979 * (t - kink) / peak;
+    const Psi hangs{0.02 + 0.4 * std::sin(angle), 0.4 * 0.5 * 3.14159265358979 / peak * std::cos(angle)};
+    return falls.value > hangs.value ? falls : hangs;
+  }
+};
+
+TEST(Overhang, TheLeastIsFoundAtAKinkBelowAPeakToo) {
+  for (const double steep : {2.0, 6.0, 20.0}) {
+    for (const double kink : {0.11, 0.12, 0.153, 0.17}) {
+      for (const double peak : {0.09, 0.12, 0.3}) {
+        const Peaked psi{kink, steep, peak};
+        const double root = kink + 2.0 * peak;  // About; only what lies before it counts.
+        EXPECT_NEAR(heightBelowOverhangs(root, 1.0, kPart, psi), kink + 0.02, 5e-3)
+            << steep << ' ' << kink << ' ' << peak;
+      }
+    }
+  }
+}
+
 }  // namespace
 }  // namespace sinew::test

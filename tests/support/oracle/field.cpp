@@ -227,13 +227,17 @@ Vec Field::gradient(const Vec& point, std::span<const double> weights) const {
   const std::vector<double> sums = cliqueSums(point, weights);
   const auto winner = static_cast<std::size_t>(std::max_element(sums.begin(), sums.end()) - sums.begin());
   const Vec best = gradientOf(winner, point, weights);
-  double share = 0.0;  // Of another clique that all but ties: 1 where it does, 0 from 1e-4 on.
+  // Of the clique that turns the gradient most: 1 where it ties, 0 from 1e-4 below on, and where it is empty.
+  double share = 0.0;
   Vec other;
+  double most = 0.0;
   for (std::size_t k = 0; k < sums.size(); ++k) {
-    const double own = 1.0 - (sums[winner] - sums[k]) / 1e-4;
-    if (own <= share) continue;
+    const double own = std::min(1.0 - (sums[winner] - sums[k]) / 1e-4, sums[k] / 1e-4);
+    if (own <= 0.0) continue;
     const Vec gradient = gradientOf(k, point, weights);
-    if (length(gradient - best) <= 1e-12 * length(best)) continue;
+    const double pull = own * length(gradient - best);
+    if (pull <= most) continue;
+    most = pull;
     share = own;
     other = gradient;
   }

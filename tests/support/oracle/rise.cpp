@@ -116,13 +116,14 @@ double heightBelowOverhangs(double root, double sigma, double part, const Functi
   for (int i = 0; i < 32 && i * part < root; ++i) {
     std::array<double, 2> ends{i * part, std::min((i + 1) * part, root)};
     if (ends[1] < root) height = std::min(height, sum(ends[1]));
-    for (int step = 0; step < 4 && sumSlope(ends[0]) < 0.0 && sumSlope(ends[1]) > 0.0; ++step) {
+    for (int step = 0; step < 6 && sumSlope(ends[0]) < 0.0 && sumSlope(ends[1]) > 0.0; ++step) {
       const std::array<double, 2> slopes{sumSlope(ends[0]), sumSlope(ends[1])};
       const double zero = (ends[0] * slopes[1] - ends[1] * slopes[0]) / (slopes[1] - slopes[0]);
       // Two tangents y = sum(end) + slope (s - end).
       const double meeting =
           (sum(ends[0]) - slopes[0] * ends[0] - sum(ends[1]) + slopes[1] * ends[1]) / (slopes[1] - slopes[0]);
-      const double lowest = std::clamp(step % 2 == 0 ? meeting : zero, ends[0], ends[1]);
+      const double middle = 0.5 * (ends[0] + ends[1]);
+      const double lowest = std::clamp(step == 5 ? zero : step % 2 == 0 ? meeting : middle, ends[0], ends[1]);
       height = std::min(height, sum(lowest));
       ends.at(sumSlope(lowest) < 0.0 ? 0 : 1) = lowest;
     }
