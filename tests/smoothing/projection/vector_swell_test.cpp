@@ -27,19 +27,26 @@
 namespace sinew::test {
 namespace {
 
-constexpr double kSecant = 5e-6;  ///< Fraction of H that halvings and one secant step leave.
+/// How far both paths may be apart.
+struct Apart {
+  double roots = 0.0;    ///< Fraction of H.
+  double normals = 0.0;  ///< Between unit vectors.
+};
+constexpr Apart kNewtons{kAim, 1e-3};
+/// What halvings and one secant step leave, of brackets that differ; where two muscles tie, it turns normals further.
+constexpr Apart kSecants{5e-6, 5e-3};
 
 using CharacterPtr = std::shared_ptr<const Character>;
 
-void expectAgreement(const TrialScene& scene, ProjectionKind projection, double worst) {
+void expectAgreement(const TrialScene& scene, ProjectionKind projection, const Apart& most) {
   Agreement seen;
   addAgreement(*scene.character, withMode(scene.rig, SurfaceMode::kSwell, projection), spreadPoses(*scene.character, 4),
                seen);
   const std::string what = scene.name + ", " + nameOf(projection);
   print(what, seen);
   EXPECT_GT(seen.projected, 500) << what;
-  EXPECT_LE(seen.worst, worst) << what;
-  EXPECT_LE(seen.worstNormal, 1e-3) << what;
+  EXPECT_LE(seen.worst, most.roots) << what;
+  EXPECT_LE(seen.worstNormal, most.normals) << what;
   EXPECT_LE(seen.uncertifiedShare(), 0.02) << what;
 }
 
@@ -50,10 +57,9 @@ TEST(VectorSwell, IsTheScalarOnCharacters) {
     scenes.push_back(bundledTrialScene(name));
   }
   for (const TrialScene& scene : scenes) {
-    expectAgreement(scene, ProjectionKind::kNewton, kAim);
-    expectAgreement(scene, ProjectionKind::kAnalytic, kAim);
-    // Both paths end with a secant step, of brackets that differ.
-    expectAgreement(scene, ProjectionKind::kBisection, kSecant);
+    expectAgreement(scene, ProjectionKind::kNewton, kNewtons);
+    expectAgreement(scene, ProjectionKind::kAnalytic, kNewtons);
+    expectAgreement(scene, ProjectionKind::kBisection, kSecants);
   }
 }
 
