@@ -13,13 +13,9 @@
 HWY_BEFORE_NAMESPACE();
 namespace sinew::HWY_NAMESPACE {
 
-/// PartEnd of overhang.h.
-struct LaneEnd {
-  V at;
-  V sum;
-  V slope;
-};
+using LaneEnd = PartEnd<V>;
 
+/// s + psi(s) / sigma along the rays.
 struct SlowFall {
   const RayLanes& rays;
   V inverseSigma;
@@ -46,7 +42,7 @@ HWY_INLINE LaneEnd select(M mask, const LaneEnd& yes, const LaneEnd& no) {
 
 /// The least of s + psi(s) / sigma inside a part at whose ends it falls and rises. @param height  in and out
 HWY_INLINE void lowerInside(const SlowFall& fall, LaneEnd low, LaneEnd high, M asked, V& height) {
-  const auto dips = [&] { return both(asked, both(hn::Lt(low.slope, zero()), hn::Gt(high.slope, zero()))); };
+  const auto dips = [&]() HWY_ATTR { return both(asked, both(hn::Lt(low.slope, zero()), hn::Gt(high.slope, zero()))); };
   asked = dips();
   for (int k = 0; k < Overhang::kNarrowings && any(asked); ++k) {
     const LaneEnd inside = fall.endAt(lowestBetween(low, high, k));
