@@ -3,10 +3,10 @@
 #include <exception>
 #include <new>
 
-#include "app/cli/console.h"
-#include "app/cli/verbs.h"
+#include "app/command/console.h"
+#include "app/command/verbs.h"
 #include "app/window/editor_window.h"
-#include "core/lanes/instruction_set.h"
+#include "core/geometry/instruction_set.h"
 
 namespace {
 

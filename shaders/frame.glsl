@@ -1,4 +1,4 @@
-// shaders/frame.glsl: what every drawer of one picture shares. The same as FrameBlock in app/render/frame.h.
+// shaders/frame.glsl: what every drawer of one picture shares. The same as FrameBlock in app/viewport/render/frame.h.
 layout(std140, binding = 0) uniform Frame {
   mat4 clipFromWorld;
   mat4 viewFromWorld;

@@ -3,10 +3,10 @@
 
 #include <utility>
 
-#include "core/base/at.h"
+#include "core/geometry/at.h"
 #include "core/rig/excerpt.h"
-#include "core/symmetry/merge.h"
-#include "sinew/io/rig_json.h"
+#include "core/rig/merge.h"
+#include "sinew/files/rig_json.h"
 
 namespace sinew::app {
 namespace {

@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "core/symmetry/mirror.h"
-#include "sinew/base/result.h"
+#include "core/rig/mirror.h"
+#include "sinew/geometry/result.h"
 #include "sinew/rig/rig.h"
 
 namespace sinew::app {
@@ -23,7 +23,7 @@ struct Pasted {
   std::vector<std::string> leftOut;  ///< Why each of the others is not there, one line each.
 };
 
-/// The rig with what the text holds (core/symmetry/merge.h: mergeRigs).
+/// The rig with what the text holds (core/rig/merge.h: mergeRigs).
 /// @param mirror  null, or the plan by which each is pasted on the other side.
 /// Error: the text is no rig, holds no muscle, or none could be pasted.
 [[nodiscard]] Result<Pasted> pasteText(const Rig& rig, const std::string& text, const Skeleton& skeleton,

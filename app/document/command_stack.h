@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "app/document/play_range.h"
+#include "core/character/pose_override.h"
 #include "core/rig/identity.h"
-#include "core/skeleton/pose_override.h"
 #include "sinew/rig/rig.h"
 
 namespace sinew::app {

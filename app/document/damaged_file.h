@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "sinew/base/result.h"
+#include "sinew/geometry/result.h"
 
 namespace sinew::app {
 

@@ -8,12 +8,12 @@
 #include <system_error>
 #include <utility>
 
-#include "core/base/at.h"
-#include "core/base/lower_case.h"
+#include "core/geometry/at.h"
+#include "core/geometry/lower_case.h"
 #include "core/rig/morphs.h"
-#include "core/symmetry/twins.h"
-#include "sinew/io/gltf_import.h"
-#include "sinew/io/rig_json.h"
+#include "core/rig/twins.h"
+#include "sinew/files/gltf_import.h"
+#include "sinew/files/rig_json.h"
 
 namespace sinew::app {
 namespace {

@@ -12,11 +12,11 @@
 #include "app/document/posed_rig_memo.h"
 #include "app/document/selection.h"
 #include "app/document/visibility.h"
-#include "core/base/at.h"
-#include "core/io/clip_files.h"
-#include "core/symmetry/mirror.h"
-#include "sinew/base/result.h"
+#include "core/files/clip_files.h"
+#include "core/geometry/at.h"
+#include "core/rig/mirror.h"
 #include "sinew/character/character.h"
+#include "sinew/geometry/result.h"
 
 namespace sinew::app {
 

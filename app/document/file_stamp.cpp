@@ -7,8 +7,8 @@
 #include <cstdio>
 #include <system_error>
 
-#include "core/io/buffer_files.h"
-#include "core/io/files/atomic_file.h"
+#include "core/files/buffer_files.h"
+#include "core/files/disk/atomic_file.h"
 
 namespace sinew::app {
 namespace {

@@ -9,7 +9,7 @@
 
 #include <glm/common.hpp>
 
-#include "core/base/at.h"
+#include "core/geometry/at.h"
 
 namespace sinew::app {
 namespace {

@@ -8,9 +8,9 @@
 #include <string_view>
 
 #include "app/document/shown_names.h"
-#include "core/base/at.h"
-#include "core/skeleton/side_names.h"
-#include "core/symmetry/twins.h"
+#include "core/character/side_names.h"
+#include "core/geometry/at.h"
+#include "core/rig/twins.h"
 #include "sinew/rig/rig_edit.h"
 
 namespace sinew::app {

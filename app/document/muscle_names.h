@@ -4,8 +4,8 @@
 #include <span>
 #include <string>
 
+#include "sinew/character/skeleton.h"
 #include "sinew/rig/rig.h"
-#include "sinew/skeleton/skeleton.h"
 
 namespace sinew::app {
 

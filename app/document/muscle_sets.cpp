@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "app/document/preferences.h"
-#include "app/platform/data_files.h"
-#include "core/io/preset_json.h"
+#include "app/ui/data_files.h"
+#include "core/files/preset_json.h"
 
 namespace sinew::app {
 namespace {

@@ -4,8 +4,8 @@
 #include <filesystem>
 #include <vector>
 
-#include "core/body/preset.h"
-#include "sinew/base/result.h"
+#include "core/bodies/preset.h"
+#include "sinew/geometry/result.h"
 
 namespace sinew::app {
 

@@ -5,10 +5,10 @@
 #include <memory>
 #include <optional>
 
-#include "core/drivers/posed_rig.h"
+#include "core/rig/posed_rig.h"
 #include "sinew/character/character.h"
+#include "sinew/character/pose.h"
 #include "sinew/rig/rig.h"
-#include "sinew/skeleton/pose.h"
 
 namespace sinew::app {
 

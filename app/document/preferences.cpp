@@ -8,8 +8,8 @@
 #include <system_error>
 
 #include "app/document/file_lock.h"
-#include "core/io/files/atomic_file.h"
-#include "core/io/json/json.h"
+#include "core/files/disk/atomic_file.h"
+#include "core/files/json/json.h"
 
 namespace sinew::app {
 namespace {

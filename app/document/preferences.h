@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "app/document/picture_look.h"
-#include "app/platform/window_place.h"
-#include "sinew/base/result.h"
+#include "app/ui/window_place.h"
+#include "sinew/geometry/result.h"
 
 namespace sinew::app {
 
@@ -26,7 +26,7 @@ inline constexpr std::array kSurfaceBys{SurfaceBy::kAutomatic, SurfaceBy::kProce
 [[nodiscard]] const char* nameOf(SurfaceBy by);  ///< "automatic", "processor", "card": what the file says.
 
 /// Keys in place of the keymap's, "Ctrl+D", by the action's id: at most two, an empty list for no key. What actions and
-/// keys there are is known to app/actions/bindings.h.
+/// keys there are is known to app/editor/bindings.h.
 using KeyChanges = std::map<std::string, std::vector<std::string>>;
 
 /// Sizes of the panels in design pixels, and which are there.

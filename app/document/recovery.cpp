@@ -15,12 +15,12 @@
 #include <utility>
 
 #include "app/document/preferences.h"
-#include "core/io/clip_files.h"
-#include "core/io/files/atomic_file.h"
-#include "core/io/json/json.h"
+#include "core/files/clip_files.h"
+#include "core/files/disk/atomic_file.h"
+#include "core/files/json/json.h"
 #include "core/rig/morphs.h"
-#include "sinew/io/gltf_import.h"
-#include "sinew/io/rig_json.h"
+#include "sinew/files/gltf_import.h"
+#include "sinew/files/rig_json.h"
 
 namespace sinew::app {
 namespace {

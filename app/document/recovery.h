@@ -12,7 +12,7 @@
 
 #include "app/document/document.h"
 #include "app/document/file_lock.h"
-#include "sinew/base/result.h"
+#include "sinew/geometry/result.h"
 
 namespace sinew::app {
 

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "core/primitives/affine_image.h"
+#include "core/geometry/affine_image.h"
 
 namespace sinew::app {
 namespace {

@@ -1,7 +1,7 @@
 // app/document/shape_presets.h: shapes with a name, to begin with.
 #pragma once
 
-#include "sinew/primitives/ellipsoid.h"
+#include "sinew/geometry/ellipsoid.h"
 
 namespace sinew::app {
 

@@ -8,8 +8,8 @@
 #include <string_view>
 #include <utility>
 
-#include "app/names/readable_names.h"
-#include "core/base/lower_case.h"
+#include "app/ui/readable_names.h"
+#include "core/geometry/lower_case.h"
 
 namespace sinew::app {
 namespace {

@@ -19,7 +19,7 @@ inline constexpr std::size_t kManyNames = 8;
 
 /// [bones] and [clips] of a character. A clip without a name is "clip N"; one that the editor has made keeps its name.
 /// Files and the command line use the names of the file. What no font can show is "bone N" or "clip N"
-/// (app/names/readable_names.h).
+/// (app/ui/readable_names.h).
 [[nodiscard]] std::vector<std::string> shownBoneNames(const Skeleton& skeleton);
 [[nodiscard]] std::vector<std::string> shownClipNames(const Character& character);
 /// [parts] The same of the parts of the mesh: "part N".

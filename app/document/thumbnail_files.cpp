@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/io/files/atomic_file.h"
+#include "core/files/disk/atomic_file.h"
 
 namespace sinew::app {
 namespace {

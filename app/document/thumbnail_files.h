@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "sinew/base/result.h"
+#include "sinew/geometry/result.h"
 
 namespace sinew::app {
 

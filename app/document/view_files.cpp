@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "app/document/recovery.h"
-#include "core/io/files/atomic_file.h"
+#include "core/files/disk/atomic_file.h"
 
 namespace sinew::app {
 namespace {

@@ -9,8 +9,8 @@
 #include <filesystem>
 #include <optional>
 
-#include "core/io/json/json.h"
-#include "sinew/base/result.h"
+#include "core/files/json/json.h"
+#include "sinew/geometry/result.h"
 
 namespace sinew::app {
 

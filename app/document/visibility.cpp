@@ -6,7 +6,7 @@
 #include <string_view>
 #include <unordered_map>
 
-#include "core/base/at.h"
+#include "core/geometry/at.h"
 #include "core/rig/attachment.h"
 
 namespace sinew::app {

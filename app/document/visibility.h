@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "sinew/character/skeleton.h"
 #include "sinew/rig/rig.h"
-#include "sinew/skeleton/skeleton.h"
 
 namespace sinew::app {
 

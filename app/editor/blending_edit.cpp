@@ -10,7 +10,7 @@
 #include "app/document/muscle_names.h"
 #include "app/editor/commands.h"
 #include "app/editor/edit.h"
-#include "core/base/at.h"
+#include "core/geometry/at.h"
 #include "core/rig/rig_edit_several.h"
 #include "sinew/rig/rig_edit.h"
 

@@ -9,11 +9,11 @@
 #include "app/document/play_range.h"
 #include "app/editor/commands.h"
 #include "app/editor/edit.h"
-#include "core/base/at.h"
-#include "core/clips/match_bones.h"
+#include "core/bodies/match_bones.h"
+#include "core/character/first_clip.h"
+#include "core/geometry/at.h"
 #include "core/rig/clip_keys.h"
-#include "core/skeleton/first_clip.h"
-#include "sinew/io/gltf_import.h"
+#include "sinew/files/gltf_import.h"
 
 namespace sinew::app {
 namespace {

@@ -15,8 +15,8 @@
 #include "app/editor/session.h"
 #include "app/editor/symmetry_commands.h"
 #include "app/editor/territory.h"
-#include "core/base/at.h"
-#include "core/symmetry/twins.h"
+#include "core/geometry/at.h"
+#include "core/rig/twins.h"
 #include "sinew/rig/rig_edit.h"
 
 namespace sinew::app {

@@ -16,14 +16,14 @@
 
 #include "app/document/animate_state.h"
 #include "app/document/file_stamp.h"
-#include "app/playback.h"
-#include "app/render/pictures/reference_picture.h"
-#include "app/tools/select.h"
-#include "core/body/body_map.h"
-#include "core/body/fit_preset.h"
-#include "core/check/check.h"
-#include "core/check/motions.h"
-#include "core/lines/line_lengths.h"
+#include "app/document/playback.h"
+#include "app/viewport/render/reference_picture.h"
+#include "app/viewport/tools/select.h"
+#include "core/bodies/body_map.h"
+#include "core/bodies/check.h"
+#include "core/bodies/fit_preset.h"
+#include "core/bodies/motions.h"
+#include "core/rig/line_lengths.h"
 #include "sinew/rig/rig.h"
 
 namespace sinew::app {

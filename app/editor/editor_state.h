@@ -8,11 +8,11 @@
 #include <glm/vec4.hpp>
 
 #include "app/document/document.h"
+#include "app/document/playback.h"
 #include "app/editor/dialog_state.h"
 #include "app/editor/document_view.h"
 #include "app/editor/session_state.h"
 #include "app/editor/view_state.h"
-#include "app/playback.h"
 
 namespace sinew::app {
 

@@ -12,8 +12,8 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
-#include "app/export/export_kinds.h"
-#include "sinew/smoothing/smoother.h"
+#include "app/document/export_kinds.h"
+#include "sinew/surface/smoother.h"
 
 namespace sinew::app {
 

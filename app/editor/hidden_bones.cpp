@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "app/editor/territory.h"
-#include "core/base/at.h"
+#include "core/geometry/at.h"
 
 namespace sinew::app {
 

@@ -11,8 +11,8 @@
 #include "app/editor/commands.h"
 #include "app/editor/edit.h"
 #include "app/editor/open_file.h"
-#include "core/base/lower_case.h"
-#include "core/body/retarget.h"
+#include "core/bodies/retarget.h"
+#include "core/geometry/lower_case.h"
 
 namespace sinew::app {
 namespace {

@@ -14,7 +14,7 @@ void dropFile(EditorState& state, const std::filesystem::path& file);
 /// The file dialog for the character that gets the muscles.
 void showRetargetDialog(EditorState& state);
 
-/// Opens the character with the muscles of the open rig (core/body/retarget.h), unsaved: one undo step. Messages name
+/// Opens the character with the muscles of the open rig (core/bodies/retarget.h), unsaved: one undo step. Messages name
 /// what was left out and mended. Where that fails the open document stays, and a message says why.
 void openWithMuscles(EditorState& state, const std::filesystem::path& file);
 

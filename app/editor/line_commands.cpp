@@ -10,12 +10,12 @@
 #include "app/document/shown_names.h"
 #include "app/editor/commands.h"
 #include "app/editor/edit.h"
-#include "core/base/at.h"
-#include "core/check/mend.h"
-#include "core/lines/line_fitting.h"
-#include "core/lines/line_rest.h"
+#include "core/bodies/mend.h"
+#include "core/geometry/at.h"
 #include "core/rig/line_edit.h"
-#include "core/symmetry/line_twins.h"
+#include "core/rig/line_fitting.h"
+#include "core/rig/line_rest.h"
+#include "core/rig/line_twins.h"
 
 namespace sinew::app {
 namespace {

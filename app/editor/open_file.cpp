@@ -13,11 +13,11 @@
 #include "app/editor/pose_commands.h"
 #include "app/editor/session.h"
 #include "app/editor/view_memory.h"
-#include "core/base/at.h"
+#include "core/character/first_clip.h"
 #include "core/character/skin_bones.h"
+#include "core/geometry/at.h"
 #include "core/rig/attachment.h"
-#include "core/skeleton/first_clip.h"
-#include "core/symmetry/motion_clip.h"
+#include "core/rig/motion_clip.h"
 
 namespace sinew::app {
 namespace {

@@ -10,7 +10,7 @@
 #include "app/editor/commands.h"
 #include "app/editor/edit.h"
 #include "app/editor/territory.h"
-#include "core/base/at.h"
+#include "core/geometry/at.h"
 #include "core/rig/reparent.h"
 #include "core/rig/rig_edit_several.h"
 

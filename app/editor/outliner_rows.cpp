@@ -4,11 +4,11 @@
 
 #include <algorithm>
 
-#include "core/base/lower_case.h"
+#include "core/geometry/lower_case.h"
 
-#include "core/base/at.h"
-#include "core/skeleton/bone_names.h"
-#include "core/skeleton/joint_roles.h"
+#include "core/character/bone_names.h"
+#include "core/character/joint_roles.h"
+#include "core/geometry/at.h"
 
 namespace sinew::app {
 namespace {

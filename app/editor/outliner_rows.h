@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "app/editor/view_state.h"
+#include "sinew/character/skeleton.h"
 #include "sinew/rig/rig.h"
-#include "sinew/skeleton/skeleton.h"
 
 namespace sinew::app {
 
@@ -37,7 +37,7 @@ struct OutlinerView {
                                                     const std::vector<int>& boneOf, const OutlinerView& view);
 
 /// [bones] "Left arm", "Torso", "Head and neck" ...: the part of the body that each bone moves, by its name and its
-/// place in the tree (core/skeleton/joint_roles.h); "Body" where nothing is known.
+/// place in the tree (core/character/joint_roles.h); "Body" where nothing is known.
 [[nodiscard]] std::vector<std::string> bodyParts(const Skeleton& skeleton);
 
 /// What OutlinerState::folded has of a part; no bone's path begins so.

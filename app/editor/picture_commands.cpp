@@ -11,8 +11,8 @@
 #include <system_error>
 
 #include "app/document/folder_listing.h"
-#include "app/export/rig_list.h"
-#include "core/base/lower_case.h"
+#include "app/document/rig_list.h"
+#include "core/geometry/lower_case.h"
 
 namespace sinew::app {
 namespace {

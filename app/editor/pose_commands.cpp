@@ -9,9 +9,9 @@
 #include "app/editor/commands.h"
 #include "app/editor/edit.h"
 #include "app/editor/hidden_bones.h"
-#include "core/base/at.h"
-#include "core/skeleton/range_of_motion.h"
-#include "core/symmetry/motion_clip.h"
+#include "core/character/range_of_motion.h"
+#include "core/geometry/at.h"
+#include "core/rig/motion_clip.h"
 
 namespace sinew::app {
 namespace {

@@ -13,8 +13,8 @@
 #include "app/editor/commands.h"
 #include "app/editor/edit.h"
 #include "app/editor/open_file.h"
-#include "app/platform/data_files.h"
-#include "core/base/at.h"
+#include "app/ui/data_files.h"
+#include "core/geometry/at.h"
 
 namespace sinew::app {
 namespace {

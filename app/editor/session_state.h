@@ -8,15 +8,15 @@
 #include <utility>
 #include <vector>
 
+#include "app/document/export_queue.h"
+#include "app/document/farm_job.h"
 #include "app/document/preferences.h"
 #include "app/document/recovery.h"
 #include "app/editor/export_state.h"
 #include "app/editor/toast.h"
-#include "app/export/export_queue.h"
-#include "app/export/farm_job.h"
-#include "app/gpu/surface_parts.h"
-#include "app/platform/desktop_opener.h"
-#include "app/platform/frame_stats.h"
+#include "app/ui/desktop_opener.h"
+#include "app/ui/frame_stats.h"
+#include "app/viewport/gpu/surface_parts.h"
 #include "sinew/rig/muscle_line.h"
 
 namespace sinew::app {

@@ -13,8 +13,8 @@
 #include "app/document/shown_names.h"
 #include "app/editor/commands.h"
 #include "app/editor/edit.h"
-#include "core/base/at.h"
-#include "core/symmetry/twins.h"
+#include "core/geometry/at.h"
+#include "core/rig/twins.h"
 #include "sinew/rig/rig_edit.h"
 
 namespace sinew::app {

@@ -4,8 +4,8 @@
 
 #include "app/editor/edit.h"
 
-#include "app/tools/territory_tool.h"
-#include "core/base/at.h"
+#include "app/viewport/tools/territory_tool.h"
+#include "core/geometry/at.h"
 #include "core/rig/attachment.h"
 #include "core/rig/rig_edit_several.h"
 

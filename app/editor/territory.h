@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "app/editor/editor_state.h"
-#include "sinew/base/result.h"
+#include "sinew/geometry/result.h"
 
 namespace sinew::app {
 

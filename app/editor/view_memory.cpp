@@ -13,8 +13,8 @@
 #include "app/document/view_files.h"
 #include "app/editor/edit.h"
 #include "app/editor/session.h"
-#include "app/render/shading_names.h"
-#include "core/symmetry/motion_clip.h"
+#include "app/viewport/render/shading_names.h"
+#include "core/rig/motion_clip.h"
 
 namespace sinew::app {
 namespace {

@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "app/editor/editor_state.h"
-#include "core/io/json/json.h"
+#include "core/files/json/json.h"
 
 namespace sinew::app {
 

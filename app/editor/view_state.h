@@ -11,8 +11,8 @@
 #include <glm/gtc/quaternion.hpp>
 
 #include "app/document/preferences.h"
-#include "app/render/scene.h"
-#include "app/tools/input_router.h"
+#include "app/viewport/render/scene.h"
+#include "app/viewport/tools/input_router.h"
 
 namespace sinew::app {
 

@@ -7,13 +7,13 @@
 #include <string>
 
 #include "app/editor/commands.h"
+#include "app/panels/field_edit.h"
 #include "app/panels/layout_sizes.h"
-#include "app/panels/overlay/overlay.h"
+#include "app/panels/overlay.h"
 #include "app/panels/panels.h"
-#include "app/panels/shared/field_edit.h"
-#include "app/panels/timeline/timeline_keys.h"
-#include "app/tools/view/axis_triad.h"
+#include "app/panels/timeline_keys.h"
 #include "app/ui/keyboard_focus.h"
+#include "app/viewport/tools/axis_triad.h"
 
 namespace sinew::app {
 namespace {

@@ -2,11 +2,11 @@
 
 #include <imgui.h>
 
-#include "app/panels/blending/blending.h"
-#include "app/panels/library/library.h"
-#include "app/panels/outliner/outliner.h"
+#include "app/panels/blending.h"
+#include "app/panels/library.h"
+#include "app/panels/outliner.h"
 #include "app/panels/panels.h"
-#include "app/panels/shapes/shapes.h"
+#include "app/panels/shapes.h"
 
 namespace sinew::app {
 namespace {

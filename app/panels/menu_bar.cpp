@@ -10,10 +10,10 @@
 
 #include "app/editor/commands.h"
 #include "app/editor/session.h"
-#include "app/names/readable_names.h"
 #include "app/panels/panels.h"
-#include "app/render/pictures/thumbnails.h"
+#include "app/ui/readable_names.h"
 #include "app/ui/reading_order.h"
+#include "app/viewport/render/thumbnails.h"
 
 namespace sinew::app {
 namespace {

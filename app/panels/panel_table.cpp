@@ -2,11 +2,11 @@
 
 #include "app/panels/panels.h"
 
-#include "app/actions/layer_commands.h"
-#include "app/panels/dialogs/dialogs.h"
-#include "app/panels/inspector/inspector.h"
-#include "app/panels/overlay/overlay.h"
-#include "app/panels/timeline/timeline.h"
+#include "app/editor/layer_commands.h"
+#include "app/panels/dialogs.h"
+#include "app/panels/inspector.h"
+#include "app/panels/overlay.h"
+#include "app/panels/timeline.h"
 
 namespace sinew::app {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <span>
 
-#include "app/panels/shared/panel_ui.h"
+#include "app/panels/panel_ui.h"
 
 namespace sinew::app {
 

@@ -15,8 +15,8 @@
 #include <algorithm>
 #include <cstdint>
 
-#include "app/names/readable_names.h"
 #include "app/ui/keyboard_focus.h"
+#include "app/ui/readable_names.h"
 #include "app/ui/style.h"
 
 namespace sinew::app {

@@ -4,8 +4,8 @@
 #include <array>
 #include <cstdint>
 
-#include "app/platform/input_queue.h"
 #include "app/ui/fonts.h"
+#include "app/ui/input_queue.h"
 #include "app/ui/late_letters.h"
 
 struct GLFWcursor;

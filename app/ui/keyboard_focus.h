@@ -6,7 +6,7 @@
 
 #include <string>
 
-#include "app/platform/input_queue.h"
+#include "app/ui/input_queue.h"
 #include "app/ui/ui.h"
 #include "app/ui/widget_log.h"
 

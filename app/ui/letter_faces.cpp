@@ -10,7 +10,7 @@
 #include <system_error>
 #include <utility>
 
-#include "app/names/code_points.h"
+#include "app/ui/code_points.h"
 
 namespace sinew::app {
 namespace {

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "app/names/code_points.h"
+#include "app/ui/code_points.h"
 
 namespace sinew::app {
 namespace {

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "app/names/code_points.h"
+#include "app/ui/code_points.h"
 
 namespace sinew::app {
 namespace {

@@ -11,26 +11,26 @@
 #include <algorithm>
 #include <vector>
 
-#include "app/actions/actions.h"
-#include "app/actions/bindings.h"
-#include "app/actions/body_parts_commands.h"
-#include "app/actions/check_commands.h"
-#include "app/actions/export_commands.h"
-#include "app/actions/export_error.h"
-#include "app/actions/muscle_set_commands.h"
-#include "app/actions/reference_commands.h"
+#include "app/editor/actions.h"
+#include "app/editor/bindings.h"
+#include "app/editor/body_parts_commands.h"
+#include "app/editor/check_commands.h"
 #include "app/editor/clip_commands.h"
 #include "app/editor/commands.h"
 #include "app/editor/edit.h"
+#include "app/editor/export_commands.h"
+#include "app/editor/export_error.h"
 #include "app/editor/hidden_bones.h"
 #include "app/editor/line_commands.h"
+#include "app/editor/muscle_set_commands.h"
+#include "app/editor/reference_commands.h"
 #include "app/editor/session.h"
 #include "app/editor/territory.h"
 #include "app/editor/visibility_commands.h"
 #include "app/panels/panels.h"
-#include "app/tools/view/viewport_input.h"
 #include "app/ui/keyboard_focus.h"
-#include "core/base/stopwatch.h"
+#include "app/viewport/tools/viewport_input.h"
+#include "core/geometry/stopwatch.h"
 
 namespace sinew::app {
 namespace {

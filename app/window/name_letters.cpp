@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "app/names/code_points.h"
+#include "app/ui/code_points.h"
 
 namespace sinew::app {
 namespace {

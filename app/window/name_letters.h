@@ -4,7 +4,7 @@
 #include <string>
 
 #include "app/editor/editor_state.h"
-#include "app/names/readable_names.h"
+#include "app/ui/readable_names.h"
 
 namespace sinew::app {
 

@@ -9,18 +9,18 @@
 #include <system_error>
 #include <utility>
 
-#include "app/actions/export_error.h"
-#include "app/actions/layer_commands.h"
 #include "app/editor/commands.h"
+#include "app/editor/export_error.h"
 #include "app/editor/hidden_bones.h"
+#include "app/editor/layer_commands.h"
 #include "app/editor/territory.h"
-#include "app/render/pictures/png.h"
-#include "app/tools/gizmo/gizmo_draw.h"
-#include "app/tools/hover_draw.h"
-#include "app/tools/line_draw.h"
-#include "app/tools/view/axis_triad.h"
+#include "app/viewport/render/png.h"
+#include "app/viewport/tools/axis_triad.h"
+#include "app/viewport/tools/gizmo_draw.h"
+#include "app/viewport/tools/hover_draw.h"
+#include "app/viewport/tools/line_draw.h"
 #include "core/character/skinning.h"
-#include "core/io/files/atomic_file.h"
+#include "core/files/disk/atomic_file.h"
 
 namespace sinew::app {
 namespace {

@@ -9,10 +9,10 @@
 #include <vector>
 
 #include "app/editor/editor_state.h"
-#include "app/gpu/drawn_on_card.h"
-#include "app/render/pictures/thumbnails.h"
-#include "app/render/viewport.h"
 #include "app/ui/changed_tiles.h"
+#include "app/viewport/gpu/drawn_on_card.h"
+#include "app/viewport/render/thumbnails.h"
+#include "app/viewport/render/viewport.h"
 
 struct ImDrawList;
 

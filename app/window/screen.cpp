@@ -14,8 +14,8 @@
 
 #include <glm/common.hpp>
 
-#include "app/render/gl_objects.h"
 #include "app/ui/style.h"
+#include "app/viewport/render/gl_objects.h"
 
 namespace sinew::app {
 namespace {

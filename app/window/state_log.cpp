@@ -8,11 +8,11 @@
 #include <set>
 #include <utility>
 
-#include "app/actions/animate.h"
-#include "app/actions/animated_names.h"
-#include "app/render/shading_names.h"
+#include "app/editor/animate.h"
+#include "app/editor/animated_names.h"
 #include "app/ui/keyboard_focus.h"
-#include "core/io/json/json.h"
+#include "app/viewport/render/shading_names.h"
+#include "core/files/json/json.h"
 
 namespace sinew::app {
 namespace {

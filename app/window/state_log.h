@@ -7,9 +7,9 @@
 #include <string>
 
 #include "app/editor/editor_state.h"
-#include "app/render/view.h"
 #include "app/ui/widget_log.h"
-#include "sinew/base/result.h"
+#include "app/viewport/render/view.h"
+#include "sinew/geometry/result.h"
 
 namespace sinew::app {
 

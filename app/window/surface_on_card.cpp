@@ -5,10 +5,10 @@
 #include <cstdio>
 #include <vector>
 
-#include "app/actions/export_error.h"
 #include "app/editor/edit.h"
-#include "app/gpu/card_figures.h"
-#include "app/render/gl_objects.h"
+#include "app/editor/export_error.h"
+#include "app/viewport/gpu/card_figures.h"
+#include "app/viewport/render/gl_objects.h"
 
 namespace sinew::app {
 namespace {

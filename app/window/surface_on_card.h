@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "app/editor/editor_state.h"
-#include "app/gpu/drawn_on_card.h"
+#include "app/viewport/gpu/drawn_on_card.h"
 
 namespace sinew::app {
 

@@ -6,7 +6,7 @@
 #include <span>
 
 #include "sinew/character/character.h"
-#include "sinew/skeleton/pose.h"
+#include "sinew/character/pose.h"
 
 namespace sinew {
 

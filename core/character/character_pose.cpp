@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "core/base/at.h"
 #include "core/character/morphing.h"
+#include "core/geometry/at.h"
 
 namespace sinew {
 

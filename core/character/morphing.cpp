@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "core/base/at.h"
-#include "core/mesh/normals.h"
+#include "core/geometry/at.h"
+#include "core/geometry/normals.h"
 
 namespace sinew {
 namespace {

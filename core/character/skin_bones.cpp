@@ -1,8 +1,8 @@
 // core/character/skin_bones.cpp: which bones carry the skin.
 #include "core/character/skin_bones.h"
 
-#include "core/base/at.h"
-#include "core/skeleton/helper_bones.h"
+#include "core/character/helper_bones.h"
+#include "core/geometry/at.h"
 
 namespace sinew {
 

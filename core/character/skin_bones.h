@@ -10,7 +10,7 @@ namespace sinew {
 /// [bones] Skin follows it.
 [[nodiscard]] std::vector<bool> bonesWithSkin(const Character& character);
 
-/// [bones] No skin follows it nor any bone below it (core/skeleton/helper_bones.h).
+/// [bones] No skin follows it nor any bone below it (core/character/helper_bones.h).
 [[nodiscard]] std::vector<bool> helperBones(const Character& character);
 
 }  // namespace sinew

@@ -3,9 +3,9 @@
 
 #include <cassert>
 
-#include "core/base/at.h"
-#include "core/base/parallel.h"
 #include "core/character/skinning_kernel.h"
+#include "core/geometry/at.h"
+#include "core/geometry/parallel.h"
 
 namespace sinew {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "core/character/morphing.h"
 #include "sinew/character/character.h"
-#include "sinew/skeleton/pose.h"
+#include "sinew/character/pose.h"
 
 namespace sinew {
 

@@ -5,14 +5,14 @@
 #include <algorithm>
 #include <array>
 
-#include "core/base/at.h"
-#include "core/lanes/targets.h"
+#include "core/geometry/at.h"
+#include "core/geometry/targets.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "core/character/skinning_kernel.cpp"
 #include "hwy/foreach_target.h"
 //
-#include "core/lanes/lane_rows.h"
+#include "core/geometry/lane_rows.h"
 #include "hwy/highway.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -114,7 +114,7 @@ constexpr SkinKernels kKernels{&skinVertices, &skinWedges};
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
-#include "core/lanes/dispatch.h"
+#include "core/geometry/dispatch.h"
 
 namespace sinew {
 

@@ -4,8 +4,8 @@
 #include <span>
 #include <vector>
 
-#include "core/lanes/instruction_set.h"
-#include "sinew/mesh/control_mesh.h"
+#include "core/geometry/instruction_set.h"
+#include "sinew/geometry/control_mesh.h"
 
 namespace sinew {
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <utility>
 
-#include "core/base/at.h"
+#include "core/geometry/at.h"
 #include "core/rig/animated_validation.h"
 #include "core/rig/references.h"
 #include "core/rig/refusals.h"

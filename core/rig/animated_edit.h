@@ -8,7 +8,7 @@
 #include <unordered_set>
 
 #include "core/rig/rig_numbers.h"
-#include "sinew/base/result.h"
+#include "sinew/geometry/result.h"
 #include "sinew/rig/rig.h"
 
 namespace sinew {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "sinew/base/result.h"
+#include "sinew/geometry/result.h"
 #include "sinew/rig/rig.h"
 
 namespace sinew {

@@ -3,12 +3,12 @@
 
 #include <algorithm>
 
-#include "core/base/at.h"
-#include "core/base/nearest_name.h"
-#include "core/base/smoothstep.h"
 #include "core/character/bindings.h"
-#include "core/primitives/potential.h"
-#include "core/skeleton/bones_between.h"
+#include "core/character/bones_between.h"
+#include "core/geometry/at.h"
+#include "core/geometry/nearest_name.h"
+#include "core/geometry/potential.h"
+#include "core/geometry/smoothstep.h"
 
 namespace sinew {
 namespace {

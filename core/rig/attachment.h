@@ -4,11 +4,11 @@
 #include <span>
 #include <vector>
 
-#include "core/blending/blending_graph.h"
-#include "core/blending/field.h"
+#include "core/rig/blending_graph.h"
+#include "core/rig/field.h"
 #include "core/rig/rig_numbers.h"
-#include "sinew/base/result.h"
 #include "sinew/character/character.h"
+#include "sinew/geometry/result.h"
 #include "sinew/rig/rig.h"
 
 namespace sinew {

@@ -4,7 +4,7 @@
 #include <string>
 #include <unordered_set>
 
-#include "core/base/at.h"
+#include "core/geometry/at.h"
 #include "core/rig/references.h"
 
 namespace sinew {

@@ -11,10 +11,10 @@
 
 #include <glm/geometric.hpp>
 
-#include "core/base/at.h"
 #include "core/character/bindings.h"
-#include "core/mesh/triangle_tree.h"
-#include "core/skeleton/name_words.h"
+#include "core/character/name_words.h"
+#include "core/geometry/at.h"
+#include "core/geometry/triangle_tree.h"
 
 namespace sinew {
 namespace {

@@ -5,7 +5,7 @@
 #include <cassert>
 #include <utility>
 
-#include "core/base/at.h"
+#include "core/geometry/at.h"
 #include "core/rig/animated_edit.h"
 #include "core/rig/references.h"
 #include "core/rig/refusals.h"

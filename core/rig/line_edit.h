@@ -9,7 +9,7 @@
 #include <unordered_set>
 #include <vector>
 
-#include "sinew/base/result.h"
+#include "sinew/geometry/result.h"
 #include "sinew/rig/rig.h"
 
 namespace sinew {

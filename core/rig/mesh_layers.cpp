@@ -3,10 +3,10 @@
 
 #include <algorithm>
 
-#include "core/base/at.h"
-#include "core/base/parallel.h"
 #include "core/character/bindings.h"
-#include "core/mesh/triangle_tree.h"
+#include "core/geometry/at.h"
+#include "core/geometry/parallel.h"
+#include "core/geometry/triangle_tree.h"
 
 namespace sinew {
 namespace {

@@ -5,7 +5,7 @@
 #include <unordered_set>
 #include <utility>
 
-#include "core/base/at.h"
+#include "core/geometry/at.h"
 #include "core/rig/animated_validation.h"
 #include "core/rig/refusals.h"
 #include "core/rig/validation.h"

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "sinew/base/result.h"
 #include "sinew/character/character.h"
+#include "sinew/geometry/result.h"
 #include "sinew/rig/rig.h"
 
 namespace sinew {

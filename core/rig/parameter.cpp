@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "core/primitives/shape_numbers.h"
+#include "core/geometry/shape_numbers.h"
 #include "core/rig/rig_numbers.h"
 #include "sinew/rig/rig.h"
 

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <string>
 
-#include "sinew/base/result.h"
+#include "sinew/geometry/result.h"
 
 namespace sinew {
 

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/base/at.h"
-#include "core/base/flatness.h"
-#include "core/primitives/affine_image.h"
+#include "core/geometry/affine_image.h"
+#include "core/geometry/at.h"
+#include "core/geometry/flatness.h"
 
 namespace sinew {
 namespace {

@@ -1,9 +1,9 @@
 // core/rig/reparent.h: what becomes of a muscle that moves to another bone.
 #pragma once
 
-#include "sinew/base/geometry.h"
+#include "sinew/character/skeleton.h"
+#include "sinew/geometry/geometry.h"
 #include "sinew/rig/rig.h"
-#include "sinew/skeleton/skeleton.h"
 
 namespace sinew {
 

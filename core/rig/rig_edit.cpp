@@ -6,7 +6,7 @@
 #include <unordered_set>
 #include <utility>
 
-#include "core/base/at.h"
+#include "core/geometry/at.h"
 #include "core/rig/line_edit.h"
 #include "core/rig/references.h"
 #include "core/rig/validation.h"

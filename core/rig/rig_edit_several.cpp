@@ -4,7 +4,7 @@
 #include <cassert>
 #include <utility>
 
-#include "core/base/at.h"
+#include "core/geometry/at.h"
 #include "core/rig/validation.h"
 #include "sinew/rig/rig_edit.h"
 

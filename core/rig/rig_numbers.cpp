@@ -1,7 +1,7 @@
 // core/rig/rig_numbers.cpp: the numbers of a rig, read out of it and found among themselves.
 #include "core/rig/rig_numbers.h"
 
-#include "core/base/at.h"
+#include "core/geometry/at.h"
 
 namespace sinew {
 

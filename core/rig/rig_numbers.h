@@ -25,7 +25,7 @@ struct MuscleNumbers {
   friend bool operator==(const MuscleNumbers&, const MuscleNumbers&) = default;
 };
 
-/// A rig's numbers as drawn, or as they are in a pose (core/drivers/posed_rig.h). Copying them copies no names.
+/// A rig's numbers as drawn, or as they are in a pose (core/rig/posed_rig.h). Copying them copies no names.
 struct RigNumbers {
   float skinBlend = kDefaultSkinBlend;    ///< SurfaceSettings::skinBlend
   std::vector<LineSettings> lines;        ///< [Rig::lines]

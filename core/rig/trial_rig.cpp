@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/base/at.h"
-#include "core/base/split_mix.h"
 #include "core/character/bindings.h"
-#include "sinew/base/geometry.h"
+#include "core/geometry/at.h"
+#include "core/geometry/split_mix.h"
+#include "sinew/geometry/geometry.h"
 
 namespace sinew {
 namespace {

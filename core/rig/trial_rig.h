@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/skeleton/bone_segments.h"
+#include "core/character/bone_segments.h"
 #include "sinew/character/character.h"
 #include "sinew/rig/rig.h"
 

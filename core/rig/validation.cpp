@@ -11,12 +11,12 @@
 #include <utility>
 #include <vector>
 
-#include "core/primitives/shape_numbers.h"
+#include "core/character/body_slot.h"
+#include "core/geometry/shape_numbers.h"
 #include "core/rig/animated_validation.h"
 #include "core/rig/layers.h"
 #include "core/rig/morphs.h"
 #include "core/rig/refusals.h"
-#include "core/skeleton/body_slot.h"
 
 namespace sinew {
 namespace {

@@ -3,8 +3,8 @@
 
 #include <string>
 
-#include "core/blending/blending_graph.h"
-#include "sinew/base/result.h"
+#include "core/rig/blending_graph.h"
+#include "sinew/geometry/result.h"
 #include "sinew/rig/rig.h"
 
 namespace sinew {

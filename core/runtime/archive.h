@@ -12,8 +12,8 @@
 #include <type_traits>
 #include <vector>
 
-#include "sinew/base/geometry.h"
-#include "sinew/base/result.h"
+#include "sinew/geometry/geometry.h"
+#include "sinew/geometry/result.h"
 
 namespace sinew::gamefile {
 

@@ -5,12 +5,12 @@
 #include <cmath>
 #include <string>
 
-#include "core/base/at.h"
+#include "core/geometry/at.h"
 
 namespace sinew::gamefile {
 namespace {
 
-// As the import has them (sinew/io/gltf_import.h).
+// As the import has them (sinew/files/gltf_import.h).
 constexpr std::size_t kMostTriangles = 2'000'000;
 constexpr std::size_t kMostBones = 4096;
 constexpr std::size_t kMostNodes = 1U << 18;

@@ -1,8 +1,8 @@
 // core/runtime/game_check.h: what makes a character that was read one that everything else can rely on.
 #pragma once
 
-#include "sinew/base/result.h"
 #include "sinew/character/character.h"
+#include "sinew/geometry/result.h"
 
 namespace sinew::gamefile {
 

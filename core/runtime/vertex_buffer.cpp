@@ -8,8 +8,8 @@
 
 #include <glm/gtc/packing.hpp>
 
-#include "core/base/at.h"
-#include "core/base/parallel.h"
+#include "core/geometry/at.h"
+#include "core/geometry/parallel.h"
 
 namespace sinew {
 namespace {

@@ -7,7 +7,7 @@
 
 #include <pybind11/numpy.h>
 
-#include "sinew/base/geometry.h"
+#include "sinew/geometry/geometry.h"
 
 namespace sinew::python {
 

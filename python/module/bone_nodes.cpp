@@ -3,11 +3,11 @@
 
 #include <algorithm>
 
-#include "core/base/at.h"
-#include "core/export/guarded.h"
-#include "core/io/gltf/accessor.h"
-#include "core/io/gltf/file.h"
-#include "core/io/gltf/skin.h"
+#include "core/files/export/guarded.h"
+#include "core/files/gltf/accessor.h"
+#include "core/files/gltf/file.h"
+#include "core/files/gltf/skin.h"
+#include "core/geometry/at.h"
 
 namespace sinew::python {
 

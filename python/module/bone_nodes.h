@@ -4,8 +4,8 @@
 #include <filesystem>
 #include <vector>
 
-#include "sinew/base/result.h"
-#include "sinew/skeleton/skeleton.h"
+#include "sinew/character/skeleton.h"
+#include "sinew/geometry/result.h"
 
 namespace sinew::python {
 

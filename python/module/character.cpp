@@ -8,21 +8,21 @@
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>
 
-#include "core/base/at.h"
-#include "core/base/nearest_name.h"
-#include "core/mesh/topology.h"
+#include "core/character/clip_names.h"
+#include "core/character/pose_override.h"
+#include "core/geometry/at.h"
+#include "core/geometry/nearest_name.h"
+#include "core/geometry/topology.h"
 #include "core/rig/morphs.h"
-#include "core/skeleton/clip_names.h"
-#include "core/skeleton/pose_override.h"
-#include "core/symmetry/motion_clip.h"
+#include "core/rig/motion_clip.h"
 #include "python/module/arrays.h"
 #include "python/module/bone_nodes.h"
 #include "python/module/errors.h"
 #include "python/module/mesh.h"
 #include "python/module/values.h"
 #include "sinew/character/character_pose.h"
-#include "sinew/io/gltf_import.h"
-#include "sinew/skeleton/node_locals.h"
+#include "sinew/character/node_locals.h"
+#include "sinew/files/gltf_import.h"
 
 namespace sinew::python {
 namespace {

@@ -8,10 +8,10 @@
 
 #include <pybind11/pybind11.h>
 
-#include "core/io/clip_files.h"
-#include "core/symmetry/mirror.h"
+#include "core/files/clip_files.h"
+#include "core/rig/mirror.h"
 #include "sinew/character/character.h"
-#include "sinew/skeleton/pose.h"
+#include "sinew/character/pose.h"
 
 namespace sinew::python {
 

@@ -6,7 +6,7 @@
 
 #include <pybind11/pybind11.h>
 
-#include "sinew/base/result.h"
+#include "sinew/geometry/result.h"
 
 namespace sinew::python {
 

@@ -10,17 +10,17 @@
 
 #include <pybind11/stl.h>
 
-#include "core/base/listed.h"
+#include "core/character/clip_names.h"
+#include "core/geometry/listed.h"
 #include "core/rig/attachment.h"
-#include "core/skeleton/clip_names.h"
-#include "core/symmetry/motion_clip.h"
+#include "core/rig/motion_clip.h"
 #include "python/module/errors.h"
 #include "python/module/rig.h"
 #include "python/module/values.h"
-#include "sinew/base/threads.h"
-#include "sinew/export/baked_export.h"
-#include "sinew/export/formats.h"
-#include "sinew/export/skinned_export.h"
+#include "sinew/files/baked_export.h"
+#include "sinew/files/formats.h"
+#include "sinew/files/skinned_export.h"
+#include "sinew/geometry/threads.h"
 
 namespace sinew::python {
 namespace {

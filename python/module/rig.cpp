@@ -5,14 +5,14 @@
 #include <utility>
 #include <vector>
 
-#include "core/base/at.h"
-#include "core/base/nearest_name.h"
-#include "core/io/clip_files.h"
+#include "core/files/clip_files.h"
+#include "core/geometry/at.h"
+#include "core/geometry/nearest_name.h"
 #include "core/rig/attachment.h"
 #include "core/rig/morphs.h"
-#include "core/symmetry/twins.h"
+#include "core/rig/twins.h"
 #include "python/module/errors.h"
-#include "sinew/io/rig_json.h"
+#include "sinew/files/rig_json.h"
 #include "sinew/rig/rig_edit.h"
 
 namespace sinew::python {

@@ -11,7 +11,7 @@
 
 #include "core/rig/identity.h"
 #include "python/module/character.h"
-#include "sinew/base/result.h"
+#include "sinew/geometry/result.h"
 #include "sinew/rig/rig.h"
 
 namespace sinew::python {

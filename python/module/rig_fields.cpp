@@ -9,7 +9,7 @@
 
 #include <pybind11/stl.h>
 
-#include "core/base/listed.h"
+#include "core/geometry/listed.h"
 #include "python/module/errors.h"
 #include "python/module/values.h"
 

@@ -9,17 +9,17 @@
 
 #include <pybind11/stl.h>
 
-#include "core/base/at.h"
-#include "core/base/nearest_name.h"
+#include "core/geometry/at.h"
+#include "core/geometry/nearest_name.h"
 #include "core/rig/line_edit.h"
 #include "core/rig/morphs.h"
 #include "core/rig/rig_edit_several.h"
-#include "core/symmetry/twins.h"
+#include "core/rig/twins.h"
 #include "python/module/errors.h"
 #include "python/module/rig.h"
 #include "python/module/rig_fields.h"
 #include "python/module/values.h"
-#include "sinew/io/rig_json.h"
+#include "sinew/files/rig_json.h"
 #include "sinew/rig/rig_edit.h"
 
 namespace sinew::python {

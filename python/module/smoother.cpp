@@ -13,17 +13,17 @@
 
 #include <pybind11/stl.h>
 
-#include "core/base/at.h"
-#include "core/base/nearest_name.h"
 #include "core/character/morphing.h"
+#include "core/geometry/at.h"
+#include "core/geometry/nearest_name.h"
 #include "core/rig/attachment.h"
 #include "core/rig/morphs.h"
 #include "python/module/errors.h"
 #include "python/module/rig.h"
 #include "python/module/surface.h"
 #include "python/module/values.h"
-#include "sinew/base/threads.h"
-#include "sinew/smoothing/crowd_smoother.h"
+#include "sinew/geometry/threads.h"
+#include "sinew/surface/crowd_smoother.h"
 
 namespace sinew::python {
 namespace {

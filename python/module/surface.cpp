@@ -6,11 +6,11 @@
 
 #include <pybind11/numpy.h>
 
-#include "core/base/at.h"
+#include "core/geometry/at.h"
 #include "python/module/arrays.h"
 #include "python/module/errors.h"
 #include "python/module/values.h"
-#include "sinew/io/surface_export.h"
+#include "sinew/files/surface_export.h"
 
 namespace sinew::python {
 namespace {

@@ -8,7 +8,7 @@
 #include <pybind11/pybind11.h>
 
 #include "sinew/character/character.h"
-#include "sinew/smoothing/surface.h"
+#include "sinew/surface/surface.h"
 
 namespace sinew::python {
 

@@ -8,7 +8,7 @@
 #include <pybind11/numpy.h>
 #include <glm/gtc/quaternion.hpp>
 
-#include "core/base/at.h"
+#include "core/geometry/at.h"
 #include "python/module/errors.h"
 
 namespace sinew::python {

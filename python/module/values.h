@@ -9,8 +9,8 @@
 
 #include <pybind11/pybind11.h>
 
-#include "sinew/base/geometry.h"
-#include "sinew/skeleton/skeleton.h"
+#include "sinew/character/skeleton.h"
+#include "sinew/geometry/geometry.h"
 
 namespace sinew::python {
 

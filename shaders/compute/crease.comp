@@ -1,6 +1,6 @@
 #version 450 core
 // shaders/compute/crease.comp: heights are lowered where the pose folds the skin itself. As
-// core/smoothing/finish/crease_lift.h.
+// core/surface/finish/crease_lift.h.
 #include "compute/items.glsl"
 #include "compute/mesh.glsl"
 

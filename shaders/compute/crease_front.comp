@@ -1,6 +1,6 @@
 #version 450 core
 // shaders/compute/crease_front.comp: how much the skin around each control vertex still faces outwards: rho of
-// core/smoothing/finish/crease_lift.h.
+// core/surface/finish/crease_lift.h.
 #include "compute/items.glsl"
 
 struct Control {
@@ -19,7 +19,7 @@ layout(std430, binding = 2) buffer Controls { Control controls[]; };
 vec3 positionOf(int v) { return controls[body() * controlVertices + v].position.xyz; }
 vec3 normalOf(int v) { return controls[body() * controlVertices + v].normal.xyz; }
 
-// As core/smoothing/finish/fold.h.
+// As core/surface/finish/fold.h.
 float frontOf(ControlTriangle t) {
   vec3 a = positionOf(t.a);
   vec3 u = positionOf(t.b) - a, v = positionOf(t.c) - a;

@@ -1,5 +1,5 @@
 #version 450 core
-// shaders/compute/even.comp: normals less what alternates. As core/smoothing/finish/normals_kernel.cpp.
+// shaders/compute/even.comp: normals less what alternates. As core/surface/finish/normals_kernel.cpp.
 #include "compute/items.glsl"
 #include "compute/mesh.glsl"
 

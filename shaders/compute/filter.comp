@@ -1,6 +1,6 @@
 #version 450 core
 // shaders/compute/filter.comp: one round of the heights' filter; the last one moves the vertices. As
-// core/smoothing/finish/lift_filter.cpp.
+// core/surface/finish/lift_filter.cpp.
 #include "compute/items.glsl"
 #include "compute/mesh.glsl"
 

@@ -1,5 +1,5 @@
 // shaders/compute/fold.glsl: how far a lifted triangle has turned over against its patch. As
-// core/smoothing/finish/fold.h.
+// core/surface/finish/fold.h.
 struct Fold {
   float area;    // q: its area over the patch's, signed along the patch's face.
   float weight;  // 0..1, how far q can be trusted.

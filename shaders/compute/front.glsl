@@ -1,5 +1,5 @@
 // shaders/compute/front.glsl: how much a triangle of the patch faces along its normals. As
-// core/smoothing/finish/fold.h.
+// core/surface/finish/fold.h.
 vec3 patchFace(Triangle t) {
   vec3 a = patches[firstVertex() + t.a].position.xyz;
   return crossOf(patches[firstVertex() + t.b].position.xyz - a, patches[firstVertex() + t.c].position.xyz - a);

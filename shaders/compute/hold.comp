@@ -1,6 +1,6 @@
 #version 450 core
 // shaders/compute/hold.comp: normals are held to what the faces around a vertex can show. As
-// core/smoothing/finish/normals_kernel.cpp.
+// core/surface/finish/normals_kernel.cpp.
 #include "compute/items.glsl"
 #include "compute/mesh.glsl"
 

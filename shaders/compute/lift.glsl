@@ -1,5 +1,5 @@
 // shaders/compute/lift.glsl: sums over a vertex's edges in the patch: of height differences per length, and of 1 /
-// length. As core/smoothing/finish/lift_kernel.cpp.
+// length. As core/surface/finish/lift_kernel.cpp.
 #define LIFT_SUMS(HEIGHT_OF)                                               \
   vec2 liftSums(int v, float own) {                                        \
     vec3 p = patches[firstVertex() + v].position.xyz;                      \

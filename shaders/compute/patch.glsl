@@ -1,5 +1,5 @@
 // shaders/compute/patch.glsl: a point of a curved patch over an edge or a control triangle. Formulas and their order
-// as core/smoothing/patches/patch_lanes.h.
+// as core/surface/patches/patch_lanes.h.
 vec3 P[3];  // Corners.
 vec3 N[3];
 vec3 R[3];  // Rise directions there.

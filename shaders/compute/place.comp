@@ -1,6 +1,6 @@
 #version 450 core
 // shaders/compute/place.comp: from a root to the raised vertex: limits of the height, and the field's normal. As
-// core/smoothing/projection/swell.cpp.
+// core/surface/projection/swell.cpp.
 #include "compute/items.glsl"
 #include "compute/field.glsl"
 

@@ -1,4 +1,4 @@
-// shaders/compute/potential.glsl: potentials of muscles and their field F at a point. As core/blending/field.cpp.
+// shaders/compute/potential.glsl: potentials of muscles and their field F at a point. As core/rig/field.cpp.
 // Includes nothing: field.glsl and, with Real float, shape.glsl come before.
 vec3 inUnit(Primitive p, vec3 d) {
   if (p.toUnit[2].w > 0.0) return d;

@@ -1,5 +1,5 @@
 // shaders/compute/ray.glsl: the field along a ray, and a bracket around its first change of sign that rounding
-// cannot have moved, in numbers of the type Real. As core/smoothing/roots/ray_lanes.h, one ray an invocation;
+// cannot have moved, in numbers of the type Real. As core/surface/roots/ray_lanes.h, one ray an invocation;
 // docs/performance.md proves it. Needs field.glsl, shape.glsl, and of Real: kMostTerms, kMostShapes, kValueRounding,
 // kSlopeRounding, kMostMarches, kMostSteps, kLeastStretch: what is shorter is a root or a touch.
 const float kFar = 1e30;

@@ -1,6 +1,6 @@
 #version 450 core
 // shaders/compute/replace.comp: vertices go to the muscles' own surface, all in double precision. As
-// core/smoothing/projection/replace.cpp.
+// core/surface/projection/replace.cpp.
 #include "compute/items.glsl"
 #include "compute/field.glsl"
 

@@ -1,6 +1,6 @@
 #version 450 core
 // shaders/compute/rims.comp: with adaptive detail, how normals, and the turns that the field gives to the patch's, differ
-// around a vertex. As core/smoothing/finish/normals_kernel.cpp.
+// around a vertex. As core/surface/finish/normals_kernel.cpp.
 #include "compute/items.glsl"
 #include "compute/mesh.glsl"
 

@@ -1,5 +1,5 @@
 // shaders/compute/shape.glsl: r^2 of capsules, eggs and bent spindles at a point, in numbers of the type Real. As
-// core/smoothing/roots/shape_lanes.h.
+// core/surface/roots/shape_lanes.h.
 struct ShapePoint {
   Real y;
   Real x, z;   // From the axis, which may be bent.

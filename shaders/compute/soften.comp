@@ -1,6 +1,6 @@
 #version 450 core
 // shaders/compute/soften.comp: normals of the field less what alternates along muscles' rims. As
-// core/smoothing/finish/normals_kernel.cpp.
+// core/surface/finish/normals_kernel.cpp.
 #include "compute/items.glsl"
 #include "compute/mesh.glsl"
 

@@ -1,6 +1,6 @@
 #version 450 core
 // shaders/compute/spread_ask.comp: the moves along the patch that would give a folded triangle area again. As
-// core/smoothing/finish/fold_spread.cpp.
+// core/surface/finish/fold_spread.cpp.
 #include "compute/items.glsl"
 #include "compute/mesh.glsl"
 

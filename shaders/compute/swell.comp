@@ -1,7 +1,7 @@
 #version 450 core
 // shaders/compute/swell.comp: the first root of f_skin + F - T along the rise direction, where single precision can
 // vouch for it; the other vertices are listed for swell_exact.comp and swell_shaped.comp. As
-// core/smoothing/projection/swell_kernel.cpp.
+// core/surface/projection/swell_kernel.cpp.
 #include "compute/items.glsl"
 #include "compute/field.glsl"
 

@@ -1,6 +1,6 @@
 #version 450 core
 // shaders/compute/swell_exact.comp: the listed vertices' roots in double precision. As
-// core/smoothing/projection/swell.cpp.
+// core/surface/projection/swell.cpp.
 #include "compute/items.glsl"
 #include "compute/field.glsl"
 #include "compute/exact.glsl"

@@ -1,6 +1,6 @@
 #version 450 core
 // shaders/compute/teeth.comp: where normals alternate from vertex to vertex: the first difference of their turns
-// from the ring's mean, and the weight with which it counts. As core/smoothing/finish/normals_kernel.cpp.
+// from the ring's mean, and the weight with which it counts. As core/surface/finish/normals_kernel.cpp.
 #include "compute/items.glsl"
 #include "compute/mesh.glsl"
 

@@ -2,11 +2,11 @@
 #include <cstdio>
 #include <utility>
 
-#include "app/bench/measuring.h"
-#include "core/base/stopwatch.h"
+#include "app/command/measuring.h"
 #include "core/character/skinning.h"
-#include "core/drivers/driven_numbers.h"
-#include "core/lines/line_pose.h"
+#include "core/geometry/stopwatch.h"
+#include "core/rig/driven_numbers.h"
+#include "core/rig/line_pose.h"
 #include "tests/bench/parts.h"
 
 namespace sinew::app {

@@ -8,16 +8,16 @@
 
 #include <glm/geometric.hpp>
 
-#include "app/platform/data_files.h"
-#include "core/base/at.h"
-#include "core/base/parallel.h"
-#include "core/base/stopwatch.h"
-#include "sinew/base/threads.h"
+#include "app/ui/data_files.h"
+#include "core/geometry/at.h"
+#include "core/geometry/parallel.h"
+#include "core/geometry/stopwatch.h"
+#include "sinew/geometry/threads.h"
 #include "tests/bench/parts.h"
 #include "tests/support/characters/stand_ins.h"
 #include "tests/support/surface/fine_reference.h"
 #include "tests/support/surface/projected.h"
-#include "tests/tools/laid_muscles.h"
+#include "tests/viewport/tools/laid_muscles.h"
 
 namespace sinew::app {
 namespace {

@@ -7,10 +7,10 @@
 #include <optional>
 #include <utility>
 
-#include "app/bench/measuring.h"
+#include "app/command/measuring.h"
 #include "app/document/document.h"
-#include "app/playback.h"
-#include "core/base/stopwatch.h"
+#include "app/document/playback.h"
+#include "core/geometry/stopwatch.h"
 #include "core/rig/trial_rig.h"
 #include "sinew/rig/rig_edit.h"
 #include "tests/bench/parts.h"

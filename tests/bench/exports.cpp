@@ -3,13 +3,13 @@
 #include <array>
 #include <cstdio>
 
-#include "app/bench/measuring.h"
+#include "app/command/measuring.h"
 #include "app/document/document.h"
-#include "app/export/export_kinds.h"
-#include "core/base/at.h"
-#include "core/base/stopwatch.h"
-#include "sinew/io/gltf_import.h"
-#include "sinew/smoothing/crowd_smoother.h"
+#include "app/document/export_kinds.h"
+#include "core/geometry/at.h"
+#include "core/geometry/stopwatch.h"
+#include "sinew/files/gltf_import.h"
+#include "sinew/surface/crowd_smoother.h"
 #include "tests/bench/parts.h"
 
 namespace sinew::app {

@@ -5,17 +5,17 @@
 #include <cstdio>
 #include <vector>
 
-#include "app/bench/measuring.h"
-#include "core/base/stopwatch.h"
-#include "core/blending/field.h"
-#include "core/smoothing/roots/ray_field.h"
+#include "app/command/measuring.h"
+#include "core/geometry/stopwatch.h"
+#include "core/rig/field.h"
+#include "core/surface/roots/ray_field.h"
 #include "tests/bench/parts.h"
 
 namespace sinew::app {
 namespace {
 
 /// Nanoseconds a primitive and point or ray, medians of the rounds; ratios to the ellipsoid of one round, median. A ray
-/// is met by a primitive when it becomes terms along it (core/smoothing/roots/ray_field.h).
+/// is met by a primitive when it becomes terms along it (core/surface/roots/ray_field.h).
 struct FieldCost {
   std::string kind;
   double atPoint = 0.0;

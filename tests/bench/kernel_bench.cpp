@@ -10,9 +10,9 @@
 
 #include <benchmark/benchmark.h>
 
-#include "core/lanes/instruction_set.h"
-#include "sinew/base/threads.h"
-#include "sinew/smoothing/smoother.h"
+#include "core/geometry/instruction_set.h"
+#include "sinew/geometry/threads.h"
+#include "sinew/surface/smoother.h"
 #include "tests/support/rigs/trial_scenes.h"
 
 namespace sinew::test {

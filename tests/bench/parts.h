@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "app/bench/scene.h"
-#include "app/cli/console.h"
-#include "core/io/json/json.h"
-#include "sinew/base/result.h"
+#include "app/command/console.h"
+#include "app/command/scene.h"
+#include "core/files/json/json.h"
+#include "sinew/geometry/result.h"
 
 namespace sinew::app {
 

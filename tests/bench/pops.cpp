@@ -4,7 +4,7 @@
 #include "tests/bench/parts.h"
 #include "tests/support/rigs/random_rigs.h"
 #include "tests/support/surface/pops.h"
-#include "tests/tools/laid_muscles.h"
+#include "tests/viewport/tools/laid_muscles.h"
 
 namespace sinew::app {
 namespace {

@@ -5,9 +5,9 @@
 
 #include <glm/geometric.hpp>
 
-#include "app/bench/measuring.h"
-#include "core/lanes/instruction_set.h"
-#include "sinew/base/threads.h"
+#include "app/command/measuring.h"
+#include "core/geometry/instruction_set.h"
+#include "sinew/geometry/threads.h"
 #include "tests/bench/parts.h"
 
 namespace sinew::app {

@@ -4,11 +4,11 @@
 #include <ctime>
 #include <utility>
 
-#include "app/bench/measuring.h"
+#include "app/command/measuring.h"
 #include "app/document/document.h"
-#include "app/playback.h"
-#include "core/base/stopwatch.h"
-#include "sinew/base/threads.h"
+#include "app/document/playback.h"
+#include "core/geometry/stopwatch.h"
+#include "sinew/geometry/threads.h"
 #include "sinew/rig/rig_edit.h"
 #include "tests/bench/parts.h"
 

@@ -11,9 +11,9 @@
 
 #include <CLI/CLI.hpp>
 
-#include "app/cli/console.h"
-#include "app/platform/data_files.h"
-#include "core/io/files/atomic_file.h"
+#include "app/command/console.h"
+#include "app/ui/data_files.h"
+#include "core/files/disk/atomic_file.h"
 #include "tests/bench/parts.h"
 
 namespace sinew::app {

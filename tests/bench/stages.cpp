@@ -3,8 +3,8 @@
 #include <array>
 #include <cstdio>
 
-#include "app/bench/measuring.h"
-#include "sinew/base/threads.h"
+#include "app/command/measuring.h"
+#include "sinew/geometry/threads.h"
 #include "tests/bench/parts.h"
 
 namespace sinew::app {

@@ -8,10 +8,10 @@
 
 #include <gtest/gtest.h>
 
-#include "core/base/lower_case.h"
 #include "core/character/bindings.h"
 #include "core/character/skinning.h"
-#include "sinew/io/gltf_import.h"
+#include "core/geometry/lower_case.h"
+#include "sinew/files/gltf_import.h"
 
 namespace sinew {
 namespace {

@@ -9,9 +9,9 @@
 #include <gtest/gtest.h>
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "core/base/at.h"
 #include "core/character/skinning.h"
-#include "core/smoothing/projection/rise_directions.h"
+#include "core/geometry/at.h"
+#include "core/surface/projection/rise_directions.h"
 #include "tests/support/characters/synthetic_characters.h"
 #include "tests/support/rigs/random_rigs.h"
 #include "tests/support/rigs/trial_scenes.h"

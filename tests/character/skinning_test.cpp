@@ -9,8 +9,8 @@
 
 #include <gtest/gtest.h>
 
-#include "core/mesh/creases.h"
-#include "sinew/io/gltf_import.h"
+#include "core/geometry/creases.h"
+#include "sinew/files/gltf_import.h"
 #include "tests/support/characters/characters.h"
 #include "tests/support/characters/gltf_builder.h"
 #include "tests/support/characters/gltf_oracle.h"

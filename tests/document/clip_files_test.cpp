@@ -6,7 +6,7 @@
 
 #include "app/document/document.h"
 #include "app/document/recovery.h"
-#include "sinew/io/rig_json.h"
+#include "sinew/files/rig_json.h"
 #include "tests/support/characters/gltf_builder.h"
 #include "tests/support/temporary_folder.h"
 

@@ -6,9 +6,9 @@
 
 #include "core/rig/animated_edit.h"
 #include "core/rig/line_edit.h"
+#include "core/rig/twins.h"
 #include "core/rig/validation.h"
-#include "core/symmetry/twins.h"
-#include "sinew/io/rig_json.h"
+#include "sinew/files/rig_json.h"
 #include "sinew/rig/rig_edit.h"
 #include "tests/support/characters/synthetic_characters.h"
 

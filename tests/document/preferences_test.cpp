@@ -13,7 +13,7 @@
 #include <random>
 #include <thread>
 
-#include "core/io/files/atomic_file.h"
+#include "core/files/disk/atomic_file.h"
 #include "tests/support/temporary_folder.h"
 
 namespace sinew::app {

@@ -13,7 +13,7 @@
 #include <fstream>
 #include <utility>
 
-#include "sinew/io/rig_json.h"
+#include "sinew/files/rig_json.h"
 #include "sinew/rig/rig_edit.h"
 #include "tests/support/temporary_folder.h"
 

@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "app/document/document.h"
+#include "core/rig/twins.h"
 #include "core/rig/validation.h"
-#include "core/symmetry/twins.h"
-#include "sinew/io/rig_json.h"
+#include "sinew/files/rig_json.h"
 #include "sinew/rig/rig_edit.h"
 #include "tests/support/characters/synthetic_characters.h"
 #include "tests/support/rigs/random_rigs.h"

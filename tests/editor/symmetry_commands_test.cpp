@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/symmetry/twins.h"
+#include "core/rig/twins.h"
 #include "tests/support/editor/headless_editor.h"
 #include "tests/support/editor/muscles_named.h"
 

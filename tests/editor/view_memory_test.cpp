@@ -12,8 +12,8 @@
 #include "app/editor/open_file.h"
 #include "app/editor/pose_commands.h"
 #include "app/window/session_keeper.h"
-#include "core/skeleton/range_of_motion.h"
-#include "core/symmetry/motion_clip.h"
+#include "core/character/range_of_motion.h"
+#include "core/rig/motion_clip.h"
 #include "tests/support/temporary_folder.h"
 
 namespace sinew::app {

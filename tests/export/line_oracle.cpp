@@ -12,11 +12,11 @@
 #include <glm/gtc/quaternion.hpp>
 #include <glm/gtc/type_ptr.hpp>
 
-#include "core/base/at.h"
-#include "core/export/fit/line_joints.h"
-#include "core/export/source.h"
-#include "sinew/io/gltf_import.h"
-#include "sinew/io/rig_json.h"
+#include "core/files/export/source.h"
+#include "core/files/fit/line_joints.h"
+#include "core/geometry/at.h"
+#include "sinew/files/gltf_import.h"
+#include "sinew/files/rig_json.h"
 #include "tests/support/characters/gltf_builder.h"
 #include "tests/support/rigs/random_rigs.h"
 

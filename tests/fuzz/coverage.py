@@ -1,5 +1,5 @@
-# tests/fuzz/coverage.py: how much of core/io the fuzzers have run. Usage: coverage.py BUILD [FOLDER]
-"""Runs what the fuzzers have learned so far and their seeds once more, and prints for each file of FOLDER (core/io) how many of its
+# tests/fuzz/coverage.py: how much of core/files the fuzzers have run. Usage: coverage.py BUILD [FOLDER]
+"""Runs what the fuzzers have learned so far and their seeds once more, and prints for each file of FOLDER (core/files) how many of its
 branches ("edges") some fuzzer took. Of a function that several fuzzers reach, the one that sees most of it counts. A third to a half
 of the branches are those that an exception would take, as where memory is short: none is thrown here."""
 import collections
@@ -14,7 +14,7 @@ LINE = re.compile(r"^(?:UN)?COVERED_FUNC: hits: \d+ edges: (\d+)/(\d+) (.*) (\S+
 
 def main():
     build = pathlib.Path(sys.argv[1])
-    folder = sys.argv[2] if len(sys.argv) > 2 else "core/io"
+    folder = sys.argv[2] if len(sys.argv) > 2 else "core/files"
     functions = {}
     for target in ("import", "rig", "set", "smooth", "export"):
         learned = [str(each) for each in (build / "fuzz" / target, build / "fuzz" / "seeds" / target) if each.is_dir()]

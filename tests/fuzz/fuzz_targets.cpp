@@ -12,15 +12,15 @@
 #include <functional>
 #include <string>
 
-#include "core/base/at.h"
-#include "core/io/clip_files.h"
-#include "core/io/preset_json.h"
+#include "core/files/clip_files.h"
+#include "core/files/preset_json.h"
+#include "core/geometry/at.h"
 #include "sinew/character/character_pose.h"
-#include "sinew/export/skinned_export.h"
-#include "sinew/io/gltf_import.h"
-#include "sinew/io/rig_json.h"
-#include "sinew/io/surface_export.h"
-#include "sinew/smoothing/smoother.h"
+#include "sinew/files/gltf_import.h"
+#include "sinew/files/rig_json.h"
+#include "sinew/files/skinned_export.h"
+#include "sinew/files/surface_export.h"
+#include "sinew/surface/smoother.h"
 #include "tests/support/characters/gltf_builder.h"
 
 namespace sinew::fuzz {

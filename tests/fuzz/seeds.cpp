@@ -7,7 +7,7 @@
 #include <fstream>
 #include <iterator>
 
-#include "sinew/io/rig_json.h"
+#include "sinew/files/rig_json.h"
 #include "tests/support/characters/compressed_post.h"
 #include "tests/support/characters/gltf_builder.h"
 #include "tests/support/characters/material_post.h"

@@ -7,5 +7,5 @@ run(${CMAKE_COMMAND} -S ${SUBPROJECT} -B ${WORK} -G Ninja -DSINEW_SOURCE=${SOURC
 # Their object files alone: the library need not be built for it.
 run(${CMAKE_COMMAND} --build ${WORK} --target CMakeFiles/public_header.dir/public_header.cpp.o)
 run_failing(1 ${CMAKE_COMMAND} --build ${WORK} --target CMakeFiles/private_header.dir/private_header.cpp.o)
-expect_match("${output}" "core/base/at.h: No such file")
+expect_match("${output}" "core/geometry/at.h: No such file")
 file(REMOVE_RECURSE ${WORK})

@@ -5,12 +5,12 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/quaternion.hpp>
 
-#include "app/actions/animate.h"
+#include "app/editor/animate.h"
 #include "app/editor/edit.h"
-#include "app/panels/shared/animated_field.h"
-#include "app/panels/shared/curve_editor.h"
-#include "app/panels/timeline/timeline_keys.h"
-#include "core/drivers/driver_input.h"
+#include "app/panels/animated_field.h"
+#include "app/panels/curve_editor.h"
+#include "app/panels/timeline_keys.h"
+#include "core/rig/driver_input.h"
 #include "tests/support/editor/headless_editor.h"
 #include "tests/support/editor/muscles_named.h"
 #include "tests/support/rigs/driven_rig.h"

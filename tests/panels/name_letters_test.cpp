@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "app/tools/select.h"
+#include "app/viewport/tools/select.h"
 #include "tests/support/editor/headless_editor.h"
 
 namespace sinew::app {

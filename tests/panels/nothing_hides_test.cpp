@@ -7,7 +7,7 @@
 #include <fstream>
 
 #include "app/editor/edit.h"
-#include "app/panels/shared/panel_ui.h"
+#include "app/panels/panel_ui.h"
 #include "tests/support/editor/headless_editor.h"
 #include "tests/support/temporary_folder.h"
 

@@ -11,7 +11,7 @@
 #include "app/editor/edit.h"
 #include "app/editor/outliner_edit.h"
 #include "core/rig/validation.h"
-#include "sinew/io/rig_json.h"
+#include "sinew/files/rig_json.h"
 #include "tests/support/editor/headless_editor.h"
 
 namespace sinew::app {

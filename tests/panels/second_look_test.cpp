@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "app/editor/edit.h"
-#include "core/io/files/atomic_file.h"
+#include "core/files/disk/atomic_file.h"
 #include "tests/support/characters/gltf_builder.h"
 #include "tests/support/editor/headless_editor.h"
 #include "tests/support/editor/muscles_named.h"

@@ -16,7 +16,7 @@
 #include <malloc.h>
 #include <unistd.h>
 
-#include "sinew/io/rig_json.h"
+#include "sinew/files/rig_json.h"
 #include "tests/support/editor/headless_editor.h"
 
 namespace sinew::app {

@@ -7,10 +7,10 @@
 #include <gtest/gtest.h>
 #include <glm/geometric.hpp>
 
-#include "core/base/at.h"
+#include "core/geometry/at.h"
 #include "core/rig/layer_guess.h"
 #include "core/rig/mesh_layers.h"
-#include "sinew/io/gltf_import.h"
+#include "sinew/files/gltf_import.h"
 #include "tests/support/characters/dressed_humanoid.h"
 #include "tests/support/characters/real_characters.h"
 

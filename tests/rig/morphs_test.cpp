@@ -5,7 +5,7 @@
 
 #include "core/rig/animated_edit.h"
 #include "core/rig/validation.h"
-#include "sinew/io/rig_json.h"
+#include "sinew/files/rig_json.h"
 #include "tests/support/characters/synthetic_characters.h"
 
 namespace sinew::test {

@@ -6,8 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include "core/rig/twins.h"
 #include "core/rig/validation.h"
-#include "core/symmetry/twins.h"
 #include "tests/support/rigs/random_documents.h"
 #include "tests/support/rigs/random_rigs.h"
 #include "tests/support/rigs/rig_edits.h"

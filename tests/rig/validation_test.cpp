@@ -1,4 +1,4 @@
-// tests/rig/validation_test.cpp: what no file can hold but code can. Files' cases: tests/io/rig_json_test.cpp.
+// tests/rig/validation_test.cpp: what no file can hold but code can. Files' cases: tests/files/rig_json_test.cpp.
 #include "core/rig/validation.h"
 
 #include <limits>

@@ -8,7 +8,7 @@
 #include "sinew/character/character_pose.h"
 #include "sinew/runtime/game_file.h"
 #include "sinew/runtime/vertex_buffer.h"
-#include "sinew/smoothing/smoother.h"
+#include "sinew/surface/smoother.h"
 #include "tests/support/allocations.h"
 #include "tests/support/rigs/trial_scenes.h"
 

@@ -6,13 +6,13 @@
 
 #include <gtest/gtest.h>
 
-#include "core/base/parallel.h"
-#include "sinew/base/task_system.h"
+#include "core/geometry/parallel.h"
+#include "sinew/character/local_pose.h"
 #include "sinew/character/pose_check.h"
+#include "sinew/geometry/task_system.h"
+#include "sinew/rig/mirror_edit.h"
 #include "sinew/runtime/vertex_buffer.h"
-#include "sinew/skeleton/local_pose.h"
-#include "sinew/smoothing/smoother.h"
-#include "sinew/symmetry/mirror_edit.h"
+#include "sinew/surface/smoother.h"
 #include "tests/support/allocations.h"
 #include "tests/support/characters/synthetic_characters.h"
 #include "tests/support/rigs/random_animation.h"

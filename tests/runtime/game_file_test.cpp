@@ -5,7 +5,7 @@
 
 #include "core/runtime/game_file.h"
 #include "sinew/runtime/game_file.h"
-#include "sinew/smoothing/smoother.h"
+#include "sinew/surface/smoother.h"
 #include "tests/support/characters/synthetic_characters.h"
 #include "tests/support/rigs/random_animation.h"
 #include "tests/support/rigs/random_rigs.h"

@@ -7,8 +7,8 @@
 #include <gtest/gtest.h>
 #include <glm/gtc/packing.hpp>
 
-#include "core/base/at.h"
-#include "sinew/smoothing/smoother.h"
+#include "core/geometry/at.h"
+#include "sinew/surface/smoother.h"
 #include "tests/support/rigs/trial_scenes.h"
 
 namespace sinew::test {

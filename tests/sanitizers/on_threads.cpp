@@ -11,7 +11,7 @@
 
 #include <gtest/gtest.h>
 
-#include "sinew/base/task_system.h"
+#include "sinew/geometry/task_system.h"
 
 namespace sinew::test {
 namespace {

@@ -30,10 +30,10 @@ class Structure(unittest.TestCase):
 
     def test_a_good_tree_has_no_problem(self):
         self.assertEqual([], self.problems(
-            core__mesh__weld_DOT_h=self.header("core/mesh/weld.h", '#include <array>\n#include "sinew/base/result.h"\n'),
-            core__io__gltf_DOT_cpp="// core/io/gltf.cpp: x\n#include <tiny_gltf.h>\n#include <nlohmann/json.hpp>\n",
-            app__main_DOT_cpp='// app/main.cpp: x\n#include "app/cli/verbs.h"\n#include "core/io/gltf.h"\n',
-            tests__mesh__weld_test_DOT_cpp="// tests/mesh/weld_test.cpp: x\n#include <tiny_gltf.h>\n",
+            core__mesh__weld_DOT_h=self.header("core/geometry/weld.h", '#include <array>\n#include "sinew/geometry/result.h"\n'),
+            core__io__gltf_DOT_cpp="// core/files/gltf.cpp: x\n#include <tiny_gltf.h>\n#include <nlohmann/json.hpp>\n",
+            app__main_DOT_cpp='// app/main.cpp: x\n#include "app/command/verbs.h"\n#include "core/files/gltf.h"\n',
+            tests__mesh__weld_test_DOT_cpp="// tests/geometry/weld_test.cpp: x\n#include <tiny_gltf.h>\n",
             run_DOT_sh="#!/bin/sh\n# run.sh: x\n", shaders__a_DOT_frag="#version 450 core\n// shaders/a.frag: x\n"))
 
     def test_core_including_app(self):
@@ -50,47 +50,47 @@ class Structure(unittest.TestCase):
     def test_a_test_of_core_including_app(self):
         for here in ("mesh", "support/rigs"):
             path = "tests/%s/a.h" % here
-            for header in ("app/bench/scene.h", "tests/tools/limb_scene.h", "tests/support/editor/drawn_text.h"):
+            for header in ("app/command/scene.h", "tests/viewport/tools/limb_scene.h", "tests/support/editor/drawn_text.h"):
                 body = self.header(path, '#include "%s"\n' % header)
                 tree = {"tests__CMakeLists_DOT_txt": "mesh support", path.replace("/", "__").replace(".", "_DOT_"): body}
                 self.one("tests of core include nothing of app", **tree)
-        body = self.header("tests/support/editor/a.h", '#include "app/bench/scene.h"\n')
+        body = self.header("tests/support/editor/a.h", '#include "app/command/scene.h"\n')
         self.assertEqual([], self.problems(tests__CMakeLists_DOT_txt="support", tests__support__editor__a_DOT_h=body))
 
     def test_core_including_templates_that_programs_have_too(self):
         for header in ("<Eigen/Core>", "<tbb/parallel_for.h>", "<oneapi/tbb.h>"):
             self.one("knows it", core__rig__a_DOT_cpp="// core/rig/a.cpp: x\n#include %s\n" % header)
-        self.assertEqual([], self.problems(core__base__own_tasks_DOT_cpp="// core/base/own_tasks.cpp: x\n#include <tbb/tbb.h>\n"))
+        self.assertEqual([], self.problems(core__base__own_tasks_DOT_cpp="// core/geometry/own_tasks.cpp: x\n#include <tbb/tbb.h>\n"))
 
     def test_a_public_header_that_asks_for_no_library(self):
-        for body in ("", "#include <array>\n", '#include "sinew/base/version.h"\n'):
-            self.one("include sinew/base/same_version.h",
+        for body in ("", "#include <array>\n", '#include "sinew/geometry/version.h"\n'):
+            self.one("include sinew/geometry/same_version.h",
                      core__include__sinew__rig__a_DOT_h=self.header("core/include/sinew/rig/a.h", body))
-        for body in ('#include "sinew/base/same_version.h"\n', '#include "sinew/base/result.h"\n'):
+        for body in ('#include "sinew/geometry/same_version.h"\n', '#include "sinew/geometry/result.h"\n'):
             self.assertEqual([], self.problems(
                 core__include__sinew__rig__a_DOT_h=self.header("core/include/sinew/rig/a.h", body)))
 
     def test_core_including_a_window(self):
         for header in ("epoxy/gl.h", "GLFW/glfw3.h", "imgui.h"):
-            self.one("core knows no window", core__io__a_DOT_h=self.header("core/io/a.h", "#include <%s>\n" % header))
+            self.one("core knows no window", core__io__a_DOT_h=self.header("core/files/a.h", "#include <%s>\n" % header))
 
     def test_file_libraries_outside_io(self):
         for header in ("tiny_gltf.h", "nlohmann/json.hpp"):
-            self.one("only core/io", core__rig__a_DOT_h=self.header("core/rig/a.h", "#include <%s>\n" % header))
-            self.one("only core/io", app__cli__a_DOT_h=self.header("app/cli/a.h", "#include <%s>\n" % header))
+            self.one("only core/files", core__rig__a_DOT_h=self.header("core/rig/a.h", "#include <%s>\n" % header))
+            self.one("only core/files", app__cli__a_DOT_h=self.header("app/command/a.h", "#include <%s>\n" % header))
 
     def test_a_directory_above_and_one_beside(self):
-        self.one("layer 5", core__mesh__a_DOT_h=self.header("core/mesh/a.h", '#include "sinew/smoothing/surface.h"\n'))
-        self.one("layer 2", core__mesh__a_DOT_h=self.header("core/mesh/a.h", '#include "sinew/skeleton/pose.h"\n'))
-        self.one("layer 4", app__render__a_DOT_h=self.header("app/render/a.h", '#include "app/tools/gizmo/gizmo.h"\n'))
+        self.one("layer 5", core__mesh__a_DOT_h=self.header("core/geometry/a.h", '#include "sinew/surface/surface.h"\n'))
+        self.one("layer 2", core__mesh__a_DOT_h=self.header("core/geometry/a.h", '#include "sinew/character/pose.h"\n'))
+        self.one("layer 4", app__render__a_DOT_h=self.header("app/viewport/render/a.h", '#include "app/viewport/tools/gizmo.h"\n'))
 
     def test_the_runtime_including_what_a_game_does_not_link(self):
-        body = '#include "core/io/files/a.h"\n'
-        self.one("a part of Sinew::runtime includes nothing of io", core__c__a_DOT_h=self.header("core/c/a.h", body))
-        self.assertEqual([], self.problems(core__export__a_DOT_h=self.header("core/export/a.h", body)))
+        body = '#include "core/files/disk/a.h"\n'
+        self.one("a part of Sinew::runtime includes nothing of io", core__c__a_DOT_h=self.header("core/runtime/c/a.h", body))
+        self.assertEqual([], self.problems(core__export__a_DOT_h=self.header("core/files/export/a.h", body)))
 
     def test_an_unknown_directory(self):
-        self.one("has no layer", core__attic__a_DOT_h=self.header("core/attic/a.h", '#include "sinew/base/result.h"\n'))
+        self.one("has no layer", core__attic__a_DOT_h=self.header("core/attic/a.h", '#include "sinew/geometry/result.h"\n'))
 
     def test_a_first_line_that_names_another_file(self):
         self.one("does not name the file", core__rig__a_DOT_h=self.header("core/rig/b.h"))
@@ -105,25 +105,25 @@ class Structure(unittest.TestCase):
 
     def test_a_constant_that_hides_a_headers(self):
         def tree(place, name):
-            return {"core__mesh__a_DOT_h": self.header("core/mesh/a.h", "inline constexpr float kLeast = 0.2f;\n"),
+            return {"core__mesh__a_DOT_h": self.header("core/geometry/a.h", "inline constexpr float kLeast = 0.2f;\n"),
                     place: "// %s: x\nconstexpr float %s = 0.5f;\n" % (place.replace("__", "/").replace("_DOT_", "."), name)}
 
-        self.one("kLeast would hide that of core/mesh/a.h", **tree("core__rig__b_DOT_cpp", "kLeast"))
+        self.one("kLeast would hide that of core/geometry/a.h", **tree("core__rig__b_DOT_cpp", "kLeast"))
         self.assertEqual([], self.problems(**tree("core__rig__b_DOT_cpp", "kLeastOfRig")))
         self.assertEqual([], self.problems(**tree("app__ui__b_DOT_cpp", "kLeast")))
 
     def test_a_test_no_one_runs(self):
         self.one("names 'attic'", tests__attic__a_test_DOT_cpp="// tests/attic/a_test.cpp: x\n")
-        self.one("names 'a_test.py'", tests__mesh__a_test_DOT_py="# tests/mesh/a_test.py: x\n")
+        self.one("names 'a_test.py'", tests__mesh__a_test_DOT_py="# tests/geometry/a_test.py: x\n")
 
     def test_a_page_that_names_what_is_not_there(self):
-        here = {"core__mesh__weld_DOT_h": self.header("core/mesh/weld.h")}
+        here = {"core__mesh__weld_DOT_h": self.header("core/geometry/weld.h")}
         for page in ("README_DOT_md", "CONTRIBUTING_DOT_md", "docs__design_DOT_md"):
-            self.one(":2: `core/mesh/old.h` does not exist", **here, **{page: "# Head\nSee `core/mesh/old.h`.\n"})
-        self.one("`core/mesh/weld.cpp`", README_DOT_md="`core/mesh/weld.{h,cpp}`\n", **here)
-        self.one("`tests/mesh`", README_DOT_md="`ctest tests/mesh`\n", **here)
-        self.assertEqual([], self.problems(README_DOT_md="`core/mesh/weld.h` `core/mesh/` `core/mesh/*.h` "
-                                           "`app/cli/NAME.cpp` `Sinew::core` core/mesh/old.h\n", **here))
+            self.one(":2: `core/geometry/old.h` does not exist", **here, **{page: "# Head\nSee `core/geometry/old.h`.\n"})
+        self.one("`core/geometry/weld.cpp`", README_DOT_md="`core/geometry/weld.{h,cpp}`\n", **here)
+        self.one("`tests/geometry`", README_DOT_md="`ctest tests/geometry`\n", **here)
+        self.assertEqual([], self.problems(README_DOT_md="`core/geometry/weld.h` `core/geometry/` `core/geometry/*.h` "
+                                           "`app/command/NAME.cpp` `Sinew::core` core/geometry/old.h\n", **here))
 
     def test_a_map_that_is_not_the_layers(self):
         rows = collections.defaultdict(list)
@@ -132,7 +132,7 @@ class Structure(unittest.TestCase):
         table = "| layer | core | |\n|---|---|---|\n"
         table += "".join("| %d | %s | x |\n" % (n, " ".join(names)) for n, names in rows.items())
         self.assertEqual([], self.problems(docs__architecture_DOT_md=table))
-        self.one("core/base on layer 1", docs__architecture_DOT_md=table.replace("`base`", ""))
+        self.one("core/geometry on layer 1", docs__architecture_DOT_md=table.replace("`base`", ""))
         self.one("core/attic on layer 1", docs__architecture_DOT_md=table.replace("`base`", "`base` `attic`"))
 
     def test_a_sample_that_nobody_compiles(self):

@@ -9,7 +9,7 @@
 #include <filesystem>
 #include <vector>
 
-#include "app/names/code_points.h"
+#include "app/ui/code_points.h"
 
 namespace sinew::app {
 namespace {

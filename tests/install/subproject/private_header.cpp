@@ -1,2 +1,2 @@
 // tests/install/subproject/private_header.cpp: what it must not find.
-#include "core/base/at.h"
+#include "core/geometry/at.h"

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/mesh/weld.h"
+#include "core/geometry/weld.h"
 #include "sinew/character/character.h"
 
 namespace sinew::test {

@@ -14,10 +14,10 @@
 
 #include <nlohmann/json.hpp>
 
-#include "core/base/at.h"
 #include "core/character/bindings.h"
-#include "sinew/io/gltf_import.h"
-#include "sinew/smoothing/smoother.h"
+#include "core/geometry/at.h"
+#include "sinew/files/gltf_import.h"
+#include "sinew/surface/smoother.h"
 #include "tests/support/temporary_folder.h"
 
 namespace sinew::test {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "sinew/character/character.h"
-#include "sinew/skeleton/pose.h"
+#include "sinew/character/pose.h"
 
 namespace sinew::test {
 

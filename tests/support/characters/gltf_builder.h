@@ -9,7 +9,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "sinew/base/geometry.h"
+#include "sinew/geometry/geometry.h"
 
 namespace sinew::test {
 

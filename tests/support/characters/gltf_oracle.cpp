@@ -17,7 +17,7 @@
 namespace sinew::test {
 namespace {
 
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
+std::size_t asSize(int index) { return static_cast<std::size_t>(index); }
 
 double component(const unsigned char* from, int type, bool normalized) {
   const auto load = [&]<class T>(T value, double largest) {
@@ -42,13 +42,13 @@ double component(const unsigned char* from, int type, bool normalized) {
 
 /// All components of an accessor, sparse entries applied.
 std::vector<double> numbers(const tinygltf::Model& model, int index) {
-  const tinygltf::Accessor& a = model.accessors.at(at(index));
-  const auto width = at(tinygltf::GetNumComponentsInType(static_cast<std::uint32_t>(a.type)));
-  const auto size = at(tinygltf::GetComponentSizeInBytes(static_cast<std::uint32_t>(a.componentType)));
+  const tinygltf::Accessor& a = model.accessors.at(asSize(index));
+  const auto width = asSize(tinygltf::GetNumComponentsInType(static_cast<std::uint32_t>(a.type)));
+  const auto size = asSize(tinygltf::GetComponentSizeInBytes(static_cast<std::uint32_t>(a.componentType)));
   std::vector<double> out(a.count * width, 0.0);
   const auto bytesOf = [&](int view, std::size_t offset) {
-    const tinygltf::BufferView& v = model.bufferViews.at(at(view));
-    return model.buffers.at(at(v.buffer)).data.data() + v.byteOffset + offset;
+    const tinygltf::BufferView& v = model.bufferViews.at(asSize(view));
+    return model.buffers.at(asSize(v.buffer)).data.data() + v.byteOffset + offset;
   };
   const auto copy = [&](const unsigned char* from, std::size_t element) {
     for (std::size_t c = 0; c < width; ++c) {
@@ -56,17 +56,18 @@ std::vector<double> numbers(const tinygltf::Model& model, int index) {
     }
   };
   if (a.bufferView >= 0) {
-    const auto stride = at(a.ByteStride(model.bufferViews.at(at(a.bufferView))));
+    const auto stride = asSize(a.ByteStride(model.bufferViews.at(asSize(a.bufferView))));
     for (std::size_t i = 0; i < a.count; ++i) copy(bytesOf(a.bufferView, a.byteOffset) + i * stride, i);
   }
   if (a.sparse.isSparse) {
     const auto& sparse = a.sparse;
     const auto indexSize =
-        at(tinygltf::GetComponentSizeInBytes(static_cast<std::uint32_t>(sparse.indices.componentType)));
-    for (std::size_t i = 0; i < at(sparse.count); ++i) {
-      const unsigned char* where = bytesOf(sparse.indices.bufferView, at(sparse.indices.byteOffset)) + i * indexSize;
+        asSize(tinygltf::GetComponentSizeInBytes(static_cast<std::uint32_t>(sparse.indices.componentType)));
+    for (std::size_t i = 0; i < asSize(sparse.count); ++i) {
+      const unsigned char* where =
+          bytesOf(sparse.indices.bufferView, asSize(sparse.indices.byteOffset)) + i * indexSize;
       const auto element = static_cast<std::size_t>(component(where, sparse.indices.componentType, false));
-      copy(bytesOf(sparse.values.bufferView, at(sparse.values.byteOffset)) + i * width * size, element);
+      copy(bytesOf(sparse.values.bufferView, asSize(sparse.values.byteOffset)) + i * width * size, element);
     }
   }
   return out;
@@ -100,10 +101,10 @@ glm::dvec4 slerp(glm::dvec4 a, glm::dvec4 b, double t) {
   return (std::sin((1.0 - t) * angle) * a + std::sin(t * angle) * b) / std::sin(angle);
 }
 
-/// Morph weights of a node at a time of a clip; of the node or its mesh where nothing moves them.
+/// Morph weights of a node asSize a time of a clip; of the node or its mesh where nothing moves them.
 std::vector<double> morphWeights(const tinygltf::Model& model, int node, std::optional<std::size_t> clip, double time) {
-  const tinygltf::Node& shown = model.nodes.at(at(node));
-  const tinygltf::Mesh& mesh = model.meshes.at(at(shown.mesh));
+  const tinygltf::Node& shown = model.nodes.at(asSize(node));
+  const tinygltf::Mesh& mesh = model.meshes.at(asSize(shown.mesh));
   std::vector<double> weights = mesh.weights;
   if (!shown.weights.empty()) weights = shown.weights;
   weights.resize(mesh.primitives.front().targets.size(), 0.0);
@@ -111,7 +112,7 @@ std::vector<double> morphWeights(const tinygltf::Model& model, int node, std::op
   const tinygltf::Animation& animation = model.animations.at(*clip);
   for (const tinygltf::AnimationChannel& channel : animation.channels) {
     if (channel.target_path != "weights" || channel.target_node != node) continue;
-    const tinygltf::AnimationSampler& sampler = animation.samplers.at(at(channel.sampler));
+    const tinygltf::AnimationSampler& sampler = animation.samplers.at(asSize(channel.sampler));
     const std::vector<double> times = numbers(model, sampler.input);
     const std::vector<double> values = numbers(model, sampler.output);
     const std::size_t count = weights.size();
@@ -140,7 +141,7 @@ std::vector<double> morphWeights(const tinygltf::Model& model, int node, std::op
   return weights;
 }
 
-/// Value of a sampler at a time (glTF 2.0, appendix C).
+/// Value of a sampler asSize a time (glTF 2.0, appendix C).
 glm::dvec4 sample(const tinygltf::Model& model, const tinygltf::AnimationSampler& sampler, bool rotation, double time) {
   const std::vector<double> times = numbers(model, sampler.input);
   const std::vector<double> values = numbers(model, sampler.output);
@@ -178,12 +179,12 @@ struct GltfOracle::Impl {
     std::vector<Local> locals;
     for (const tinygltf::Node& node : model.nodes) {
       Local local;
-      for (int i = 0; i < 3 && !node.translation.empty(); ++i) local.translation[i] = node.translation[at(i)];
-      for (int i = 0; i < 4 && !node.rotation.empty(); ++i) local.rotation[i] = node.rotation[at(i)];
-      for (int i = 0; i < 3 && !node.scale.empty(); ++i) local.scale[i] = node.scale[at(i)];
+      for (int i = 0; i < 3 && !node.translation.empty(); ++i) local.translation[i] = node.translation[asSize(i)];
+      for (int i = 0; i < 4 && !node.rotation.empty(); ++i) local.rotation[i] = node.rotation[asSize(i)];
+      for (int i = 0; i < 3 && !node.scale.empty(); ++i) local.scale[i] = node.scale[asSize(i)];
       if (!node.matrix.empty()) {
         local.matrix.emplace(1.0);
-        for (int i = 0; i < 16; ++i) (*local.matrix)[i / 4][i % 4] = node.matrix[at(i)];
+        for (int i = 0; i < 16; ++i) (*local.matrix)[i / 4][i % 4] = node.matrix[asSize(i)];
       }
       locals.push_back(local);
     }
@@ -191,7 +192,7 @@ struct GltfOracle::Impl {
     std::vector<glm::dmat4> result;
     for (std::size_t node = 0; node < locals.size(); ++node) {
       glm::dmat4 world = locals[node].toMatrix();
-      for (int p = parents[node]; p >= 0; p = parents[at(p)]) world = locals[at(p)].toMatrix() * world;
+      for (int p = parents[node]; p >= 0; p = parents[asSize(p)]) world = locals[asSize(p)].toMatrix() * world;
       result.push_back(world);
     }
     return result;
@@ -204,8 +205,8 @@ struct GltfOracle::Impl {
     for (const tinygltf::AnimationChannel& channel : animation.channels) {
       if (channel.target_path == "weights") continue;
       const bool rotation = channel.target_path == "rotation";
-      const glm::dvec4 v = sample(model, animation.samplers.at(at(channel.sampler)), rotation, time);
-      Local& local = locals.at(at(channel.target_node));
+      const glm::dvec4 v = sample(model, animation.samplers.at(asSize(channel.sampler)), rotation, time);
+      Local& local = locals.at(asSize(channel.target_node));
       if (rotation) local.rotation = v;
       else if (channel.target_path == "scale") local.scale = glm::dvec3(v);
       else local.translation = glm::dvec3(v);
@@ -216,13 +217,13 @@ struct GltfOracle::Impl {
   std::vector<glm::dmat4> jointMatrices(const tinygltf::Node& node, const std::vector<glm::dmat4>& world) const {
     std::vector<glm::dmat4> result;
     if (node.skin < 0) return result;
-    const tinygltf::Skin& skin = model.skins.at(at(node.skin));
+    const tinygltf::Skin& skin = model.skins.at(asSize(node.skin));
     const std::vector<double> binds =
         skin.inverseBindMatrices < 0 ? std::vector<double>{} : numbers(model, skin.inverseBindMatrices);
     for (std::size_t j = 0; j < skin.joints.size(); ++j) {
       glm::dmat4 inverseBind(1.0);
-      for (int i = 0; i < 16 && !binds.empty(); ++i) inverseBind[i / 4][i % 4] = binds[16 * j + at(i)];
-      result.push_back(world[at(skin.joints[j])] * inverseBind);
+      for (int i = 0; i < 16 && !binds.empty(); ++i) inverseBind[i / 4][i % 4] = binds[16 * j + asSize(i)];
+      result.push_back(world[asSize(skin.joints[j])] * inverseBind);
     }
     return result;
   }
@@ -271,7 +272,7 @@ struct GltfOracle::Impl {
   /// One matrix a vertex.
   std::vector<glm::dmat4> blended(const tinygltf::Primitive& primitive, const glm::dmat4& world,
                                   const std::vector<glm::dmat4>& joints) const {
-    const std::size_t count = model.accessors.at(at(primitive.attributes.at("POSITION"))).count;
+    const std::size_t count = model.accessors.at(asSize(primitive.attributes.at("POSITION"))).count;
     std::vector<glm::dmat4> matrices(count, joints.empty() ? world : glm::dmat4(0.0));
     if (!joints.empty()) blend(primitive, joints, matrices);
     return matrices;
@@ -315,7 +316,7 @@ GltfOracle::GltfOracle(const std::filesystem::path& file) : impl_(std::make_uniq
   if (!read) ADD_FAILURE() << file << ": " << error;
   impl_->parents.assign(impl_->model.nodes.size(), -1);
   for (std::size_t n = 0; n < impl_->model.nodes.size(); ++n) {
-    for (const int child : impl_->model.nodes[n].children) impl_->parents[at(child)] = static_cast<int>(n);
+    for (const int child : impl_->model.nodes[n].children) impl_->parents[asSize(child)] = static_cast<int>(n);
   }
 }
 
@@ -340,7 +341,7 @@ std::vector<RawTriangle> GltfOracle::Impl::collected(std::optional<std::size_t> 
     if (node.mesh < 0) continue;
     const std::vector<glm::dmat4> joints = jointMatrices(node, world);
     const std::vector<double> weights = morphWeights(model, static_cast<int>(n), clip, time);
-    for (const auto& primitive : model.meshes.at(at(node.mesh)).primitives) {
+    for (const auto& primitive : model.meshes.at(asSize(node.mesh)).primitives) {
       add(primitive, world[n], joints, weights, result);
     }
   }
@@ -349,8 +350,8 @@ std::vector<RawTriangle> GltfOracle::Impl::collected(std::optional<std::size_t> 
 
 std::vector<glm::dvec3> GltfOracle::morphedPositions(int mesh, int primitive,
                                                      const std::vector<double>& weights) const {
-  const auto& primitives = impl_->model.meshes.at(at(mesh)).primitives;
-  const std::vector<double> all = impl_->morphed(primitives.at(at(primitive)), weights);
+  const auto& primitives = impl_->model.meshes.at(asSize(mesh)).primitives;
+  const std::vector<double> all = impl_->morphed(primitives.at(asSize(primitive)), weights);
   std::vector<glm::dvec3> result;
   for (std::size_t i = 0; i + 2 < all.size(); i += 3) result.emplace_back(all[i], all[i + 1], all[i + 2]);
   return result;

@@ -5,11 +5,11 @@
 #include <gtest/gtest.h>
 #include <glm/geometric.hpp>
 
-#include "core/base/at.h"
 #include "core/character/skinning.h"
+#include "core/geometry/at.h"
 #include "sinew/character/character_pose.h"
-#include "sinew/io/gltf_import.h"
-#include "sinew/skeleton/pose.h"
+#include "sinew/character/pose.h"
+#include "sinew/files/gltf_import.h"
 #include "tests/support/characters/gltf_oracle.h"
 
 namespace sinew::test {

@@ -4,7 +4,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "sinew/base/geometry.h"
+#include "sinew/geometry/geometry.h"
 
 namespace sinew::test {
 

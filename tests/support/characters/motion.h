@@ -6,7 +6,7 @@
 #include <glm/mat3x3.hpp>
 #include <glm/vec3.hpp>
 
-#include "sinew/smoothing/surface.h"
+#include "sinew/surface/surface.h"
 
 namespace sinew::test {
 

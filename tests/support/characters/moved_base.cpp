@@ -12,7 +12,7 @@
 namespace sinew::test {
 namespace {
 
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
+std::size_t toSize(int index) { return static_cast<std::size_t>(index); }
 
 /// One accessor of its own a primitive: files share them.
 void setPositions(tinygltf::Model& model, tinygltf::Primitive& primitive, const std::vector<glm::dvec3>& positions) {
@@ -52,7 +52,7 @@ std::string movedBase(const std::filesystem::path& file, const std::vector<float
   std::size_t next = 0;
   for (tinygltf::Node& node : model.nodes) {
     if (node.mesh < 0) continue;
-    tinygltf::Mesh& mesh = model.meshes.at(at(node.mesh));
+    tinygltf::Mesh& mesh = model.meshes.at(toSize(node.mesh));
     const std::size_t count = mesh.primitives.front().targets.size();
     std::vector<double> own(weights.begin() + static_cast<std::ptrdiff_t>(next),
                             weights.begin() + static_cast<std::ptrdiff_t>(next + count));

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "sinew/io/gltf_import.h"
+#include "sinew/files/gltf_import.h"
 
 namespace sinew::test {
 

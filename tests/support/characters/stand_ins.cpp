@@ -8,10 +8,10 @@
 
 #include <glm/geometric.hpp>
 
-#include "core/base/at.h"
-#include "core/mesh/weld.h"
-#include "core/smoothing/patches/patch.h"
-#include "sinew/io/gltf_import.h"
+#include "core/geometry/at.h"
+#include "core/geometry/weld.h"
+#include "core/surface/patches/patch.h"
+#include "sinew/files/gltf_import.h"
 #include "tests/support/characters/character_parts.h"
 #include "tests/support/rigs/random_rigs.h"
 

@@ -8,14 +8,14 @@
 
 #include <gtest/gtest.h>
 
-#include "app/actions/actions.h"
+#include "app/editor/actions.h"
 #include "app/editor/commands.h"
 #include "app/editor/open_file.h"
 #include "app/editor/territory.h"
 #include "app/editor/visibility_commands.h"
-#include "app/tools/territory_tool.h"
 #include "app/ui/imgui_layer.h"
 #include "app/ui/style.h"
+#include "app/viewport/tools/territory_tool.h"
 #include "app/window/editor_step.h"
 #include "sinew/rig/rig_edit.h"
 

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "sinew/smoothing/surface.h"
+#include "sinew/surface/surface.h"
 #include "tests/support/oracle/finish.h"
 #include "tests/support/oracle/oracle.h"
 

@@ -6,13 +6,10 @@
 #include <cassert>
 #include <cstdint>
 
+#include "tests/support/oracle/triangles.h"
+
 namespace sinew::oracle {
 namespace {
-
-double smoothstep(double low, double high, double x) {
-  const double t = std::clamp((x - low) / (high - low), 0.0, 1.0);
-  return t * t * (3.0 - 2.0 * t);
-}
 
 /// Tries all 2^groups subsets; keeps those whose members are pairwise linked and that nothing can join.
 std::vector<std::vector<bool>> allMaximalCliques(const std::vector<std::vector<bool>>& linked) {

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "sinew/character/character.h"
+#include "sinew/character/pose.h"
 #include "sinew/rig/rig.h"
-#include "sinew/skeleton/pose.h"
 #include "tests/support/oracle/math.h"
 #include "tests/support/oracle/shape.h"
 

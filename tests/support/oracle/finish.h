@@ -5,7 +5,7 @@
 
 #include <vector>
 
-#include "sinew/smoothing/surface.h"
+#include "sinew/surface/surface.h"
 #include "tests/support/oracle/math.h"
 
 namespace sinew::oracle {

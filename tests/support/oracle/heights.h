@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "sinew/smoothing/refinement.h"
+#include "sinew/surface/refinement.h"
 #include "tests/support/oracle/triangles.h"
 
 namespace sinew::oracle {

@@ -6,7 +6,7 @@
 
 #include <glm/gtc/quaternion.hpp>
 
-#include "core/lines/bone_motion.h"
+#include "core/rig/bone_motion.h"
 
 namespace sinew::oracle {
 namespace {

@@ -1,7 +1,7 @@
 // tests/support/oracle/line.h: the virtual bone of docs/lines.md, formula by formula, in double.
 #pragma once
 
-#include "core/lines/line_rest.h"
+#include "core/rig/line_rest.h"
 
 namespace sinew::oracle {
 

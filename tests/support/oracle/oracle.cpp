@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "tests/support/oracle/rise.h"
+#include "tests/support/oracle/triangles.h"
 
 namespace sinew::oracle {
 namespace {
@@ -14,8 +15,6 @@ constexpr int kSteps = 2400;
 constexpr int kOtherRoots = 8;
 constexpr double kRise = 0.1;         ///< Fraction of H that an edge should allow.
 constexpr double kLeastCosine = 0.2;  ///< n . d counts as at least this.
-
-std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
 Pose bindPoseOf(const Skeleton& skeleton) {
   Pose out;

@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "sinew/character/character.h"
+#include "sinew/character/pose.h"
 #include "sinew/rig/rig.h"
-#include "sinew/skeleton/pose.h"
-#include "sinew/smoothing/refinement.h"
+#include "sinew/surface/refinement.h"
 #include "tests/support/oracle/field.h"
 #include "tests/support/oracle/patch.h"
 

@@ -6,12 +6,13 @@
 
 #include "tests/support/oracle/oracle.h"
 #include "tests/support/oracle/rise.h"
+#include "tests/support/oracle/triangles.h"
 
 namespace sinew::oracle {
 namespace {
 
-constexpr int kSteps = 2400;   ///< Steps of the brute-force search.
-constexpr int kStretches = 8;  ///< More than any test lays behind each other.
+constexpr int kLineSteps = 2400;  ///< Steps of the brute-force search.
+constexpr int kStretches = 8;     ///< More than any test lays behind each other.
 // docs/design.md, "Replace: the paper's method"; the number is that of the step there.
 constexpr double kWrapped = 0.7;             ///< 0: "for 70 % of the control vertices inside the region of influence".
 constexpr double kSearchLength = 0.2;        ///< 2: "the search length L = 0.2 H".
@@ -19,9 +20,7 @@ constexpr int kProminenceSamples = 9;        ///< 3: "at nine points spaced even
 constexpr double kWholeProminence = 0.25;    ///< 3: "from 0 to T/4".
 constexpr double kFadingLength = 1.0 / 5.0;  ///< 3: "a smooth fade over the last fifth of L".
 
-std::size_t index(int i) { return static_cast<std::size_t>(i); }
-
-double smoothstep(double t) {
+double smooth(double t) {
   const double x = std::clamp(t, 0.0, 1.0);
   return x * x * (3.0 - 2.0 * x);
 }
@@ -29,7 +28,7 @@ double smoothstep(double t) {
 /// Share before others are laid over it: by the largest F - T of the stretch and by how far its beginning is.
 double ownShare(double prominence, double iso, double t, double searchLength) {
   const double toTheEnd = 1.0 - std::abs(t) / searchLength;
-  return smoothstep(prominence / (kWholeProminence * iso)) * smoothstep(toTheEnd / kFadingLength);
+  return smooth(prominence / (kWholeProminence * iso)) * smooth(toTheEnd / kFadingLength);
 }
 
 /// The largest of the samples inside a stretch.
@@ -128,16 +127,16 @@ void Oracle::lay(const Line& line, const std::vector<double>& weights, Hit& hit,
   };
   double begin = 0.0;
   if (line.inside) {
-    const std::vector<double> ends = signChanges(phi, 0.0, line.length, kSteps, 1);
+    const std::vector<double> ends = signChanges(phi, 0.0, line.length, kLineSteps, 1);
     begin = ends.empty() ? line.length : ends.front();
-    const std::vector<double> outer = signChanges(phi, 0.0, -searchLength, kSteps, 1);
+    const std::vector<double> outer = signChanges(phi, 0.0, -searchLength, kLineSteps, 1);
     if (!outer.empty()) {
       add(outer.front(), std::max({prominence(phi, outer.front(), 0.0), prominence(phi, 0.0, begin), phi(0.0)}));
     }
   }
   if (outwardsAlone || begin >= line.length) return;
   const double start = line.inside ? begin + 1e-7 * height_ : 0.0;
-  const std::vector<double> changes = signChanges(phi, start, line.length, kSteps, 2 * kStretches);
+  const std::vector<double> changes = signChanges(phi, start, line.length, kLineSteps, 2 * kStretches);
   for (std::size_t i = 0; i < changes.size() && changes[i] < searchLength && hit.left() > 0.0; i += 2) {
     add(changes[i], prominence(phi, changes[i], i + 1 < changes.size() ? changes[i + 1] : line.length));
   }

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "sinew/mesh/control_mesh.h"
+#include "sinew/geometry/control_mesh.h"
 #include "tests/support/oracle/math.h"
 
 namespace sinew::oracle {

@@ -1,7 +1,7 @@
 // tests/support/oracle/shape.h: the shapes of docs/field.md, formula by formula, in double.
 #pragma once
 
-#include "sinew/primitives/shape.h"
+#include "sinew/geometry/shape.h"
 #include "tests/support/oracle/math.h"
 
 namespace sinew::oracle {

@@ -7,7 +7,7 @@
 
 #include "core/character/bindings.h"
 #include "core/rig/trial_rig.h"
-#include "sinew/base/geometry.h"
+#include "sinew/geometry/geometry.h"
 
 namespace sinew::test {
 namespace {

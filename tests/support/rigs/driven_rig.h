@@ -1,7 +1,7 @@
 // tests/support/rigs/driven_rig.h: a rig with the numbers of a pose typed in.
 #pragma once
 
-#include "core/drivers/posed_rig.h"
+#include "core/rig/posed_rig.h"
 
 namespace sinew::test {
 

@@ -5,8 +5,8 @@
 #include <bit>
 #include <cmath>
 
-#include "core/io/json/json.h"
-#include "core/primitives/shape_numbers.h"
+#include "core/files/json/json.h"
+#include "core/geometry/shape_numbers.h"
 #include "tests/support/rigs/random_animation.h"
 #include "tests/support/rigs/random_rigs.h"
 

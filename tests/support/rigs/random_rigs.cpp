@@ -10,9 +10,9 @@
 #include <glm/gtc/constants.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "core/base/split_mix.h"
 #include "core/character/bindings.h"
-#include "core/primitives/shape_numbers.h"
+#include "core/geometry/shape_numbers.h"
+#include "core/geometry/split_mix.h"
 
 namespace sinew::test {
 namespace {

@@ -4,8 +4,8 @@
 #include <cstdint>
 
 #include "sinew/character/character.h"
+#include "sinew/character/pose.h"
 #include "sinew/rig/rig.h"
-#include "sinew/skeleton/pose.h"
 
 namespace sinew::test {
 

@@ -8,8 +8,8 @@
 #include <gtest/gtest.h>
 
 #include "core/rig/trial_rig.h"
-#include "sinew/io/gltf_import.h"
-#include "sinew/io/rig_json.h"
+#include "sinew/files/gltf_import.h"
+#include "sinew/files/rig_json.h"
 #include "tests/support/characters/real_characters.h"
 
 namespace sinew::test {

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "sinew/character/character.h"
+#include "sinew/character/pose.h"
 #include "sinew/rig/rig.h"
-#include "sinew/skeleton/pose.h"
 
 namespace sinew::test {
 

@@ -13,7 +13,7 @@
 #include <glm/geometric.hpp>
 
 #include "core/rig/attachment.h"
-#include "sinew/smoothing/smoother.h"
+#include "sinew/surface/smoother.h"
 #include "tests/support/characters/motion.h"
 #include "tests/support/oracle/oracle.h"
 #include "tests/support/surface/projected.h"

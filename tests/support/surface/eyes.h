@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-#include "sinew/base/geometry.h"
+#include "sinew/geometry/geometry.h"
 
 namespace sinew::test {
 

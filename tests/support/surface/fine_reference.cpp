@@ -5,8 +5,8 @@
 #include <optional>
 #include <utility>
 
-#include "core/smoothing/adaptive_levels.h"
-#include "core/smoothing/smooth.h"
+#include "core/surface/adaptive_levels.h"
+#include "core/surface/smooth.h"
 
 namespace sinew::test {
 

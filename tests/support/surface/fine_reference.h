@@ -5,9 +5,9 @@
 #include <memory>
 
 #include "sinew/character/character.h"
+#include "sinew/character/pose.h"
 #include "sinew/rig/rig.h"
-#include "sinew/skeleton/pose.h"
-#include "sinew/smoothing/surface.h"
+#include "sinew/surface/surface.h"
 
 namespace sinew::test {
 

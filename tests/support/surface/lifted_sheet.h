@@ -4,9 +4,9 @@
 #include <functional>
 #include <vector>
 
-#include "core/smoothing/finish/fold.h"
-#include "core/smoothing/finish/moved_triangles.h"
-#include "core/smoothing/finish/vertex_rings.h"
+#include "core/surface/finish/fold.h"
+#include "core/surface/finish/moved_triangles.h"
+#include "core/surface/finish/vertex_rings.h"
 #include "tests/support/surface/sheets.h"
 
 namespace sinew::test {

@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "core/smoothing/roots/ray_field.h"
+#include "core/surface/roots/ray_field.h"
 
 namespace sinew::test {
 

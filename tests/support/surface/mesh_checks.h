@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "sinew/mesh/control_mesh.h"
+#include "sinew/geometry/control_mesh.h"
 
 namespace sinew::test {
 

@@ -10,9 +10,9 @@
 #include <gtest/gtest.h>
 #include <glm/geometric.hpp>
 
-#include "core/base/at.h"
-#include "sinew/base/geometry.h"
-#include "sinew/smoothing/smoother.h"
+#include "core/geometry/at.h"
+#include "sinew/geometry/geometry.h"
+#include "sinew/surface/smoother.h"
 #include "tests/support/characters/motion.h"
 #include "tests/support/surface/projected.h"
 #include "tests/support/surface/visible_backs.h"
@@ -21,10 +21,10 @@ namespace sinew::test {
 namespace {
 
 constexpr int kTenths = 10;
-constexpr int kFrame = 640;  ///< Ticks of 26 microseconds.
+constexpr int kFrameTicks = 640;  ///< Ticks of 26 microseconds.
 constexpr int kLookedAt = 15;
 constexpr int kPixels = 700;
-constexpr double kTick = 1.0 / (60.0 * kFrame);
+constexpr double kTick = 1.0 / (60.0 * kFrameTicks);
 
 using Offsets = std::vector<glm::vec3>;
 
@@ -59,7 +59,7 @@ class PopSearch {
     const int frames = std::min(mostFrames, static_cast<int>(static_cast<double>(clip.duration) * 60.0));
     Moment before = at(0);
     for (int i = 1; i <= frames; ++i) {
-      Moment now = at(i * kFrame);
+      Moment now = at(i * kFrameTicks);
       look(i, out);
       compare(before, now, out);
       before = std::move(now);

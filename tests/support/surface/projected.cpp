@@ -2,7 +2,7 @@
 
 #include "tests/support/surface/projected.h"
 
-#include "core/smoothing/stages.h"
+#include "core/surface/stages.h"
 
 namespace sinew::test {
 namespace {

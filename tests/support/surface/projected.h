@@ -4,13 +4,13 @@
 #include <memory>
 
 #include "sinew/character/character.h"
+#include "sinew/character/pose.h"
 #include "sinew/rig/rig.h"
-#include "sinew/skeleton/pose.h"
-#include "sinew/smoothing/surface.h"
+#include "sinew/surface/surface.h"
 
 namespace sinew::test {
 
-/// The stages of core/smoothing up to swell() or replace(), put together by hand.
+/// The stages of core/surface up to swell() or replace(), put together by hand.
 class Projected {
  public:
   Projected(const Character& character, const Rig& rig);

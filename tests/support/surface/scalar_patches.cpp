@@ -6,7 +6,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "core/base/at.h"
+#include "core/geometry/at.h"
 
 namespace sinew::test {
 namespace {

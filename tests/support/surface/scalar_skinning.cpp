@@ -1,7 +1,7 @@
 // tests/support/surface/scalar_skinning.cpp: linear blend skinning, one matrix a vertex, one vertex after the other.
 #include "tests/support/surface/scalar_skinning.h"
 
-#include "core/base/at.h"
+#include "core/geometry/at.h"
 
 namespace sinew::test {
 namespace {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "core/mesh/weld.h"
+#include "core/geometry/weld.h"
 
 namespace sinew::test {
 

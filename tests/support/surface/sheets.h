@@ -5,7 +5,7 @@
 #include <functional>
 #include <vector>
 
-#include "sinew/mesh/control_mesh.h"
+#include "sinew/geometry/control_mesh.h"
 
 namespace sinew::test {
 

@@ -1,7 +1,7 @@
 // tests/support/surface/skin_metrics.h: how smooth a shaded surface looks, in numbers.
 #pragma once
 
-#include "sinew/smoothing/surface.h"
+#include "sinew/surface/surface.h"
 
 namespace sinew::test {
 

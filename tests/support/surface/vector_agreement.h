@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "core/lanes/instruction_set.h"
+#include "core/geometry/instruction_set.h"
 #include "tests/support/surface/projected.h"
 
 namespace sinew::test {

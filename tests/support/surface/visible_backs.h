@@ -5,7 +5,7 @@
 
 #include <glm/vec3.hpp>
 
-#include "sinew/smoothing/refinement.h"
+#include "sinew/surface/refinement.h"
 
 namespace sinew::test {
 

@@ -5,7 +5,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#include "sinew/base/same_version.h"
+#include "sinew/geometry/same_version.h"
 
 /* Seen from outside where a shared library is made of the runtime; of the C++ classes nothing is. */
 #pragma GCC visibility push(default)
@@ -29,7 +29,7 @@ const char* sinew_error(void);
 /* "0.2.0", of the library; SINEW_VERSION_TEXT is that of this header. */
 const char* sinew_version(void);
 
-/* Does the work on the caller's threads in place of oneTBB's: sinew/base/task_system.h. */
+/* Does the work on the caller's threads in place of oneTBB's: sinew/geometry/task_system.h. */
 typedef struct sinew_tasks {
   /* Calls task(work, i) once for each i = 0..tasks-1, in any order, on any threads; returns when all have returned. */
   void (*run)(void* user, int tasks, void (*task)(void* work, int index), void* work);

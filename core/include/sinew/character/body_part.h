@@ -4,13 +4,13 @@
 #include <string>
 #include <vector>
 
-#include "sinew/base/same_version.h"
+#include "sinew/geometry/same_version.h"
 
 namespace sinew {
 
 /// The file says which bone is this part of the body.
 struct BodyPart {
-  std::string slot;  ///< "hips", "upperArm.L": a name of core/skeleton/body_slot.h.
+  std::string slot;  ///< "hips", "upperArm.L": a name of core/character/body_slot.h.
   int bone = 0;      ///< Index into Skeleton::bones.
 };
 

@@ -4,13 +4,13 @@
 #include <string>
 #include <vector>
 
+#include "sinew/character/animation_clip.h"
 #include "sinew/character/body_part.h"
 #include "sinew/character/material.h"
 #include "sinew/character/mesh_part.h"
-#include "sinew/mesh/control_mesh.h"
-#include "sinew/mesh/morph_target.h"
-#include "sinew/skeleton/animation_clip.h"
-#include "sinew/skeleton/skeleton.h"
+#include "sinew/character/skeleton.h"
+#include "sinew/geometry/control_mesh.h"
+#include "sinew/geometry/morph_target.h"
 
 namespace sinew {
 

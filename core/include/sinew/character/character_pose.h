@@ -2,7 +2,7 @@
 #pragma once
 
 #include "sinew/character/character.h"
-#include "sinew/skeleton/pose.h"
+#include "sinew/character/pose.h"
 
 namespace sinew {
 

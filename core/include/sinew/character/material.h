@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "sinew/base/geometry.h"
+#include "sinew/geometry/geometry.h"
 
 namespace sinew {
 

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "sinew/base/same_version.h"
+#include "sinew/geometry/same_version.h"
 
 namespace sinew {
 

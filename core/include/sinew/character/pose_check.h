@@ -1,9 +1,9 @@
 // core/include/sinew/character/pose_check.h: whether a pose is one of a character.
 #pragma once
 
-#include "sinew/base/result.h"
 #include "sinew/character/character.h"
-#include "sinew/skeleton/pose.h"
+#include "sinew/character/pose.h"
+#include "sinew/geometry/result.h"
 
 namespace sinew {
 

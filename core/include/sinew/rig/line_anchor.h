@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "sinew/base/geometry.h"
+#include "sinew/geometry/geometry.h"
 
 namespace sinew {
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "sinew/base/geometry.h"
+#include "sinew/geometry/geometry.h"
 #include "sinew/rig/animated_number.h"
 #include "sinew/rig/line_anchor.h"
 #include "sinew/rig/not_compared.h"

@@ -1,7 +1,7 @@
 // core/include/sinew/rig/not_compared.h: members that do not count when two documents are compared.
 #pragma once
 
-#include "sinew/base/same_version.h"
+#include "sinew/geometry/same_version.h"
 
 namespace sinew {
 

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "sinew/primitives/shape.h"
+#include "sinew/geometry/shape.h"
 
 namespace sinew {
 

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "sinew/primitives/ellipsoid.h"
+#include "sinew/geometry/ellipsoid.h"
 #include "sinew/rig/animated_number.h"
 #include "sinew/rig/muscle_line.h"
 #include "sinew/rig/not_compared.h"

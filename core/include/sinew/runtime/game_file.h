@@ -6,8 +6,8 @@
 #include <span>
 #include <vector>
 
-#include "sinew/base/result.h"
 #include "sinew/character/character.h"
+#include "sinew/geometry/result.h"
 #include "sinew/rig/rig.h"
 
 namespace sinew {

@@ -6,9 +6,9 @@
 #include <span>
 #include <vector>
 
-#include "sinew/base/result.h"
 #include "sinew/character/character.h"
-#include "sinew/smoothing/surface.h"
+#include "sinew/geometry/result.h"
+#include "sinew/surface/surface.h"
 
 namespace sinew {
 

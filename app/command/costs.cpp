@@ -1,0 +1,159 @@
+// app/command/costs.cpp: rigs of different size smooth the same moments in turn; a clip is drawn off screen.
+#include "app/command/costs.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "app/command/even_rig.h"
+#include "app/command/measuring.h"
+#include "app/ui/offscreen.h"
+#include "app/viewport/render/framing.h"
+#include "app/viewport/render/viewport.h"
+#include "core/character/skinning.h"
+#include "core/rig/trial_rig.h"
+
+namespace sinew::app {
+namespace {
+
+constexpr int kFrames = 8;
+constexpr int kFramesOfGrowth = 2;  ///< Depth 12 and 4,000 muscles take long.
+constexpr std::array kDepths{2, 3, 4, 5, 6, 8, 10, 12};
+constexpr std::array kMuscles{41, 400, 4000};
+/// Deeper is left out, so that a character of many triangles does not fill the memory.
+constexpr std::int64_t kMostVertices = 200'000;
+constexpr double kStep = 1.0 / 60.0;
+constexpr int kSamples = 4;
+constexpr glm::ivec2 kSize{1280, 800};
+
+/// One rig at work. Seconds and counts of all timed frames, in the order of rounds and moments.
+struct Contender {
+  Smoother smoother;
+  Surface surface;
+  std::vector<double> seconds, projected;
+};
+
+/// Every rig through all moments in each round.
+Result<std::vector<Contender>> run(const BenchScene& scene, const std::vector<Rig>& rigs,
+                                   const std::vector<Pose>& poses, int rounds) {
+  std::vector<Contender> contenders;
+  for (const Rig& rig : rigs) {
+    Result<Smoother> smoother = preparedSmoother(scene, rig);
+    if (!smoother) return smoother.error();
+    contenders.push_back({std::move(smoother.value()), {}, {}, {}});
+  }
+  inTurn(contenders.size(), rounds, [&](std::size_t variant, int round) {
+    Contender& contender = contenders[variant];
+    for (const Pose& pose : poses) {
+      contender.smoother.smooth(pose, contender.surface);
+      if (round == 0) continue;
+      contender.seconds.push_back(contender.surface.report.seconds.total());
+      contender.projected.push_back(contender.surface.report.projected);
+    }
+  });
+  return contenders;
+}
+
+Rig withoutMuscles(Rig rig) {
+  rig.primitives.clear();
+  return rig;
+}
+
+/// Median of what a frame takes over the floor's of the same moment and round, by its projected vertices; at least 0.
+double secondsPerProjected(const Contender& with, const Contender& floor) {
+  std::vector<double> each;
+  for (std::size_t i = 0; i < with.seconds.size(); ++i) {
+    if (with.projected[i] > 0.0) each.push_back((with.seconds[i] - floor.seconds[i]) / with.projected[i]);
+  }
+  return std::max(median(std::move(each)), 0.0);
+}
+
+}  // namespace
+
+Result<MuscleCost> measureMuscleCost(const BenchScene& scene, int rounds) {
+  const Rig rig = rigAt(scene, kBenchDepth);
+  const auto contenders =
+      run(scene, {rig, withoutMuscles(rig)}, steadyFrames(*scene.character, kFrames, kStep), rounds);
+  if (!contenders) return contenders.error();
+  const Contender& with = contenders->front();
+  const Contender& floor = contenders->back();
+  MuscleCost cost;
+  cost.withOverWithout = medianRatio(with.seconds, floor.seconds);
+  cost.nsPerProjectedVertex = 1e9 * secondsPerProjected(with, floor);
+  cost.nsPerVertexFloor = 1e9 * median(floor.seconds) / std::max<double>(1, floor.surface.report.refinedVertices);
+  cost.frameSeconds = median(with.seconds);
+  return cost;
+}
+
+Result<double> exponentOfVertices(const BenchScene& scene, int rounds) {
+  std::vector<Rig> rigs;
+  for (const int depth : kDepths) {
+    const bool fits = refinedVertexCount(scene.character->mesh, depth) <= kMostVertices;
+    if (fits || rigs.size() < 3) rigs.push_back(rigAt(scene, depth));
+  }
+  const auto contenders = run(scene, rigs, steadyFrames(*scene.character, kFramesOfGrowth, kStep), rounds);
+  if (!contenders) return contenders.error();
+  std::vector<double> vertices, seconds;
+  for (const Contender& contender : contenders.value()) {
+    vertices.push_back(contender.surface.report.refinedVertices);
+    seconds.push_back(median(contender.seconds));
+  }
+  return exponent(vertices, seconds);
+}
+
+Result<double> exponentOfPrimitives(const BenchScene& scene, int rounds) {
+  if (skinsOf(*scene.character).empty()) return Error{"", scene.name, "no skin to lay muscles in"};
+  std::vector<Rig> rigs;
+  for (const int muscles : kMuscles) {
+    Rig rig = evenRig(*scene.character, muscles);
+    rig.surface = scene.rig.surface;
+    rig.surface.animated.clear();
+    rig.smoothing = rigAt(scene, kBenchDepth).smoothing;
+    rigs.push_back(std::move(rig));
+  }
+  rigs.push_back(withoutMuscles(rigs.front()));
+  const auto contenders = run(scene, rigs, steadyFrames(*scene.character, kFramesOfGrowth, kStep), rounds);
+  if (!contenders) return contenders.error();
+  std::vector<double> muscles, seconds;
+  for (std::size_t i = 0; i < kMuscles.size(); ++i) {
+    muscles.push_back(kMuscles[i]);
+    seconds.push_back(secondsPerProjected(contenders.value()[i], contenders->back()));
+  }
+  return exponent(muscles, seconds);
+}
+
+Result<DrawCost> measureDrawing(const BenchScene& scene, int rounds) {
+  const Rig rig = rigAt(scene, kBenchDepth);
+  Result<Smoother> smoother = preparedSmoother(scene, rig);
+  if (!smoother) return smoother.error();
+  const auto context = OffscreenContext::create();
+  if (!context) return context.error();
+  const auto viewport = Viewport::create(kSamples);
+  if (!viewport) return viewport.error();
+  viewport.value()->setCharacter(*scene.character);
+  viewport.value()->setFinishFrames(true);
+  const std::vector<Pose> poses = steadyFrames(*scene.character, rounds + 1, kStep);
+  SkinnedMesh skinned;
+  skin(*scene.character, poses.front(), skinned);
+  const View view = framedView(skinned.positions, 0.5f, 0.2f, kSize, false);
+  const RigPoser poser(rig, *scene.character);
+  std::vector<double> draw, upload;
+  for (std::size_t p = 0; p < poses.size(); ++p) {  // The first picture makes programs and textures.
+    Surface surface;
+    smoother.value().smooth(poses[p], surface);
+    Scene picture;
+    picture.character = scene.character.get();
+    picture.surface = &surface;
+    picture.pose = &poses[p];
+    picture.primitives = shapesOf(rig, poser.pose(poses[p]));
+    viewport.value()->draw(picture, view, {});
+    if (p == 0) continue;
+    draw.push_back(viewport.value()->seconds().draw);
+    upload.push_back(viewport.value()->seconds().upload);
+  }
+  return DrawCost{median(draw), median(upload)};
+}
+
+}  // namespace sinew::app

@@ -1,0 +1,202 @@
+// app/command/export.cpp: `sinew export`: the kinds and settings of app/document as options, open, export, report.
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <initializer_list>
+
+#include <CLI/CLI.hpp>
+
+#include "app/command/batch.h"
+#include "app/command/console.h"
+#include "app/command/error_map.h"
+#include "app/command/surface_options.h"
+#include "app/command/verb.h"
+#include "app/document/document.h"
+#include "app/document/export_report.h"
+#include "core/geometry/lower_case.h"
+
+namespace sinew::app {
+namespace {
+
+struct ExportOptions {
+  std::filesystem::path file;  ///< Rig or character.
+  std::filesystem::path output;
+  std::string word = exportKinds().front().word;  ///< Said after --as.
+  ExportSettings settings;
+  CLI::App* parser = nullptr;      ///< Knows which options are given.
+  std::vector<std::string> clips;  ///< Files whose clips are added.
+  std::filesystem::path errorMap;  ///< .ply; empty: none.
+  bool json = false;
+  BatchOptions batch;
+};
+
+std::string isFrameRate(const std::string& text) {
+  double number = 0.0;
+  if (CLI::detail::lexical_cast(text, number) && number > 0.0 && std::isfinite(number)) return {};
+  return "expected a number > 0, got \"" + text + '"';
+}
+
+std::string isBound(const std::string& text) {
+  double number = 0.0;
+  if (CLI::detail::lexical_cast(text, number) && number >= kLeastBound && number <= kMostBound) return {};
+  return "expected percent of the height from 0.001 to 100, got \"" + text + '"';
+}
+
+/// An option whose words are the names of the values, in this order in the help.
+template <class Value>
+void addNamed(CLI::App& verb, const char* option, const char* type, Value& setting, std::initializer_list<Value> values,
+              const char* help) {
+  std::vector<std::string> words;
+  for (const Value value : values) words.emplace_back(nameOf(value));
+  verb.add_option_function<std::string>(
+          option,
+          [&setting, all = std::vector<Value>(values)](const std::string& word) {
+            setting = *std::ranges::find_if(all, [&](Value value) { return word == nameOf(value); });
+          },
+          help)
+      ->type_name(type)
+      ->check(CLI::IsMember(words));
+}
+
+void addSettings(CLI::App& verb, ExportSettings& settings) {
+  addNamed(verb, "--mesh", "M", settings.mesh, {ExportMesh::kRefined, ExportMesh::kOriginal},
+           "refined, or original: the file's own vertices, in its order");
+  addDetailOptions(verb, settings.detail);
+  addNamed(verb, "--weights", "W", settings.weights, {ExportWeights::kRefitted, ExportWeights::kTransferred},
+           "refitted to the muscles' surface over the clips and the range of motion, or transferred from the file");
+  verb.add_option("--clip", settings.clips, "Keep this clip; may be given several times; without it, all are kept")
+      ->type_name("NAME")
+      ->allow_extra_args(false);
+  verb.add_option(
+          "--joints", settings.helpers,
+          "helpers: how many joints may be added (24), whatever serves best: those of muscle lines, or rigid ones")
+      ->type_name("N")
+      ->check(CLI::Range(0, kMostHelpers));
+  addNamed(verb, "--joint-scale", "S", settings.jointScale,
+           {JointScale::kFull, JointScale::kUniform, JointScale::kNone},
+           "helpers: how joints of muscle lines may scale: full, uniform, or none (two joints a line)");
+  verb.add_option("--fps", settings.framesPerSecond, "baked: frames a second (30); the clip's end is one, too")
+      ->type_name("N")
+      ->check(isFrameRate);
+  verb.add_option("--substeps", settings.substeps,
+                  "baked: moments baked a frame (1); more of them hold the bound between frames, too")
+      ->type_name("N")
+      ->check(CLI::Range(1, kMostSubsteps));
+  verb.add_option("--bound", settings.bound,
+                  "baked: how far any vertex may be off in any frame, percent of the height (0.1)")
+      ->type_name("PERCENT")
+      ->check(isBound);
+}
+
+/// Those without a choice, and of words that have others.
+std::string endingsText() {
+  const std::string usual = exportEndingsOf(exportKinds().front().word);
+  std::string text = usual;
+  for (const std::string& word : exportWords()) {
+    if (exportEndingsOf(word) != usual) text += "; " + word + ": " + exportEndingsOf(word);
+  }
+  return text;
+}
+
+void addOptions(CLI::App& verb, ExportOptions& options) {
+  options.parser = &verb;
+  const auto to = [](std::filesystem::path& path) { return [&path](const std::string& text) { path = text; }; };
+  verb.add_option_function<std::string>("FILE", to(options.file), "Rig (.rig.json) or character (.glb, .gltf, .vrm)");
+  verb.add_option(
+          "--as", options.word,
+          "helpers: with joints that move as the muscles do, keyed in every clip (default); skinned: the file's "
+          "joints alone, muscles at rest; baked: one clip as it is, in morph targets (.glb, .gltf) or points "
+          "(.usda; .pc2 or .mdd, a cache beside an .obj)")
+      ->type_name("KIND")
+      ->check(CLI::IsMember(exportWords()));
+  addClipsOption(verb, options.clips);
+  addSettings(verb, options.settings);
+  verb.add_flag("--json", options.json, "Report as JSON");
+  verb.add_option_function<std::string>(
+          "--error-map", to(options.errorMap),
+          "The exported mesh at rest, each vertex with its largest distance to the live surface as color and number")
+      ->type_name("OUT.ply");
+  verb.add_option_function<std::string>("-o,--output", to(options.output), "File to write: " + endingsText())
+      ->type_name("OUT")
+      ->required();
+  addBatchOptions(verb, options.batch);
+}
+
+struct ExportJob {
+  const ExportKind* kind = nullptr;
+  Batch batch;
+};
+
+int exportInput(const ExportOptions& options, const ExportJob& job, const BatchInput& input) {
+  const ExportKind& kind = *job.kind;
+  const std::filesystem::path& output = input.outputs.front();
+  const auto document = openWithClips(input.file, options.clips);
+  if (!document) return badInput(document.error());
+  ProgressLine line("exporting " + output.string(), options.batch.progress);
+  const auto show = [&line](double share) {
+    line.show(share);
+    return true;
+  };
+  line.show(0.0);
+  const ExportSource source{document->characterFile, document->character, document->rig(), input.file};
+  const auto report =
+      runExport(kind, source, options.settings, output, line.isShown() ? ExportProgress(show) : ExportProgress());
+  if (report) line.show(1.0);
+  line.end();
+  if (!report) return badInput(report.error());
+  if (!options.errorMap.empty()) {
+    const auto maps = filesBeside(job.batch, input, options.errorMap, "--error-map");
+    if (!maps) return badCommandLine(maps.error().text());
+    if (const auto written = writeErrorMap(*playedBy(report.value()), maps->front()); !written) {
+      return badInput(written.error());
+    }
+  }
+  const ExportResult result{kind, options.settings, output, report.value()};
+  return putResult(options.json ? exportJson(result) : exportText(result));
+}
+
+Result<ExportJob> planExport(const ExportOptions& options) {
+  const auto kind = findExportKind(options.word, options.output);
+  if (!kind) return kind.error();
+  const auto isGiven = [&](const char* option) { return options.parser->count(option) > 0; };
+  if (const auto fits = checkExportSettings(*kind.value(), options.settings, isGiven); !fits) return fits.error();
+  if (!options.errorMap.empty()) {
+    if (lowerEnding(options.errorMap) != ".ply") {
+      return errorAt("--error-map", "expected a name that ends in .ply, got \"" + options.errorMap.string() + '"');
+    }
+    if (kind.value()->form == ExportForm::kCache || kind.value()->form == ExportForm::kStage) {
+      return errorAt("--error-map", "baked points are the live surface: there is no distance to show");
+    }
+  }
+  auto batch = planBatch(options.batch, options.file, options.output);
+  if (!batch) return batch.error();
+  return ExportJob{kind.value(), std::move(batch.value())};
+}
+
+int runVerb(const ExportOptions& options) {
+  const auto job = planExport(options);
+  if (!job) return refused(job.error());
+  return runBatch(job->batch, options.batch,
+                  [&](const BatchInput& input) { return exportInput(options, job.value(), input); });
+}
+
+Result<FarmCheck> checkVerb(const ExportOptions& options) {
+  const auto job = planExport(options);
+  if (!job) return job.error();
+  return checkForFarm("export", job->batch, options.batch, [&](const BatchInput& input) -> Result<InputCheck> {
+    const auto document = openWithClips(input.file, options.clips);
+    if (!document) return document.error();
+    ExportSource source{document->characterFile, document->character, document->rig(), input.file};
+    if (const auto able = checkExportSource(*job->kind, source, options.settings); !able) return able.error();
+    options.settings.detail.apply(source.rig.smoothing);
+    return InputCheck{source.character, source.rig, {}, heldFrames(*job->kind, source.character, options.settings)};
+  });
+}
+
+}  // namespace
+
+Verb exportVerb() {
+  return makeVerb<ExportOptions>("export", "Write the character for games", addOptions, runVerb, checkVerb);
+}
+
+}  // namespace sinew::app

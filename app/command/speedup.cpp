@@ -1,0 +1,149 @@
+// app/command/speedup.cpp: the same moments by every instruction set in turn, and by one thread and two.
+#include "app/command/speedup.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include <glm/geometric.hpp>
+
+#include "app/command/measuring.h"
+#include "core/geometry/instruction_set.h"
+#include "core/geometry/stopwatch.h"
+#include "sinew/geometry/threads.h"
+#include "sinew/surface/crowd_smoother.h"
+
+namespace sinew::app {
+namespace {
+
+constexpr int kTimedFrames = 8;
+constexpr double kFrameStep = 1.0 / 60.0;
+constexpr int kCrowd = 100;
+constexpr int kCrowdDepth = 3;
+constexpr float kAgreement = 1e-4f;  // Fraction of H.
+
+/// A way for moments to follow each other, and where its ratio goes.
+struct Situation {
+  double SetSpeedup::*ratio;
+  bool fresh;  ///< A new smoother for every frame.
+  std::vector<Pose> poses;
+};
+
+/// One set at work, in one situation.
+struct TimedThreads {
+  InstructionSet set;
+  Smoother smoother;
+  Surface surface;
+  std::vector<double> frameSeconds, projectSeconds;
+};
+
+long long countNotFinite(const Surface& surface) {
+  const auto isFinite = [](const glm::vec3& v) { return std::isfinite(v.x + v.y + v.z); };
+  return std::ranges::count_if(surface.positions, std::not_fn(isFinite)) +
+         std::ranges::count_if(surface.normals, std::not_fn(isFinite));
+}
+
+/// Sums, made shares at the end.
+struct Comparison {
+  long long projected = 0, far = 0, uncertified = 0, notFinite = 0;
+
+  void add(const Surface& reference, const Surface& optimized, float height) {
+    projected += reference.report.projected;
+    uncertified += optimized.report.uncertified;
+    notFinite += countNotFinite(optimized);
+    for (std::size_t v = 0; v < reference.positions.size(); ++v) {
+      // What is no number is not near either.
+      if (!(glm::distance(reference.positions[v], optimized.positions[v]) <= kAgreement * height)) ++far;
+    }
+  }
+  [[nodiscard]] Agreement shares() const {
+    const auto all = static_cast<double>(std::max(projected, 1ll));
+    return {1.0 - static_cast<double>(far) / all, static_cast<double>(uncertified) / all, notFinite, projected};
+  }
+};
+
+/// All sets through one situation. The first contender is the reference, the last the widest set.
+Result<std::vector<TimedThreads>> run(const BenchScene& scene, const Situation& situation, int rounds,
+                                      Comparison& comparison) {
+  const Rig rig = rigAt(scene, kBenchDepth);
+  std::vector<TimedThreads> contenders;
+  for (const InstructionSet set : availableInstructionSets()) {
+    Result<Smoother> smoother = preparedSmoother(scene, rig);
+    if (!smoother) return smoother.error();
+    contenders.push_back({set, std::move(smoother.value()), {}, {}, {}});
+  }
+  std::vector<Surface> references(situation.poses.size());
+  inTurn(contenders.size(), rounds, [&](std::size_t variant, int round) {
+    TimedThreads& contender = contenders[variant];
+    const InstructionSetScope scope(contender.set);
+    for (std::size_t p = 0; p < situation.poses.size(); ++p) {
+      if (situation.fresh) {
+        contender.smoother = std::move(preparedSmoother(scene, rig).value());  // It was prepared above.
+        contender.surface = {};
+      }
+      contender.smoother.smooth(situation.poses[p], contender.surface);
+      if (round > 0) {
+        contender.frameSeconds.push_back(contender.surface.report.seconds.total());
+        contender.projectSeconds.push_back(contender.surface.report.seconds.project);
+      } else if (variant == 0) {  // In round 0 the reference comes first.
+        references[p] = contender.surface;
+      } else if (variant + 1 == contenders.size()) {
+        comparison.add(references[p], contender.surface, scene.character->height);
+      }
+    }
+  });
+  return contenders;
+}
+
+Result<double> gainOf(const BenchScene& scene, int depth, int count, int rounds) {
+  CrowdSmoother smoother(scene.character);
+  if (const auto prepared = smoother.prepare(rigAt(scene, depth)); !prepared) return prepared.error();
+  const std::vector<Pose> poses = steadyFrames(*scene.character, count, kFrameStep);
+  std::vector<Surface> surfaces(poses.size());
+  std::array<std::vector<double>, 2> seconds;  // [threads - 1]
+  inTurn(seconds.size(), rounds, [&](std::size_t variant, int round) {
+    const ThreadLimit limit(static_cast<int>(variant) + 1);
+    Stopwatch watch;
+    smoother.smooth(poses, surfaces);
+    if (round > 0) seconds[variant].push_back(watch.lap());
+  });
+  return medianRatio(seconds[0], seconds[1]);
+}
+
+}  // namespace
+
+Result<Speedups> measureSpeedups(const BenchScene& scene, int rounds) {
+  const Character& character = *scene.character;
+  const std::array situations{
+      Situation{&SetSpeedup::cold, true, steadyFrames(character, 1, 0.0)},
+      Situation{&SetSpeedup::warm60Hz, false, steadyFrames(character, kTimedFrames, kFrameStep)},
+      Situation{&SetSpeedup::warm20Hz, false, steadyFrames(character, kTimedFrames, 1.0 / 20.0)},
+      Situation{&SetSpeedup::cut, false, cutFrames(character, kTimedFrames)},
+  };
+  Speedups speedups;
+  for (const InstructionSet set : availableInstructionSets().subspan(1)) speedups.rows.push_back({nameOf(set), {}, {}});
+  Comparison comparison;
+  for (const Situation& situation : situations) {
+    const auto contenders = run(scene, situation, rounds, comparison);
+    if (!contenders) return contenders.error();
+    const TimedThreads& reference = contenders->front();
+    for (std::size_t i = 0; i < speedups.rows.size(); ++i) {
+      const TimedThreads& contender = contenders.value()[i + 1];
+      speedups.rows[i].frame.*situation.ratio = medianRatio(reference.frameSeconds, contender.frameSeconds);
+      speedups.rows[i].projection.*situation.ratio = medianRatio(reference.projectSeconds, contender.projectSeconds);
+    }
+  }
+  speedups.agreement = comparison.shares();
+  return speedups;
+}
+
+Result<ThreadGain> measureThreads(const BenchScene& scene, int rounds) {
+  const Result<double> single = gainOf(scene, kBenchDepth, 1, rounds);
+  if (!single) return single.error();
+  const Result<double> crowd = gainOf(scene, kCrowdDepth, kCrowd, rounds);
+  if (!crowd) return crowd.error();
+  return ThreadGain{single.value(), crowd.value()};
+}
+
+}  // namespace sinew::app

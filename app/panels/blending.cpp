@@ -1,0 +1,198 @@
+// app/panels/blending.cpp: groups and how they blend: the head of the panel, the chosen group, menu and name
+// field.
+
+#include "app/panels/blending.h"
+
+#include <imgui.h>
+#include <imgui_stdlib.h>
+
+#include <algorithm>
+
+#include "app/editor/blending_edit.h"
+#include "app/editor/commands.h"
+#include "app/editor/outliner_edit.h"
+#include "core/geometry/at.h"
+#include "core/rig/blending_graph.h"
+#include "core/rig/rig_edit_several.h"
+
+namespace sinew::app {
+namespace {
+
+/// The view's switch, a new group, the graph's own buttons.
+void drawHead(PanelUi& ui) {
+  BlendingState& blending = ui.state.open.blending;
+  bool& asGraph = ui.state.view.groupsAsGraph;
+  const float button = ImGui::GetFrameHeight();
+  const float gap = ui.px(4);
+  const float room = ImGui::GetContentRegionAvail().x - (asGraph ? 2.0f : 1.0f) * (button + gap);
+  constexpr const char* kViews[] = {"Matrix", "Graph"};
+  const int chosen = segmented(ui, "blending/view", kViews, 2, asGraph ? 1 : 0, room);
+  if (chosen >= 0) asGraph = chosen == 1;
+  if (asGraph) {
+    ImGui::SameLine(0.0f, gap);
+    if (iconButton(ui, "blending/arrange", Icon::kArrange, false, button, "Arrange all groups again")) {
+      blending.places.clear();
+      blending.fitWanted = true;
+    }
+  }
+  ImGui::SameLine(0.0f, gap);
+  if (iconButton(ui, "blending/add", Icon::kPlus, false, button, "New group")) addEmptyGroup(ui.state);
+}
+
+void drawCounts(PanelUi& ui) {
+  const int groups = static_cast<int>(ui.state.document.rig().groups.size());
+  const int cliques = ui.state.live->report().cliques;
+  std::string text = std::to_string(groups) + (groups == 1 ? " group, " : " groups, ") + std::to_string(cliques) +
+                     (cliques == 1 ? " blend" : " blends");
+  mutedLine(ui, text);
+  ui.widgets.note("blending/cliques");
+  tooltip(ui,
+          "Muscles of one group always add up; linked groups blend. A blend is a set of groups that are all linked to "
+          "one another (a clique of the graph); where several blends reach, the strongest counts. At most " +
+              std::to_string(kMaxCliques) + ".");
+}
+
+/// The chosen group in a line: what it is, its muscles, the selection into it.
+void drawChosen(PanelUi& ui, int group) {
+  const auto rig = ui.state.document.commands.sharedRig();
+  const std::string name = at(rig->groups, group).name;
+  ImGui::Separator();
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const float line = ImGui::GetTextLineHeight();
+  list.AddCircleFilled({at.x + ui.px(6), at.y + 0.5f * line}, ui.px(5), groupTint(*rig, group).packed(), 16);
+  const float room = ImGui::GetContentRegionAvail().x;
+  const bool cut =
+      clippedText(list, {at.x + ui.px(18), at.y}, room - ui.px(18), palette::kText.packed(), groupText(*rig, group));
+  ImGui::Dummy({room, line});
+  ui.widgets.note("blending/chosen");
+  if (cut) tooltip(ui, groupText(*rig, group));
+  const float half = 0.5f * (room - ui.px(4));
+  if (ImGui::Button("Select", {half, 0.0f})) selectMembers(ui.state.document, name);
+  ui.widgets.note("blending/select-members");
+  tooltip(ui, "Select the muscles of this group");
+  ImGui::SameLine(0.0f, ui.px(4));
+  const std::vector<int> selected = selectedIndices(ui.state.document);
+  ImGui::BeginDisabled(selected.empty());
+  if (ImGui::Button("Move here", {half, 0.0f})) moveToGroup(ui.state, selected, name);
+  ui.widgets.note("blending/move-here");
+  tooltip(ui, "Move the selected muscles to this group");
+  ImGui::EndDisabled();
+}
+
+void drawEmpty() {
+  ImGui::PushTextWrapPos(0.0f);
+  mutedText("No groups yet. The first muscle makes one; muscles of one group always blend.");
+  ImGui::PopTextWrapPos();
+}
+
+bool menuItem(PanelUi& ui, const char* label, const char* id, bool enabled = true) {
+  const bool chosen = ImGui::MenuItem(label, nullptr, false, enabled);
+  ui.widgets.note(std::string("context/") + id);
+  return chosen;
+}
+
+/// Deleting a group that has muscles asks where they go.
+void deleteItems(PanelUi& ui, const Rig& rig, int group, bool empty) {
+  if (empty) {
+    if (menuItem(ui, "Delete group", "group-delete")) removeGroupOf(ui.state, group, -1);
+    return;
+  }
+  const bool open = ImGui::BeginMenu("Delete group, muscles go to", rig.groups.size() > 1);
+  ui.widgets.note("context/group-delete");
+  if (!open) return;
+  for (int into = 0; into < static_cast<int>(rig.groups.size()); ++into) {
+    if (into == group) continue;
+    const std::string& name = at(rig.groups, into).name;
+    if (menuItem(ui, name.c_str(), ("group-delete/" + name).c_str())) removeGroupOf(ui.state, group, into);
+  }
+  ImGui::EndMenu();
+}
+
+}  // namespace
+
+std::string groupText(const Rig& rig, int group) {
+  const std::string& name = at(rig.groups, group).name;
+  const std::size_t count = membersOf(rig, name).size();
+  return name + ": " + (count == 1 ? "1 muscle" : std::to_string(count) + " muscles");
+}
+
+void startGroupRename(EditorState& state, GroupId group) {
+  const int index = findGroup(state.document.rig(), group);
+  if (index < 0) return;
+  state.open.blending.rename = {group, at(state.document.rig().groups, index).name, true};
+}
+
+void groupRenameField(PanelUi& ui, float width) {
+  GroupRename& typed = ui.state.open.blending.rename;
+  if (typed.appearing) ImGui::SetKeyboardFocusHere();
+  ImGui::SetNextItemWidth(width);
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {ui.px(5), ui.px(2)});
+  const bool entered = ImGui::InputText("##group-name", &typed.text,
+                                        ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
+  ImGui::PopStyleVar();
+  ui.widgets.note("blending/rename");
+  const bool left = !typed.appearing && ImGui::IsItemDeactivated();
+  typed.appearing = false;
+  if (entered) renameGroupTo(ui.state, typed.group, typed.text);
+  if (entered || left) typed = {};
+}
+
+void takeDroppedMuscles(PanelUi& ui, const std::string& group) {
+  if (const ImGuiPayload* payload = ImGui::AcceptDragDropPayload(kMusclePayload)) {
+    moveToGroup(ui.state, draggedMuscles(ui.state.document, *static_cast<const int*>(payload->Data)), group);
+  }
+}
+
+void groupMenu(PanelUi& ui, int group) {
+  const auto rig = ui.state.document.commands.sharedRig();
+  const std::string name = at(rig->groups, group).name;
+  const GroupId id = at(rig->groups, group).id();
+  ui.state.open.blending.group = id;
+  const std::vector<int> members = membersOf(*rig, name);
+  const std::vector<int> selected = selectedIndices(ui.state.document);
+  if (menuItem(ui, "Select its muscles", "group-select", !members.empty())) selectMembers(ui.state.document, name);
+  if (menuItem(ui, "Move selected muscles here", "group-move-here", !selected.empty())) {
+    moveToGroup(ui.state, selected, name);
+  }
+  if (menuItem(ui, "Rename", "group-rename")) startGroupRename(ui.state, id);
+  ImGui::Separator();
+  const bool hidden = !members.empty() && std::ranges::all_of(members, [&](int i) {
+    return ui.state.document.visibility.hidden.muscles.contains(at(rig->primitives, i).id());
+  });
+  if (menuItem(ui, hidden ? "Show its muscles" : "Hide its muscles", "group-hide", !members.empty())) {
+    for (const int i : members) {
+      ui.state.document.visibility.setMuscle(Mark::kHidden, at(rig->primitives, i).id(), !hidden);
+    }
+  }
+  ImGui::Separator();
+  deleteItems(ui, *rig, group, members.empty());
+}
+
+void drawBlending(PanelUi& ui) {
+  drawHead(ui);
+  drawCounts(ui);
+  if (ui.state.document.rig().groups.empty()) {
+    drawEmpty();
+    return;
+  }
+  const float spacing = ImGui::GetStyle().ItemSpacing.y;
+  // Always as much, so that nothing moves under the pointer when a group is chosen.
+  const float below = ImGui::GetTextLineHeight() + ImGui::GetFrameHeight() + 4.0f * spacing;
+  const float height = std::max(ImGui::GetContentRegionAvail().y - below, ui.px(60));
+  if (ui.state.view.groupsAsGraph) {
+    drawBlendingGraph(ui, height);
+  } else {
+    drawBlendingMatrix(ui, height);
+  }
+  // A click above may have changed the rig.
+  const int still = findGroup(ui.state.document.rig(), ui.state.open.blending.group);
+  if (still >= 0) {
+    drawChosen(ui, still);
+  } else {
+    ImGui::Separator();
+    mutedLine(ui, "Click a group to choose it.");
+  }
+}
+
+}  // namespace sinew::app

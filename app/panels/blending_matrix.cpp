@@ -1,0 +1,218 @@
+// app/panels/blending_matrix.cpp: groups by groups: a row each with its name, and cells that link.
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "app/editor/blending_edit.h"
+#include "app/panels/blending.h"
+#include "app/ui/readable_names.h"
+#include "app/ui/reading_order.h"
+#include "core/geometry/at.h"
+#include "core/rig/rig_edit_several.h"
+
+namespace sinew::app {
+namespace {
+
+constexpr float kLargestCell = 26.0f;  // Design pixels.
+constexpr float kSmallestCell = 15.0f;
+
+/// The matrix while it is drawn. Row i has the cells 0..i; its last, on the diagonal, is the group itself.
+struct Matrix {
+  PanelUi& ui;
+  std::shared_ptr<const Rig> rig;
+  std::vector<std::vector<bool>> linked;
+  std::vector<int> members;  ///< [groups]
+  ImVec2 names;              ///< Where the names begin; scrolls down only.
+  ImVec2 cells;              ///< Corner of cell (0, 0); scrolls both ways.
+  float nameWidth = 0.0f;
+  float cell = 0.0f;
+  ImVec4 clip;   ///< What is seen of the cells: left, top, right, bottom.
+  int row = -1;  ///< Hovered.
+  int column = -1;
+
+  [[nodiscard]] int count() const { return static_cast<int>(rig->groups.size()); }
+  [[nodiscard]] const std::string& name(int group) const { return at(rig->groups, group).name; }
+  [[nodiscard]] GroupId id(int group) const { return at(rig->groups, group).id(); }
+  [[nodiscard]] ImVec2 corner(int i, int j) const {
+    return {cells.x + cell * static_cast<float>(j), cells.y + cell * static_cast<float>(i)};
+  }
+  [[nodiscard]] bool concerns(int group) const { return group == row || group == column; }
+};
+
+Tint between(const Tint& a, const Tint& b) { return {0.5f * (a.r + b.r), 0.5f * (a.g + b.g), 0.5f * (a.b + b.b)}; }
+
+/// Space for everything, and how large a cell may be.
+Matrix lay(PanelUi& ui) {
+  Matrix matrix{ui, ui.state.document.commands.sharedRig(), {}, {}, {}, {}, 0.0f, 0.0f, {}, -1, -1};
+  matrix.linked = linkTable(*matrix.rig);
+  for (const Group& group : matrix.rig->groups) {
+    matrix.members.push_back(static_cast<int>(membersOf(*matrix.rig, group.name).size()));
+  }
+  const float room = ImGui::GetContentRegionAvail().x;
+  float widest = 0.0f;
+  for (int group = 0; group < matrix.count(); ++group) {
+    const std::string shown = inReadingOrder(shownGroupName(*matrix.rig, group));
+    widest = std::max(widest, ImGui::CalcTextSize(shown.c_str()).x);
+  }
+  matrix.nameWidth = std::clamp(widest + ui.px(14), ui.px(60), 0.45f * room);
+  const auto count = static_cast<float>(matrix.count());
+  const float fitting = std::floor((room - matrix.nameWidth) / count);
+  matrix.cell = std::clamp(fitting, ui.px(kSmallestCell), ui.px(kLargestCell));
+  const ImVec2 start = ImGui::GetCursorScreenPos();
+  const ImVec2 window = ImGui::GetWindowPos();
+  matrix.names = {window.x, start.y};
+  matrix.cells = {start.x + matrix.nameWidth, start.y};
+  const ImVec2 low = ImGui::GetWindowDrawList()->GetClipRectMin();
+  const ImVec2 high = ImGui::GetWindowDrawList()->GetClipRectMax();
+  matrix.clip = {std::max(low.x, window.x + matrix.nameWidth), low.y, high.x, high.y};
+  return matrix;
+}
+
+void takeClick(Matrix& matrix, int group) {
+  BlendingState& blending = matrix.ui.state.open.blending;
+  blending.group = matrix.id(group);
+}
+
+/// Names first: where the cells scroll under them, they are in front.
+void nameItems(Matrix& matrix) {
+  PanelUi& ui = matrix.ui;
+  for (int group = 0; group < matrix.count(); ++group) {
+    const ImVec2 at{matrix.names.x, matrix.names.y + matrix.cell * static_cast<float>(group)};
+    if (at.y + matrix.cell < matrix.clip.y || at.y > matrix.clip.w) continue;
+    ImGui::PushID(group);
+    ImGui::SetCursorScreenPos(at);
+    if (ui.state.open.blending.rename.group == matrix.id(group)) {
+      groupRenameField(ui, std::max(matrix.nameWidth, ui.px(110)));
+    } else {
+      if (ImGui::InvisibleButton("name", {matrix.nameWidth, matrix.cell})) takeClick(matrix, group);
+      if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenBlockedByActiveItem)) matrix.row = matrix.column = group;
+      ui.widgets.note("blending/group/" + matrix.name(group));
+      tooltip(ui, groupText(*matrix.rig, group) + "\nDouble-click renames; drop muscles here.");
+      if (ImGui::BeginDragDropTarget()) {
+        takeDroppedMuscles(ui, matrix.name(group));
+        ImGui::EndDragDropTarget();
+      }
+      if (ImGui::BeginPopupContextItem("menu")) {
+        groupMenu(ui, group);
+        ImGui::EndPopup();
+      } else if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(0)) {
+        startGroupRename(ui.state, matrix.id(group));
+      }
+    }
+    ImGui::PopID();
+  }
+}
+
+std::string cellHint(const Matrix& matrix, int i, int j) {
+  if (i == j) return groupText(*matrix.rig, i) + ", which always blend with each other";
+  const bool linked = at(at(matrix.linked, i), j);
+  return matrix.name(j) + " and " + matrix.name(i) +
+         (linked ? " blend. Click to unlink." : " do not blend: the stronger wins. Click to link.");
+}
+
+void cellItem(Matrix& matrix, int i, int j) {
+  ImGui::SetCursorScreenPos(matrix.corner(i, j));
+  ImGui::PushID(i);
+  ImGui::PushID(j);
+  const bool pressed = ImGui::InvisibleButton("cell", {matrix.cell, matrix.cell});
+  ImGui::PopID();
+  ImGui::PopID();
+  matrix.ui.widgets.note("blending/cell/" + matrix.name(i) + "/" + matrix.name(j));
+  if (ImGui::IsItemHovered()) {
+    matrix.row = i;
+    matrix.column = j;
+    tooltip(matrix.ui, cellHint(matrix, i, j));
+    if (i == j && ImGui::IsMouseDoubleClicked(0)) startGroupRename(matrix.ui.state, matrix.id(i));
+  }
+  if (!pressed) return;
+  if (i == j) takeClick(matrix, i);
+  else toggleLink(matrix.ui.state, i, j);
+}
+
+/// Under the names, where they scroll.
+void cellItems(Matrix& matrix) {
+  ImGui::PushClipRect({matrix.clip.x, matrix.clip.y}, {matrix.clip.z, matrix.clip.w}, true);
+  for (int i = 0; i < matrix.count(); ++i) {
+    for (int j = 0; j <= i; ++j) cellItem(matrix, i, j);
+  }
+  ImGui::PopClipRect();
+}
+
+void drawDiagonal(const Matrix& matrix, ImDrawList& list, int group, const ImVec2& low, const ImVec2& high) {
+  list.AddRectFilled(low, high, groupTint(*matrix.rig, group).packed(), matrix.ui.px(4));
+  const std::string text = std::to_string(at(matrix.members, group));
+  const float size = std::min(0.62f * (high.y - low.y), ImGui::GetFontSize());
+  const ImVec2 extent = ImGui::GetFont()->CalcTextSizeA(size, FLT_MAX, 0.0f, text.c_str());
+  if (extent.x > high.x - low.x) return;
+  list.AddText(ImGui::GetFont(), size, {0.5f * (low.x + high.x - extent.x), 0.5f * (low.y + high.y - extent.y)},
+               palette::kBackground.packed(), text.c_str());
+}
+
+void drawCell(Matrix& matrix, ImDrawList& list, int i, int j) {
+  const ImVec2 corner = matrix.corner(i, j);
+  if (corner.x + matrix.cell < matrix.clip.x || corner.x > matrix.clip.z) return;
+  const float inset = std::max(0.05f * matrix.cell, 1.0f);
+  const ImVec2 low{corner.x + inset, corner.y + inset};
+  const ImVec2 high{corner.x + matrix.cell - inset, corner.y + matrix.cell - inset};
+  if (i == j) {
+    drawDiagonal(matrix, list, i, low, high);
+  } else if (at(at(matrix.linked, i), j)) {
+    const Tint mixed = between(groupTint(*matrix.rig, i), groupTint(*matrix.rig, j));
+    list.AddRectFilled(low, high, mixed.faded(0.42f).packed(), matrix.ui.px(4));
+    list.AddCircleFilled({0.5f * (low.x + high.x), 0.5f * (low.y + high.y)}, 0.2f * matrix.cell, mixed.packed(), 14);
+  } else {
+    const bool across = i == matrix.row || j == matrix.column;
+    list.AddRectFilled(low, high, (across ? palette::kLine : palette::kBackground).packed(), matrix.ui.px(4));
+  }
+  if (i == matrix.row && j == matrix.column) {
+    list.AddRect(low, high, palette::kText.packed(), matrix.ui.px(4), 0, matrix.ui.px(1.5f));
+  }
+}
+
+void drawCells(Matrix& matrix) {
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  list.PushClipRect({matrix.clip.x, matrix.clip.y}, {matrix.clip.z, matrix.clip.w}, true);
+  for (int i = 0; i < matrix.count(); ++i) {
+    const float y = matrix.corner(i, 0).y;
+    if (y + matrix.cell < matrix.clip.y || y > matrix.clip.w) continue;
+    for (int j = 0; j <= i; ++j) drawCell(matrix, list, i, j);
+  }
+  list.PopClipRect();
+}
+
+void drawNames(Matrix& matrix) {
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const BlendingState& blending = matrix.ui.state.open.blending;
+  for (int group = 0; group < matrix.count(); ++group) {
+    if (blending.rename.group == matrix.id(group)) continue;
+    const ImVec2 low{matrix.names.x, matrix.names.y + matrix.cell * static_cast<float>(group)};
+    if (blending.group == matrix.id(group)) {
+      list.AddRectFilled(low, {low.x + matrix.nameWidth - matrix.ui.px(4), low.y + matrix.cell},
+                         palette::kAccent.faded(0.22f).packed(), matrix.ui.px(4));
+    }
+    const float y = low.y + 0.5f * (matrix.cell - ImGui::GetTextLineHeight());
+    const Tint color = matrix.concerns(group) || matrix.row < 0 ? palette::kText : palette::kMuted;
+    clippedText(list, {low.x + matrix.ui.px(4), y}, matrix.nameWidth - matrix.ui.px(10), color.packed(),
+                shownGroupName(*matrix.rig, group));
+  }
+}
+
+}  // namespace
+
+void drawBlendingMatrix(PanelUi& ui, float height) {
+  ImGui::BeginChild("blending-matrix", {0.0f, height}, false, ImGuiWindowFlags_HorizontalScrollbar);
+  Matrix matrix = lay(ui);
+  nameItems(matrix);
+  cellItems(matrix);
+  drawCells(matrix);
+  drawNames(matrix);
+  if (matrix.row >= 0) highlightGroup(ui.state, matrix.name(matrix.row));
+  if (matrix.column >= 0 && matrix.column != matrix.row) highlightGroup(ui.state, matrix.name(matrix.column));
+  ImGui::EndChild();
+}
+
+}  // namespace sinew::app

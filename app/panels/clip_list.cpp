@@ -1,0 +1,173 @@
+// app/panels/clip_list.cpp: the files whose clips were added: what they hold, what did not match, what is gone.
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <string>
+#include <vector>
+
+#include "app/editor/clip_commands.h"
+#include "app/panels/overlay.h"
+#include "app/ui/reading_order.h"
+#include "core/geometry/at.h"
+
+namespace sinew::app {
+namespace {
+
+constexpr float kClipListWidth = 440.0f;  // Design pixels, as all here.
+constexpr float kHighest = 0.45f;         // Of the picture.
+constexpr float kIndent = 22.0f;
+constexpr float kIconSize = 15.0f;
+constexpr float kAnswerWidth = 84.0f;
+
+/// What is under a file's name.
+struct Line {
+  std::string text;
+  Icon icon = Icon::kNone;
+  Tint tint = palette::kMuted;
+};
+
+std::string clipText(const AnimationClip& clip) {
+  char length[32];
+  std::snprintf(length, sizeof length, " (%.2f s)", static_cast<double>(clip.duration));
+  return clip.name + length;
+}
+
+std::vector<Line> linesOf(const EditorState& state, const ClipFileReport& file) {
+  std::vector<Line> lines;
+  if (file.missing) {
+    lines.push_back({file.missing->reason, Icon::kWarning, palette::kWarning});
+    return lines;
+  }
+  std::string clips;
+  for (const AnimationClip& clip : state.character().clips) {
+    if (clip.addedFrom == file.file) clips += (clips.empty() ? "" : ", ") + clipText(clip);
+  }
+  lines.push_back({clips.empty() ? "No clips" : clips});
+  if (state.open.clipList.changed.contains(file.file)) {
+    lines.push_back({"Changed on disk since it was read", Icon::kWarning, palette::kWarning});
+  }
+  for (const std::string& note : file.notes) lines.push_back({note, Icon::kNote, palette::kMuted});
+  return lines;
+}
+
+float textRoom(const PanelUi& ui, float width) { return width - ui.px(2.0f * kIndent + 16); }
+
+float heightOf(const Line& line, float room) {
+  return ImGui::CalcTextSize(line.text.c_str(), nullptr, false, room).y + ImGui::GetStyle().ItemSpacing.y;
+}
+
+float heightOf(const PanelUi& ui, const ClipFileReport& file, float width) {
+  float height = ImGui::GetFrameHeightWithSpacing() + ui.px(4);
+  for (const Line& line : linesOf(ui.state, file)) height += heightOf(line, textRoom(ui, width));
+  return height;
+}
+
+void drawLine(const PanelUi& ui, const Line& line, float room) {
+  const ImVec2 corner = ImGui::GetCursorScreenPos();
+  if (line.icon != Icon::kNone) {
+    drawIcon(*ImGui::GetWindowDrawList(), line.icon, {corner.x, corner.y + ui.px(1)}, ui.px(kIconSize),
+             line.tint.packed());
+  }
+  ImGui::SetCursorPosX(ImGui::GetCursorPosX() + ui.px(kIndent));
+  ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + room);
+  ImGui::PushStyleColor(ImGuiCol_Text, line.icon == Icon::kNone ? palette::kText : line.tint);
+  ImGui::TextUnformatted(inReadingOrder(line.text).c_str());
+  ImGui::PopStyleColor();
+  ImGui::PopTextWrapPos();
+}
+
+/// What a file's buttons ask for; indices into Rig::clipFiles, -1: nothing.
+struct Wanted {
+  int remove = -1;
+  int locate = -1;
+  bool read = false;
+};
+
+/// The button for a file that is gone, or is another one now. @return whether it was clicked
+bool answerButton(PanelUi& ui, const std::string& id, const char* label, const char* hint) {
+  const bool clicked = ImGui::Button((std::string(label) + "##" + id).c_str(), {ui.px(kAnswerWidth), 0.0f});
+  ui.widgets.note(id);
+  tooltip(ui, hint);
+  ImGui::SameLine(0.0f, ui.px(4));
+  return clicked;
+}
+
+void drawFile(PanelUi& ui, int index, float width, Wanted& wanted) {
+  const ClipFileReport& file = at(ui.state.document.clipFiles.files, index);
+  const std::string place = std::to_string(index);
+  const std::string name = file.path.filename().string();
+  const float button = ImGui::GetFrameHeight();
+  const bool changed = ui.state.open.clipList.changed.contains(file.file);
+  const float buttons = button + (changed || file.missing ? ui.px(kAnswerWidth + 4) : 0.0f);
+  ImGui::AlignTextToFramePadding();
+  ImGui::PushFont(ui.fonts.strong);
+  ImGui::TextUnformatted(fitted(name, ImGui::GetContentRegionAvail().x - buttons - ui.px(8)).c_str());
+  ImGui::PopFont();
+  ui.widgets.note("clip-files/file/" + place);
+  tooltip(ui, file.path.string());
+  ImGui::SameLine(ImGui::GetContentRegionMax().x - buttons);
+  if (changed) {
+    wanted.read |= answerButton(ui, "clip-files/read/" + place, "Read again", "Load what other programs have written");
+  } else if (file.missing && answerButton(ui, "clip-files/locate/" + place, "Locate...", "Say where the file is now")) {
+    wanted.locate = index;
+  }
+  if (iconButton(ui, "clip-files/remove/" + place, Icon::kClose, false, button)) wanted.remove = index;
+  tooltip(ui, "Remove " + name + " and its clips; keys that were made in them are kept");
+  for (const Line& line : linesOf(ui.state, file)) drawLine(ui, line, textRoom(ui, width));
+  ImGui::Dummy({0.0f, ui.px(4) - ImGui::GetStyle().ItemSpacing.y});
+}
+
+void drawFiles(PanelUi& ui, float width) {
+  Wanted wanted;
+  const int count = static_cast<int>(ui.state.document.clipFiles.files.size());
+  for (int i = 0; i < count; ++i) drawFile(ui, i, width, wanted);
+  if (count == 0) {
+    ImGui::PushTextWrapPos(0.0f);
+    mutedText("None yet. The clips of a .glb, .gltf or .vrm file can be added, with the same bones or with others.");
+    ImGui::PopTextWrapPos();
+  }
+  if (wanted.locate >= 0) showLocateClipsDialog(ui.state, wanted.locate);
+  if (wanted.read) run(action("play/read-clip-files"), ui.state);
+  if (wanted.remove >= 0) removeClipFile(ui.state, wanted.remove);
+}
+
+float listHeight(const PanelUi& ui, float width) {
+  const std::vector<ClipFileReport>& files = ui.state.document.clipFiles.files;
+  if (files.empty()) return 2.0f * ImGui::GetTextLineHeightWithSpacing() + ui.px(4);
+  float height = ui.px(4);
+  for (const ClipFileReport& file : files) height += heightOf(ui, file, width);
+  return height;
+}
+
+}  // namespace
+
+void drawClipList(PanelUi& ui) {
+  EditorState& state = ui.state;
+  if (!state.open.clipList.shown) return;
+  const glm::vec4& v = state.frame.viewport;
+  const float width = widthInPicture(ui, kClipListWidth);
+  const float frame = ImGui::GetTextLineHeightWithSpacing() + ImGui::GetFrameHeightWithSpacing() + ui.px(18);
+  const float height = std::min(listHeight(ui, width - ui.px(20)) + frame, kHighest * v.w);
+  ImGui::SetCursorPos({ui.px(kBesideTools), std::max(lowestInPicture(ui) - height, 0.0f)});
+  ImGui::PushStyleColor(ImGuiCol_ChildBg, palette::kPanel.faded(0.97f));
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {ui.px(10), ui.px(8)});
+  ImGui::BeginChild("clip-files", {width, height}, true, ImGuiWindowFlags_AlwaysUseWindowPadding);
+  ImGui::TextUnformatted("Clips from other files");
+  ui.widgets.note("clip-files/heading");
+  ImGui::BeginChild("files", {0.0f, -ImGui::GetFrameHeightWithSpacing()});
+  drawFiles(ui, ImGui::GetContentRegionAvail().x);
+  ImGui::EndChild();
+  const bool adds = ImGui::Button("Add clips...");
+  ui.widgets.note("clip-files/add");
+  ImGui::SameLine();
+  if (ImGui::Button("Close")) state.open.clipList.shown = false;
+  ui.widgets.note("clip-files/close");
+  ImGui::EndChild();
+  ImGui::PopStyleVar();
+  ImGui::PopStyleColor();
+  if (adds) run(action("file/add-clips"), state);
+}
+
+}  // namespace sinew::app

@@ -1,0 +1,108 @@
+// app/panels/first_steps.cpp: the list of first steps, with what to press for the one that comes next.
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <array>
+#include <string>
+
+#include "app/editor/first_steps.h"
+#include "app/panels/overlay.h"
+
+namespace sinew::app {
+namespace {
+
+constexpr float kFirstStepsWidth = 256.0f;  // Design pixels, as all here.
+constexpr float kMark = 22.0f;
+
+struct StepText {
+  const char* id;
+  const char* what;
+  std::string how;
+};
+
+std::array<StepText, kFirstSteps> textsOf(const PanelUi& ui) {
+  const auto start = [&](const char* id) { return howToStart(ui, action(id)); };
+  const auto capital = [](std::string text) {
+    if (!text.empty() && text[0] >= 'a' && text[0] <= 'z') text[0] = static_cast<char>(text[0] - 'a' + 'A');
+    return text;
+  };
+  return {{{"turn", "Turn the view", "Drag on empty space"},
+           {"select", "Select a muscle", "Click the upper arm"},
+           {"scale", "Make it thicker", capital(start("tool/scale")) + ", then drag a handle"},
+           {"add", "Add a muscle", capital(start("tool/add-muscle")) + ", then draw on a thigh"},
+           {"compare", "Look without muscles", capital(start("view/before")) + ", held down"}}};
+}
+
+/// A ring, or a tick once it is done.
+void drawMark(PanelUi& ui, bool done, bool next) {
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const ImVec2 middle{at.x + ui.px(7), at.y + 0.5f * ImGui::GetTextLineHeight()};
+  if (!done) {
+    list.AddCircle(middle, ui.px(5.5f), (next ? palette::kAccent : palette::kLine).packed(), 20, ui.px(1.5f));
+    return;
+  }
+  const std::array tick{ImVec2{middle.x - ui.px(5), middle.y}, ImVec2{middle.x - ui.px(1), middle.y + ui.px(4)},
+                        ImVec2{middle.x + ui.px(6), middle.y - ui.px(5)}};
+  list.AddPolyline(tick.data(), static_cast<int>(tick.size()), palette::kGood.packed(), 0, ui.px(2));
+}
+
+/// Each thing in a line; of the next one, in the line below, what to press.
+void drawSteps(PanelUi& ui) {
+  const FirstStepsState& steps = ui.state.view.firstSteps;
+  const auto next = std::ranges::find(steps.done, false) - steps.done.begin();
+  const auto texts = textsOf(ui);
+  for (std::size_t i = 0; i < texts.size(); ++i) {
+    const bool isNext = static_cast<std::ptrdiff_t>(i) == next;
+    drawMark(ui, steps.done[i], isNext);
+    ImGui::SetCursorPosX(ImGui::GetCursorPosX() + ui.px(kMark));
+    if (isNext) ImGui::TextUnformatted(texts[i].what);
+    else mutedText(texts[i].what);
+    ui.widgets.note(std::string("first-steps/") + texts[i].id);
+    if (!isNext) continue;
+    ImGui::SetCursorPosX(ImGui::GetCursorPosX() + ui.px(kMark));
+    ImGui::PushStyleColor(ImGuiCol_Text, palette::kAccent);
+    ImGui::TextUnformatted(fitted(texts[i].how, ImGui::GetContentRegionAvail().x).c_str());
+    ImGui::PopStyleColor();
+    tooltip(ui, texts[i].how);
+  }
+}
+
+}  // namespace
+
+void drawFirstSteps(PanelUi& ui) {
+  EditorState& state = ui.state;
+  followFirstSteps(state);
+  // One panel at a time.
+  const bool hidden = state.open.check.shown || state.open.muscleSet.shown || state.open.bodyParts.shown ||
+                      state.open.clipList.shown || state.open.reference.shown;
+  if (!state.view.firstSteps.shown || hidden || !state.hasCharacter()) return;
+  const bool done = firstStepsDone(state.view.firstSteps);
+  const float lines = 1.0f + (done ? 2.0f : static_cast<float>(kFirstSteps) + 1.0f);
+  const float height = lines * ImGui::GetTextLineHeightWithSpacing() + ImGui::GetFrameHeightWithSpacing() + ui.px(20);
+  const float width = widthInPicture(ui, kFirstStepsWidth);
+  ImGui::SetCursorPos({ui.px(kBesideTools), std::max(lowestInPicture(ui) - height, 0.0f)});
+  ImGui::PushStyleColor(ImGuiCol_ChildBg, palette::kPanel.faded(0.94f));
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {ui.px(12), ui.px(10)});
+  ImGui::BeginChild("first-steps", {width, height}, true,
+                    ImGuiWindowFlags_AlwaysUseWindowPadding | ImGuiWindowFlags_NoScrollbar);
+  ImGui::PushFont(ui.fonts.strong);
+  ImGui::TextUnformatted(done ? "That was all" : "First steps");
+  ImGui::PopFont();
+  if (done) {
+    ImGui::PushTextWrapPos(0.0f);
+    mutedText("Drop your own character on the window, or open one from the File menu.");
+    ImGui::PopTextWrapPos();
+  } else {
+    drawSteps(ui);
+  }
+  ImGui::Dummy({0.0f, ui.px(2)});
+  if (ImGui::Button(done ? "Close" : "Leave")) state.view.firstSteps.shown = false;
+  ui.widgets.note("first-steps/leave");
+  ImGui::EndChild();
+  ImGui::PopStyleVar();
+  ImGui::PopStyleColor();
+}
+
+}  // namespace sinew::app

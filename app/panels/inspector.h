@@ -1,0 +1,94 @@
+// app/panels/inspector.h: what the parts of the inspector share: its muscles and their number fields.
+#pragma once
+
+#include <cfloat>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/panels/panel_ui.h"
+#include "core/geometry/at.h"
+#include "sinew/rig/parameter.h"
+
+namespace sinew::app {
+
+// The panels.
+void drawInspector(PanelUi& ui);
+void drawSurfacePanel(PanelUi& ui);
+void drawSmoothingPanel(PanelUi& ui);
+void drawLayersPanel(PanelUi& ui);
+
+/// The muscles that the inspector shows, while it is drawn: the rig stays as it was when drawing began.
+struct Subjects {
+  std::shared_ptr<const Rig> rig;
+  std::vector<int> indices;  ///< Rig indices of all selected, ascending.
+  int active = -1;           ///< The one whose values are shown where they differ.
+  int bone = -1;             ///< The active one's; -1: unattached.
+
+  [[nodiscard]] const Primitive& shown() const { return at(rig->primitives, active); }
+  [[nodiscard]] bool several() const { return indices.size() > 1; }
+  /// Whether what `part` gives is not the same for all.
+  template <class Part>
+  [[nodiscard]] bool differ(Part part) const {
+    for (const int index : indices) {
+      if (!(part(at(rig->primitives, index)) == part(shown()))) return true;
+    }
+    return false;
+  }
+};
+
+/// How a drag changes muscles whose values differ; a typed number is the same for all.
+enum class Together { kAdd, kMultiply };
+
+/// A number of a muscle as a field.
+struct NumberField {
+  std::string id;         ///< "inspector/reach"
+  const char* undoLabel;  ///< The muscles follow: "Move", "Reach of".
+  const char* format;
+  float speed = 0.01f;     ///< Shown units per pixel.
+  float least = -FLT_MAX;  ///< Shown units.
+  float most = FLT_MAX;
+  std::function<float(const Primitive&)> get;
+  std::function<void(Primitive&, float)> set;
+  std::function<float(const Primitive&)> scale;  ///< Shown units per unit of the rig; empty: 1.
+  std::optional<float> initial;                  ///< Shown units; what Reset gives.
+  Together together = Together::kAdd;
+  std::string hint;
+  float step = 0.0f;                        ///< Shown units: where Ctrl stops.
+  std::string name = {};                    ///< "Radius Y": in the history, before the values.
+  std::optional<Parameter> parameter = {};  ///< What keys and drivers call it; none: they do not change it.
+};
+
+/// One undo step for a drag or what is typed, for all muscles; a right click resets, copies and pastes. The item's
+/// width is the caller's. Notes itself as its id.
+void drawNumberField(PanelUi& ui, const Subjects& subjects, const NumberField& field);
+
+/// Rows of a menu that is open: reset, copy, paste. @param shown, initial  shown units
+/// @return the number that was chosen
+[[nodiscard]] std::optional<float> numberMenu(PanelUi& ui, const char* format, float shown,
+                                              std::optional<float> initial);
+
+/// Changes all subjects, in the gesture of the field that is being edited or as a step of its own.
+/// @param label  what is done; the muscles follow
+void editSubjects(PanelUi& ui, const Subjects& subjects, const char* label,
+                  const std::function<void(Primitive&)>& change);
+
+/// A quiet title between groups of rows; a click folds what is under it, which is remembered with the layout. Notes
+/// itself as `id`. @param room  kept free at its right end, design pixels
+/// @return whether it is unfolded
+[[nodiscard]] bool section(PanelUi& ui, const char* id, const char* title, float room = 0.0f);
+
+// The parts, each in a file of its own.
+void drawTwinRow(PanelUi& ui, const Subjects& subjects);
+void drawShapeRows(PanelUi& ui, const Subjects& subjects);
+void drawPlacementRows(PanelUi& ui, const Subjects& subjects);
+void drawTerritoryRows(PanelUi& ui, const Subjects& subjects);
+/// Only where something is keyed or driven.
+void drawAnimationRows(PanelUi& ui, const Subjects& subjects);
+void drawSurfaceAnimation(PanelUi& ui);
+/// @param morph  index into Rig::morphs
+void drawMorphAnimation(PanelUi& ui, int morph);
+
+}  // namespace sinew::app

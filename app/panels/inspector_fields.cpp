@@ -1,0 +1,218 @@
+// app/panels/inspector_fields.cpp: number fields that change one muscle or many.
+
+#include <imgui.h>
+#include <imgui_internal.h>  // TempInputIsActive: whether a number is typed or dragged.
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+#include "app/document/muscle_names.h"
+#include "app/editor/commands.h"
+#include "app/panels/animated_field.h"
+#include "app/panels/field_edit.h"
+#include "app/panels/inspector.h"
+#include "app/ui/number_field.h"
+#include "core/geometry/at.h"
+#include "core/rig/rig_edit_several.h"
+
+namespace sinew::app {
+namespace {
+
+float scaleOf(const NumberField& field, const Primitive& primitive) {
+  const float scale = field.scale ? field.scale(primitive) : 1.0f;
+  return std::isfinite(scale) && scale > 0.0f ? scale : 1.0f;
+}
+
+float shownValue(const NumberField& field, const Primitive& primitive) {
+  return field.get(primitive) * scaleOf(field, primitive);
+}
+
+float clamped(const NumberField& field, float shown) { return std::clamp(shown, field.least, field.most); }
+
+/// The same number for all.
+void assign(PanelUi& ui, const Subjects& subjects, const NumberField& field, float shown) {
+  editSubjects(ui, subjects, field.undoLabel,
+               [&](Primitive& primitive) { field.set(primitive, clamped(field, shown) / scaleOf(field, primitive)); });
+}
+
+/// A drag from one shown number to the next: the active muscle gets the number, the others the same change.
+void follow(PanelUi& ui, const Subjects& subjects, const NumberField& field, float from, float to) {
+  const std::string active = subjects.shown().name;
+  editSubjects(ui, subjects, field.undoLabel, [&](Primitive& primitive) {
+    const float own = shownValue(field, primitive);
+    const float factor = from != 0.0f ? to / from : 1.0f;
+    const float moved = field.together == Together::kMultiply ? own * factor : own + (to - from);
+    field.set(primitive, clamped(field, primitive.name == active ? to : moved) / scaleOf(field, primitive));
+  });
+}
+
+/// The muscle as it was before the gesture that is under way.
+const Primitive& atStart(const PanelUi& ui, const Primitive& primitive) {
+  const Rig& rig = ui.state.document.commands.rigOfStep();
+  const int index = findPrimitive(rig, primitive.id());
+  return index < 0 ? primitive : at(rig.primitives, index);
+}
+
+/// The same change for all, of what they were before the gesture: `from` of the active one becomes `to`.
+void followFromStart(PanelUi& ui, const Subjects& subjects, const NumberField& field, float from, float to) {
+  const PrimitiveId active = subjects.shown().id();
+  editSubjects(ui, subjects, field.undoLabel, [&](Primitive& primitive) {
+    const float own = shownValue(field, atStart(ui, primitive));
+    const float factor = from != 0.0f ? to / from : 1.0f;
+    const float moved = field.together == Together::kMultiply ? own * factor : own + (to - from);
+    field.set(primitive, clamped(field, primitive.id() == active ? to : moved) / scaleOf(field, primitive));
+  });
+}
+
+std::string textOf(const NumberField& field, float shown) { return numberText(field.format, shown); }
+
+std::optional<float> numberIn(const char* text) {
+  if (text == nullptr) return std::nullopt;
+  const std::string all = text;
+  const std::size_t start = all.find_first_not_of(" \t\n");
+  if (start == std::string::npos) return std::nullopt;
+  float value = 0.0f;
+  const auto read = std::from_chars(all.data() + start, all.data() + all.size(), value);
+  if (read.ec != std::errc() || !std::isfinite(value)) return std::nullopt;
+  return value;
+}
+
+/// "Radius Y 0.12 to 0.15 on biceps L" where one number, or the same of all, became another; else as the gesture was
+/// called.
+std::string stepName(const PanelUi& ui, const Subjects& subjects, const NumberField& field, const std::string& plain) {
+  std::string text;
+  for (const int index : subjects.indices) {
+    const Primitive& before = atStart(ui, at(subjects.rig->primitives, index));
+    const int now = findPrimitive(ui.state.document.rig(), before.id());
+    if (now < 0) return plain;
+    const Primitive& after = at(ui.state.document.rig().primitives, now);
+    const std::string from = textOf(field, shownValue(field, before));
+    const std::string to = textOf(field, shownValue(field, after));
+    const std::string own = from + " to " + to + " on ";
+    if (from == to || (!text.empty() && text != own)) return plain;
+    text = own;
+  }
+  return field.name + " " + text + namedMuscles(*subjects.rig, subjects.indices);
+}
+
+/// What keys and drivers may change of it: the active muscle's number first.
+AnimatedField animatedOf(const Subjects& subjects, const NumberField& field) {
+  AnimatedField animated{{}, {}, field.format};
+  if (!field.parameter) return animated;
+  const auto add = [&](int index) {
+    animated.refs.push_back({*field.parameter, index});
+    animated.scales.push_back(scaleOf(field, at(subjects.rig->primitives, index)));
+  };
+  add(subjects.active);
+  for (const int index : subjects.indices) {
+    if (index != subjects.active) add(index);
+  }
+  return animated;
+}
+
+void fieldMenu(PanelUi& ui, const Subjects& subjects, const NumberField& field, const AnimatedField& animated,
+               float shown) {
+  if (!ImGui::BeginPopupContextItem(field.id.c_str())) return;
+  const std::optional<float> chosen = numberMenu(ui, field.format, shown, field.initial);
+  if (chosen) assign(ui, subjects, field, *chosen);
+  if (!animated.refs.empty()) ImGui::Separator();
+  animationMenu(ui, animated);
+  ImGui::EndPopup();
+}
+
+}  // namespace
+
+std::optional<float> numberMenu(PanelUi& ui, const char* format, float shown, std::optional<float> initial) {
+  std::optional<float> chosen;
+  const std::string reset = initial ? "Reset to " + numberText(format, *initial) : "Reset";
+  if (ImGui::MenuItem(reset.c_str(), nullptr, false, initial.has_value())) chosen = initial;
+  ui.widgets.note("context/reset");
+  ImGui::Separator();
+  char exact[32];
+  const auto written = std::to_chars(exact, exact + sizeof exact - 1, shown);
+  *written.ptr = '\0';
+  if (ImGui::MenuItem("Copy", nullptr)) ImGui::SetClipboardText(exact);
+  ui.widgets.note("context/copy");
+  const std::optional<float> pasted = numberIn(ImGui::GetClipboardText());
+  if (ImGui::MenuItem("Paste", nullptr, false, pasted.has_value())) chosen = pasted;
+  ui.widgets.note("context/paste");
+  return chosen;
+}
+
+void editSubjects(PanelUi& ui, const Subjects& subjects, const char* label,
+                  const std::function<void(Primitive&)>& change) {
+  edit(ui.state, std::string(label) + " " + namedMuscles(*subjects.rig, subjects.indices),
+       editPrimitives(ui.state.document.rig(), subjects.indices, change));
+}
+
+void drawNumberField(PanelUi& ui, const Subjects& subjects, const NumberField& field) {
+  const AnimatedField animated = animatedOf(subjects, field);
+  const AnimatedLook animation = lookOf(ui, animated);
+  if (animation.beingSet) {
+    drawDrivenKeyField(ui, field.id, animated, {field.format, field.speed, field.least, field.most, field.step});
+    fieldMenu(ui, subjects, field, animated, shownValue(field, subjects.shown()));
+    return;
+  }
+  const std::string label = "##" + field.id;
+  const ImGuiID id = ImGui::GetID(label.c_str());
+  const bool typing = ImGui::TempInputIsActive(id);
+  const bool differ = subjects.differ([&](const Primitive& p) { return shownValue(field, p); });
+  const bool mixed = differ && ImGui::GetActiveID() != id;
+  const float before = shownValue(field, subjects.shown());
+  float value = before;
+  const bool muted = mixed && !animation.driven && !animation.keyedHere;  // On amber and violet it could not be read.
+  if (muted) ImGui::PushStyleColor(ImGuiCol_Text, palette::kMuted);
+  NumberLook look{mixed ? "mixed" : field.format, field.speed, field.least, field.most, field.step};
+  look.clampTyped = false;  // What is out of range is refused with its reason.
+  Typing typed;
+  look.typing = &typed;
+  pushAnimatedColors(animation);
+  const bool edited = numberField(label.c_str(), value, look);
+  popAnimatedColors(ui, animation);
+  if (muted) ImGui::PopStyleColor();
+  notePointed(ui, animated);
+  const std::string step = std::string(field.undoLabel) + " " + namedMuscles(*subjects.rig, subjects.indices);
+  beginFieldEdit(ui, field.id, step.c_str());
+  if (edited && typing && !typed.relative) assign(ui, subjects, field, value);
+  if (edited && typed.relative) {
+    followFromStart(ui, subjects, field, shownValue(field, atStart(ui, subjects.shown())), value);
+  }
+  if (edited && !typing) follow(ui, subjects, field, before, value);
+  if (!typed.refusal.empty()) refuse(ui.state, errorAt({}, typed.refusal));
+  if (ImGui::IsItemDeactivated()) endFieldEdit(ui, stepName(ui, subjects, field, step));
+  const bool quiet = ImGui::IsItemActive();
+  if (!quiet) {
+    std::string hint = field.hint + (field.hint.empty() ? "" : "\n") + animation.words +
+                       "Drag (Shift: precise, Ctrl: steps), or double-click to type: 0.3, 12/5, +=0.1";
+    if (differ) hint += "; a drag keeps the differences, a typed number is for all";
+    tooltip(ui, hint + (animated.refs.empty() ? ". Right click: reset, copy, paste."
+                                              : ". Right click: reset, copy, key, drive."));
+  }
+  fieldMenu(ui, subjects, field, animated, before);
+}
+
+bool section(PanelUi& ui, const char* id, const char* title, float room) {
+  ImGui::Dummy({0.0f, ui.px(1)});
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float right = at.x + ImGui::GetContentRegionAvail().x - ui.px(room);
+  const float mark = ui.px(14);
+  const ImVec2 text = ImGui::CalcTextSize(title);
+  const float height = room > 0.0f ? ImGui::GetFrameHeight() : text.y;
+  const float y = at.y + 0.5f * height;
+  std::vector<std::string>& folded = ui.state.view.layout.folded;
+  const auto found = std::ranges::find(folded, id);
+  const bool open = found == folded.end();
+  const bool pressed = ImGui::InvisibleButton(id, {std::max(right - at.x, 1.0f), height});
+  ui.widgets.note(id);
+  const Tint tint = ImGui::IsItemHovered() ? palette::kText : palette::kMuted;
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  drawIcon(list, open ? Icon::kFoldOpen : Icon::kFoldClosed, {at.x - ui.px(3), y - 0.5f * mark}, mark, tint.packed());
+  list.AddText({at.x + mark, y - 0.5f * text.y}, tint.packed(), title);
+  list.AddLine({at.x + mark + text.x + ui.px(8), y}, {right, y}, palette::kLine.packed(), 1.0f);
+  if (pressed && open) folded.emplace_back(id);
+  if (pressed && !open) folded.erase(found);
+  return open;
+}
+
+}  // namespace sinew::app

@@ -1,0 +1,77 @@
+// app/panels/keep_muscles_question.cpp: a character was dropped on one with muscles: do they go on it?
+
+#include <imgui.h>
+
+#include <string>
+#include <utility>
+
+#include "app/editor/clip_commands.h"
+#include "app/editor/commands.h"
+#include "app/panels/dialog_parts.h"
+#include "app/panels/dialogs.h"
+#include "app/ui/reading_order.h"
+
+namespace sinew::app {
+namespace {
+
+constexpr const char* kKeepMusclesTitle = "Keep the muscles?";
+
+enum class Answer { kNone, kKeep, kOpenWithout, kAddClips, kCancel };
+
+std::string musclesOf(const Document& document) {
+  const std::size_t count = document.rig().primitives.size();
+  return (count == 1 ? "the muscle" : "the " + std::to_string(count) + " muscles") + " of \"" + document.name() + '"';
+}
+
+Answer ask(PanelUi& ui) {
+  Answer answer = Answer::kNone;
+  const bool hasClips = ui.state.dialogs.droppedHasClips;
+  const std::string text = "Open \"" + ui.state.dialogs.keepMuscles.filename().string() + "\" with " +
+                           musclesOf(ui.state.document) + ", each where it belongs on the other body?" +
+                           (hasClips ? " Or keep this character open and add the clips of the file to it?" : "");
+  ImGui::TextWrapped("%s", inReadingOrder(text).c_str());
+  ImGui::Dummy({0.0f, ui.px(6)});
+  const ImVec2 narrow{ui.px(92), 0.0f};
+  const ImVec2 wide{ui.px(148), 0.0f};
+  const float clips = hasClips ? ui.px(110) : 0.0f;
+  ImGui::SetCursorPosX(ImGui::GetContentRegionMax().x - narrow.x - 2.0f * wide.x - 2.0f * ui.px(8) -
+                       (hasClips ? clips + ui.px(8) : 0.0f));
+  if (ImGui::Button("Cancel", narrow)) answer = Answer::kCancel;
+  ui.widgets.note("keep-muscles/cancel");
+  ImGui::SameLine(0.0f, ui.px(8));
+  if (hasClips) {
+    if (ImGui::Button("Add its clips", {clips, 0.0f})) answer = Answer::kAddClips;
+    ui.widgets.note("keep-muscles/clips");
+    ImGui::SameLine(0.0f, ui.px(8));
+  }
+  if (ImGui::Button("Open without them", wide)) answer = Answer::kOpenWithout;
+  ui.widgets.note("keep-muscles/without");
+  ImGui::SameLine(0.0f, ui.px(8));
+  if (accentButton("Keep the muscles", wide)) answer = Answer::kKeep;
+  ui.widgets.note("keep-muscles/keep");
+  return escapePressed(ui) ? Answer::kCancel : answer;
+}
+
+}  // namespace
+
+void drawKeepMusclesQuestion(PanelUi& ui) {
+  EditorState& state = ui.state;
+  if (state.dialogs.keepMuscles.empty()) return;
+  if (!ImGui::IsPopupOpen(kKeepMusclesTitle)) ImGui::OpenPopup(kKeepMusclesTitle);
+  placeDialog(ui, state.dialogs.droppedHasClips ? 570.0f : 460.0f);
+  pushDialogStyle(ui);
+  if (ImGui::BeginPopupModal(kKeepMusclesTitle, nullptr, ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove)) {
+    const Answer answer = ask(ui);
+    if (answer != Answer::kNone) {
+      ImGui::CloseCurrentPopup();
+      const std::filesystem::path file = std::exchange(state.dialogs.keepMuscles, {});
+      if (answer == Answer::kKeep) request(state, {IntentKind::kOpenWithMuscles, file});
+      if (answer == Answer::kAddClips) addClips(state, file);
+      if (answer == Answer::kOpenWithout) request(state, {IntentKind::kOpenFile, file});
+    }
+    ImGui::EndPopup();
+  }
+  popDialogStyle();
+}
+
+}  // namespace sinew::app

@@ -1,0 +1,186 @@
+// app/panels/layers_panel.cpp: the parts of the mesh: skin, cloth or rigid, guessed or set. docs/layers.md.
+
+#include "app/panels/inspector.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "app/document/shown_names.h"
+#include "app/editor/layer_commands.h"
+#include "app/ui/keyboard_focus.h"
+#include "app/ui/number_field.h"
+#include "app/ui/readable_names.h"
+#include "app/viewport/render/color_scales.h"
+#include "core/geometry/at.h"
+#include "core/rig/layers.h"
+
+namespace sinew::app {
+namespace {
+
+constexpr float kOneLine = 390.0f;  // Design pixels, as all here. With less room a name stands above its layers.
+constexpr float kLayers = 140.0f;   // Width in one line.
+constexpr float kOrigin = 62.0f;
+constexpr float kSmall = 220.0f;  // With less room an icon goes back to the guess.
+constexpr float kGap = 6.0f;
+constexpr float kDot = 18.0f;
+constexpr float kBetween = 5.0f;  // Between parts that take two lines.
+
+/// What all rows share.
+struct LayerList {
+  std::vector<std::string> names;
+  std::vector<SkinLayer> layers;
+  SharedEnds ends;
+  int allTriangles = 0;
+};
+
+LayerList listOf(EditorState& state) {
+  const Character& character = state.character();
+  std::vector<int>& triangles = state.open.layers.triangles;
+  if (triangles.empty()) {
+    triangles.assign(character.parts.size(), 0);
+    for (const ControlTriangle& triangle : character.mesh.triangles) ++at(triangles, triangle.part);
+  }
+  return {shownPartNames(character), partLayers(state), {}, static_cast<int>(character.mesh.triangles.size())};
+}
+
+std::string partHint(const PanelUi& ui, const LayerList& list, int part) {
+  const int triangles = at(ui.state.open.layers.triangles, part);
+  const LayerColor& layer = layerColor(at(list.layers, part));
+  const float percent = 100.0f * static_cast<float>(triangles) / static_cast<float>(std::max(list.allTriangles, 1));
+  return at(ui.state.character().parts, part).name + "\n" + std::to_string(triangles) + " triangles of the file, " +
+         numberText(percent < 10.0f ? "%.1f %%" : "%.0f %%", percent) + "\n" + layer.name + ", " +
+         (isLayerSet(ui.state, part) ? "set by you" : "guessed") + ". " + layer.hint +
+         ".\nClick marks it in the picture.";
+}
+
+/// Dot, name and number of triangles; a click marks the part in the picture, or no longer.
+void drawPartName(PanelUi& ui, const LayerList& list, int part, float width, bool oneLine) {
+  int& chosen = ui.state.open.layers.chosen;
+  const ImVec2 low = ImGui::GetCursorScreenPos();
+  const float height = ImGui::GetFrameHeight();
+  if (ImGui::InvisibleButton("name", {width, height})) chosen = chosen == part ? -1 : part;
+  ui.widgets.note("layers/part/" + at(ui.state.character().parts, part).name);
+  if (ImGui::IsItemFocused() && focusShown()) ui.state.frame.hoveredPart = part;
+  if (!ImGui::IsItemVisible()) return;
+  const bool marked = chosen == part;
+  const bool hovered = ImGui::IsItemHovered();
+  tooltip(ui, partHint(ui, list, part));
+  ImDrawList& draw = *ImGui::GetWindowDrawList();
+  if (marked || hovered) {
+    draw.AddRectFilled(low, {low.x + width, low.y + height},
+                       (marked ? palette::kAccent.faded(0.20f) : palette::kText.faded(0.08f)).packed(), ui.px(4));
+  }
+  const glm::vec3& color = layerColor(at(list.layers, part)).srgb;
+  draw.AddCircleFilled({low.x + ui.px(8), low.y + 0.5f * height}, ui.px(4), Tint{color.r, color.g, color.b}.packed(),
+                       16);
+  const float y = low.y + ImGui::GetStyle().FramePadding.y;
+  const std::string count =
+      std::to_string(at(ui.state.open.layers.triangles, part)) + (oneLine ? std::string() : " triangles");
+  const float right = low.x + width - ui.px(4) - ImGui::CalcTextSize(count.c_str()).x;
+  const bool counted = right - low.x > 0.5f * width;
+  const float end = counted ? right - ui.px(8) : low.x + width - ui.px(4);
+  clippedText(draw, {low.x + ui.px(kDot), y}, end - low.x - ui.px(kDot), palette::kText.packed(), at(list.names, part),
+              list.ends);
+  if (counted) draw.AddText({right, y}, palette::kMuted.packed(), count.c_str());
+}
+
+/// "guessed", or the button that goes back to the guess. @param small  an icon, and nothing where it is guessed
+void drawOrigin(PanelUi& ui, int part, float width, bool small) {
+  if (!isLayerSet(ui.state, part)) {
+    ImGui::AlignTextToFramePadding();
+    mutedText(small ? "" : "guessed");
+    return;
+  }
+  const std::string id = "layers/guess/" + at(ui.state.character().parts, part).name;
+  const std::string hint = std::string("Back to what is guessed: ") + nameOf(at(ui.state.live->guessedLayers(), part));
+  bool pressed = false;
+  if (small) {
+    pressed = iconButton(ui, id, Icon::kReset, false, width, hint);
+  } else {
+    pressed = ImGui::Button("Guess", {width, 0.0f});
+    ui.widgets.note(id);
+    tooltip(ui, hint);
+  }
+  if (pressed) setPartLayer(ui.state, part, std::nullopt);
+}
+
+void drawPart(PanelUi& ui, const LayerList& list, int part) {
+  constexpr const char* kWords[] = {"Skin", "Cloth", "Rigid"};
+  const ImVec2 low = ImGui::GetCursorScreenPos();
+  const float room = ImGui::GetContentRegionAvail().x;
+  const bool oneLine = room >= ui.px(kOneLine);
+  const bool small = room < ui.px(kSmall);
+  const float gap = ui.px(kGap);
+  const float origin = small ? ImGui::GetFrameHeight() : ui.px(kOrigin);
+  const float layers = oneLine ? ui.px(kLayers) : room - origin - gap;
+  const float name = oneLine ? room - layers - origin - 2.0f * gap : room;
+  ImGui::PushID(part);
+  drawPartName(ui, list, part, name, oneLine);
+  if (oneLine) ImGui::SameLine(0.0f, gap);
+  const int now = static_cast<int>(at(list.layers, part));
+  const bool isSet = isLayerSet(ui.state, part);
+  const int clicked = segmented(ui, "layers/set/" + at(ui.state.character().parts, part).name, kWords, 3, now, layers);
+  ImGui::SameLine(0.0f, gap);
+  drawOrigin(ui, part, origin, small);
+  if (!oneLine) ImGui::Dummy({0.0f, ui.px(kBetween)});
+  ImGui::PopID();
+  const ImVec2 high{low.x + room, ImGui::GetCursorScreenPos().y};
+  if (ImGui::IsWindowHovered() && ImGui::IsMouseHoveringRect(low, high)) ui.state.frame.hoveredPart = part;
+  // What is guessed already can be set to stay.
+  if (clicked >= 0 && (clicked != now || !isSet)) setPartLayer(ui.state, part, static_cast<SkinLayer>(clicked));
+}
+
+/// What the rig says of parts that another character has.
+void drawMissing(PanelUi& ui) {
+  const std::vector<std::string> missing = missingParts(ui.state.document.rig(), ui.state.character());
+  if (missing.empty()) return;
+  mutedLine(ui, "Not on this character:");
+  ui.widgets.note("layers/missing");
+  int number = 0;
+  for (const std::string& name : missing) {
+    ImGui::PushID(--number);
+    const float button = ui.px(kOrigin);
+    const float room = ImGui::GetContentRegionAvail().x - button - ui.px(kGap);
+    const ImVec2 low = ImGui::GetCursorScreenPos();
+    const int index = findLayer(ui.state.document.rig(), name);
+    const std::string text =
+        readableName(name, "part", -number) + ": " + nameOf(at(ui.state.document.rig().layers, index).layer);
+    clippedText(*ImGui::GetWindowDrawList(), {low.x + ui.px(kDot), low.y + ImGui::GetStyle().FramePadding.y},
+                room - ui.px(kDot), palette::kMuted.packed(), text);
+    const ImVec2 end{low.x + room, low.y + ImGui::GetFrameHeight()};
+    tooltipWhile(ui, ImGui::IsWindowHovered() && ImGui::IsMouseHoveringRect(low, end),
+                 text + "\nThis character has no part of that name. It is kept for one that has.");
+    ImGui::SetCursorScreenPos({end.x + ui.px(kGap), low.y});
+    const bool pressed = ImGui::Button("Forget", {button, 0.0f});
+    ui.widgets.note("layers/forget/" + name);
+    ImGui::PopID();
+    if (pressed) forgetPart(ui.state, name);
+  }
+}
+
+}  // namespace
+
+void drawLayersPanel(PanelUi& ui) {
+  LayerList list = listOf(ui.state);
+  const std::vector<std::string_view> names(list.names.begin(), list.names.end());
+  list.ends = sharedEnds(names);
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ImGui::GetStyle().ItemSpacing.x, ui.px(2)});
+  for (int part = 0; part < static_cast<int>(list.names.size()); ++part) drawPart(ui, list, part);
+  drawMissing(ui);
+  ImGui::PopStyleVar();
+  const bool any = !ui.state.document.rig().layers.empty();
+  ImGui::BeginDisabled(!any);
+  const bool pressed = ImGui::Button("Guess all", {-1.0f, 0.0f});
+  ImGui::EndDisabled();
+  ui.widgets.note("layers/guess-all");
+  tooltip(ui,
+          any ? "Every part becomes what is guessed" : "Every part becomes what is guessed. Not available: all are");
+  if (pressed) guessAllLayers(ui.state);
+}
+
+}  // namespace sinew::app

@@ -1,0 +1,195 @@
+// app/panels/messages.cpp: what an import left out, what failed. Stays until it is read, and then in the status
+// line.
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <string>
+
+#include "app/panels/overlay.h"
+#include "app/ui/reading_order.h"
+
+namespace sinew::app {
+namespace {
+
+constexpr float kMessagesWidth = 450.0f;  // Design pixels.
+constexpr float kHighest = 230.0f;
+constexpr float kButton = 20.0f;
+constexpr float kTextLeft = 24.0f;
+constexpr float kNarrowest = 0.85f;  ///< Of its width: what a panel over the picture gives up for the axes.
+
+float textHeight(const std::string& text, float width) {
+  return ImGui::CalcTextSize(text.c_str(), nullptr, false, width).y;
+}
+
+std::string shown(const Message& message) {
+  return message.count > 1 ? message.text + "  (" + std::to_string(message.count) + " times)" : message.text;
+}
+
+Tint tintOf(MessageKind kind) {
+  switch (kind) {
+    case MessageKind::kError:
+      return palette::kError;
+    case MessageKind::kWarning:
+      return palette::kWarning;
+    case MessageKind::kNote:
+      break;
+  }
+  return palette::kMuted;
+}
+
+Icon iconOf(MessageKind kind) {
+  switch (kind) {
+    case MessageKind::kError:
+      return Icon::kError;
+    case MessageKind::kWarning:
+      return Icon::kWarning;
+    case MessageKind::kNote:
+      break;
+  }
+  return Icon::kNote;
+}
+
+const char* nameOf(MessageKind kind) {
+  switch (kind) {
+    case MessageKind::kError:
+      return "error: ";
+    case MessageKind::kWarning:
+      return "warning: ";
+    case MessageKind::kNote:
+      break;
+  }
+  return "note: ";
+}
+
+std::string allText(const std::vector<Message>& messages) {
+  std::string text;
+  for (const Message& message : messages) text += nameOf(message.kind) + shown(message) + "\n";
+  return text;
+}
+
+/// @return whether it was dismissed.
+bool drawMessage(PanelUi& ui, const Message& message, std::size_t index) {
+  const float button = ui.px(kButton);
+  const float wrap = ImGui::GetContentRegionAvail().x - 2.0f * button - ui.px(kTextLeft + 8);
+  const ImVec2 corner = ImGui::GetCursorScreenPos();
+  const std::string text = shown(message);
+  const std::string place = std::to_string(index);
+  drawIcon(*ImGui::GetWindowDrawList(), iconOf(message.kind), {corner.x, corner.y + ui.px(1)}, ui.px(15),
+           tintOf(message.kind).packed());
+  ImGui::SetCursorPosX(ImGui::GetCursorPosX() + ui.px(kTextLeft));
+  ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + wrap);
+  ImGui::TextUnformatted(inReadingOrder(text).c_str());
+  ImGui::PopTextWrapPos();
+  ImGui::SameLine();
+  ImGui::SetCursorPosX(ImGui::GetContentRegionMax().x - 2.0f * button);
+  if (iconButton(ui, "messages/copy/" + place, Icon::kCopy, false, button)) ImGui::SetClipboardText(text.c_str());
+  tooltip(ui, "Copy the text");
+  ImGui::SameLine(0.0f, 0.0f);
+  const bool dismissed = iconButton(ui, "messages/dismiss/" + place, Icon::kClose, false, button);
+  tooltip(ui, "Dismiss");
+  return dismissed;
+}
+
+float wantedHeight(PanelUi& ui) {
+  const float wrap = ui.px(kMessagesWidth) - ui.px(2 * kButton + kTextLeft + 8 + 20);
+  float height = ImGui::GetFrameHeight() + ui.px(26);
+  for (const Message& message : ui.state.session.messages)
+    height += std::max(textHeight(shown(message), wrap), ui.px(kButton)) + ui.px(6);
+  return height;
+}
+
+/// Right-aligned, from right to left. @return whether all are to go.
+bool drawHead(PanelUi& ui) {
+  ImGui::AlignTextToFramePadding();
+  heading(ui, "Messages");
+  const ImGuiStyle& style = ImGui::GetStyle();
+  const auto widthOf = [&](const char* label) { return ImGui::CalcTextSize(label).x + 2.0f * style.FramePadding.x; };
+  const float size = ImGui::GetFrameHeight();
+  ImGui::SameLine(ImGui::GetContentRegionMax().x - widthOf("Copy all") - widthOf("Clear") - size - 2.0f * ui.px(4));
+  if (ImGui::Button("Copy all")) ImGui::SetClipboardText(allText(ui.state.session.messages).c_str());
+  ui.widgets.note("messages/copy-all");
+  ImGui::SameLine(0.0f, ui.px(4));
+  const bool all = ImGui::Button("Clear");
+  ui.widgets.note("messages/dismiss-all");
+  ImGui::SameLine(0.0f, ui.px(4));
+  if (iconButton(ui, "messages/hide", Icon::kMinimize, false, size)) ui.state.session.messagesShown = false;
+  tooltip(ui, "Hide; the status line still counts them");
+  return all;
+}
+
+}  // namespace
+
+float messagesHeight(PanelUi& ui) {
+  if (ui.state.session.messages.empty() || !ui.state.session.messagesShown) return 0.0f;
+  return std::min({wantedHeight(ui), ui.px(kHighest), ui.state.frame.viewport.w * 0.4f});
+}
+
+float lowestInPicture(PanelUi& ui) {
+  const float messages = messagesHeight(ui);
+  const float lowest = ui.state.frame.viewport.w - ui.px(kFromEdges);
+  return messages > 0.0f ? lowest - messages - ui.px(kFromEdges) : lowest;
+}
+
+float widthInPicture(const PanelUi& ui, float wanted) {
+  const float picture = ui.state.frame.viewport.z;
+  const float besideAxes = picture - ui.px(kBesideTools + kBesideAxes);
+  const bool fits = besideAxes >= kNarrowest * ui.px(wanted);
+  return std::min(ui.px(wanted), fits ? besideAxes : picture - ui.px(kBesideTools + kFromEdges));
+}
+
+void drawMessages(PanelUi& ui) {
+  std::vector<Message>& messages = ui.state.session.messages;
+  const float height = messagesHeight(ui);
+  if (height <= 0.0f) return;
+  ImGui::SetCursorPos({ui.px(10), ui.state.frame.viewport.w - height - ui.px(10)});
+  ImGui::PushStyleColor(ImGuiCol_ChildBg, palette::kPanel.faded(0.95f));
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {ui.px(10), ui.px(8)});
+  ImGui::BeginChild("messages", {std::min(ui.px(kMessagesWidth), ui.state.frame.viewport.z - ui.px(20)), height}, true,
+                    ImGuiWindowFlags_AlwaysUseWindowPadding);
+  ImGui::PopStyleVar();
+  if (ui.state.session.messagesSaid != ui.state.open.messagesSeen) ImGui::SetScrollY(0.0f);  // What is new is on top.
+  ui.state.open.messagesSeen = ui.state.session.messagesSaid;
+  const bool all = drawHead(ui);
+  std::size_t dismissed = messages.size();
+  for (std::size_t i = messages.size(); i-- > 0;) {  // The newest first.
+    if (drawMessage(ui, messages[i], i)) dismissed = i;
+  }
+  if (all) {
+    messages.clear();
+  } else if (dismissed < messages.size()) {
+    messages.erase(messages.begin() + static_cast<std::ptrdiff_t>(dismissed));
+  }
+  const bool over = ImGui::IsWindowHovered(ImGuiHoveredFlags_ChildWindows);
+  ImGui::EndChild();
+  ImGui::PopStyleColor();
+  // They have been seen once work in the picture goes on; the status line still counts them.
+  const bool work = ImGui::IsMouseClicked(0) || ImGui::IsMouseClicked(1) || ImGui::IsMouseClicked(2);
+  if (work && !over && ImGui::IsWindowHovered(ImGuiHoveredFlags_ChildWindows)) ui.state.session.messagesShown = false;
+}
+
+float drawMessageBadge(PanelUi& ui) {
+  const std::vector<Message>& messages = ui.state.session.messages;
+  if (messages.empty()) return 0.0f;
+  const MessageKind worst = std::ranges::max(messages, {}, &Message::kind).kind;
+  const std::string count = std::to_string(messages.size());
+  const float height = ImGui::GetTextLineHeight() + ui.px(4);
+  const float width = ImGui::CalcTextSize(count.c_str()).x + ui.px(34);
+  const float right = ImGui::GetContentRegionMax().x;
+  ImGui::SetCursorPos({right - width, ImGui::GetCursorPosY() - ui.px(2)});
+  const ImVec2 corner = ImGui::GetCursorScreenPos();
+  if (ImGui::InvisibleButton("badge", {width, height}))
+    ui.state.session.messagesShown = !ui.state.session.messagesShown;
+  ui.widgets.note("status/messages");
+  const bool lit = ImGui::IsItemHovered() || ui.state.session.messagesShown;
+  tooltip(ui, ui.state.session.messagesShown ? "Hide the messages" : "Show the messages");
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  list.AddRectFilled(corner, {corner.x + width, corner.y + height}, tintOf(worst).faded(lit ? 0.30f : 0.16f).packed(),
+                     0.5f * height);
+  drawIcon(list, iconOf(worst), {corner.x + ui.px(7), corner.y + 0.5f * (height - ui.px(14))}, ui.px(14),
+           tintOf(worst).packed());
+  list.AddText({corner.x + ui.px(26), corner.y + ui.px(2)}, palette::kText.packed(), count.c_str());
+  return width;
+}
+
+}  // namespace sinew::app

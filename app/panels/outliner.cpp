@@ -1,0 +1,184 @@
+// app/panels/outliner.cpp: bones as a tree with their muscles under them; tabs that share its place with the
+// groups.
+
+#include <imgui.h>
+#include <imgui_stdlib.h>
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+
+#include <algorithm>
+#include <string>
+
+#include "app/document/shown_names.h"
+#include "app/editor/commands.h"
+#include "app/editor/hidden_bones.h"
+#include "app/editor/outliner_edit.h"
+#include "app/editor/territory.h"
+#include "app/editor/visibility_commands.h"
+#include "app/panels/outliner.h"
+#include "app/panels/outliner_row.h"
+#include "app/ui/elide.h"
+#include "app/ui/keyboard_focus.h"
+#include "core/geometry/at.h"
+
+namespace sinew::app {
+namespace {
+
+SharedEnds endsOfBones(const std::vector<std::string>& names) {
+  return sharedEnds(std::vector<std::string_view>(names.begin(), names.end()));
+}
+
+SharedEnds endsOfMuscles(const Rig& rig) {
+  std::vector<std::string_view> names;
+  for (const Primitive& primitive : rig.primitives) names.emplace_back(primitive.name);
+  return sharedEnds(names);
+}
+
+OutlinerContent gather(const EditorState& state) {
+  const Skeleton& skeleton = state.character().skeleton;
+  OutlinerContent frame{state.document.commands.sharedRig(), skeleton, {}, {}, {}, {}, 0.0f, {}, {}, {}, {}};
+  frame.boneOf = boneOfEach(*frame.rig, skeleton);
+  frame.effective = effectiveVisibility(state.document.visibility, *frame.rig, skeleton, frame.boneOf);
+  if (editsTerritory(state)) {
+    frame.territory.assign(skeleton.bones.size(), false);
+    for (const int bone : shownTerritory(state)) at(frame.territory, bone) = true;
+  }
+  frame.boneNames = shownBoneNames(skeleton);
+  frame.boneEnds = endsOfBones(frame.boneNames);
+  frame.muscleEnds = endsOfMuscles(*frame.rig);
+  const OutlinerState& outliner = state.view.outliner;
+  frame.hiddenBones = hiddenBones(state);
+  frame.rows = outlinerRows(*frame.rig, skeleton, frame.boneOf,
+                            {state.view.outlinerFilter, outliner.onlyWithMuscles, &outliner.folded,
+                             outliner.unattachedFolded, outliner.order, frame.hiddenBones});
+  return frame;
+}
+
+std::string helperHint(std::ptrdiff_t count) {
+  if (count == 0) return "Skin follows every bone: there are no helper bones";
+  return (count == 1 ? std::string("1 helper bone") : std::to_string(count) + " helper bones") +
+         ": show bones that no skin follows, such as targets, poles and ends";
+}
+
+void drawSearch(PanelUi& ui) {
+  const float button = ImGui::GetFrameHeight();
+  const float width = ImGui::GetContentRegionAvail().x - 2.0f * (button + ui.px(4));
+  const std::string hint = fitted("Search muscles and bones", width - 2.0f * ImGui::GetStyle().FramePadding.x);
+  ImGui::SetNextItemWidth(width);
+  ImGui::InputTextWithHint("##search", hint.c_str(), &ui.state.view.outlinerFilter);
+  ui.widgets.note("outliner/search");
+  ImGui::SameLine(0.0f, ui.px(4));
+  bool& only = ui.state.view.outliner.onlyWithMuscles;
+  if (iconButton(ui, "outliner/only-with-muscles", Icon::kFilter, only, button,
+                 "Only bones with muscles on them or below")) {
+    only = !only;
+  }
+  ImGui::SameLine(0.0f, ui.px(4));
+  bool& helpers = ui.state.view.outliner.helperBones;
+  const std::ptrdiff_t count = std::ranges::count(ui.state.open.helperBones, true);
+  ImGui::BeginDisabled(count == 0);
+  if (iconButton(ui, "outliner/helper-bones", Icon::kBone, helpers && count > 0, button, helperHint(count))) {
+    helpers = !helpers;
+  }
+  ImGui::EndDisabled();
+}
+
+/// What the muscles stand under.
+void drawOrder(PanelUi& ui) {
+  constexpr const char* kWords[] = {"Bones", "Regions", "Groups"};
+  OutlinerOrder& order = ui.state.view.outliner.order;
+  const int chosen =
+      segmented(ui, "outliner/order", kWords, 3, static_cast<int>(order), ImGui::GetContentRegionAvail().x);
+  if (chosen >= 0) order = static_cast<OutlinerOrder>(chosen);
+}
+
+/// Scrolls once to a muscle that has just become the active one.
+void reveal(PanelUi& ui, const OutlinerContent& frame) {
+  EditorState& state = ui.state;
+  const int index = state.document.activePrimitive();
+  if (index < 0 || static_cast<std::size_t>(index) >= frame.rig->primitives.size()) return;
+  const PrimitiveId active = at(frame.rig->primitives, index).id();
+  if (active == state.open.revealed) return;
+  const auto found = std::ranges::find_if(
+      frame.rows, [&](const OutlinerRow& row) { return row.kind == RowKind::kMuscle && row.index == index; });
+  if (found == frame.rows.end()) {
+    const int bone = at(frame.boneOf, index);
+    if (bone < 0) state.view.outliner.unattachedFolded = false;
+    unfoldTo(state, bone);
+    unfoldParts(state, index);
+    // Found with the next frame, unless the search leaves it out.
+    if (!state.view.outlinerFilter.empty()) state.open.revealed = active;
+    return;
+  }
+  state.open.revealed = active;
+  const float top = static_cast<float>(found - frame.rows.begin()) * frame.rowHeight;
+  const float height = ImGui::GetWindowHeight();
+  if (top < ImGui::GetScrollY() || top + frame.rowHeight > ImGui::GetScrollY() + height) {
+    ImGui::SetScrollY(std::max(0.0f, top - 0.4f * height));
+  }
+}
+
+void keyboard(PanelUi& ui, const OutlinerContent& frame) {
+  const ImGuiIO& io = ImGui::GetIO();
+  if (!ImGui::IsWindowFocused() || io.WantTextInput || io.KeyCtrl || io.KeyAlt || frame.rows.empty()) return;
+  if (focusShown()) return;  // The arrows move the ring.
+  ui.state.frame.arrowsTaken = true;
+  if (ImGui::IsKeyPressed(GLFW_KEY_DOWN)) moveCursor(ui.state, frame.rows, 1, io.KeyShift);
+  if (ImGui::IsKeyPressed(GLFW_KEY_UP)) moveCursor(ui.state, frame.rows, -1, io.KeyShift);
+}
+
+void drawRows(PanelUi& ui) {
+  OutlinerContent frame = gather(ui.state);
+  frame.rowHeight = ImGui::GetTextLineHeight() + ui.px(6);
+  reveal(ui, frame);
+  keyboard(ui, frame);
+  if (frame.rows.empty()) {
+    ImGui::Dummy({0.0f, ui.px(6)});
+    ImGui::PushTextWrapPos(0.0f);
+    const std::string start = howToStart(ui, action("tool/add-muscle"));
+    mutedText(ui.state.view.outlinerFilter.empty() ? ("No muscles yet: " + start + " and drag on the skin.").c_str()
+              : frame.hiddenBones.empty()          ? "Nothing found."
+                                                   : "Nothing found. Helper bones are hidden.");
+    ImGui::PopTextWrapPos();
+  }
+  ImGuiListClipper clipper;
+  clipper.Begin(static_cast<int>(frame.rows.size()), frame.rowHeight);
+  while (clipper.Step()) {
+    for (int row = clipper.DisplayStart; row < clipper.DisplayEnd; ++row) drawOutlinerRow(ui, frame, row);
+  }
+}
+
+/// What is hidden, and a button that shows it again.
+void drawFooter(PanelUi& ui, const std::string& text) {
+  ImGui::Separator();
+  ImGui::AlignTextToFramePadding();
+  const float button = ImGui::CalcTextSize("Show all").x + 2.0f * ImGui::GetStyle().FramePadding.x;
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float room = ImGui::GetContentRegionAvail().x - button - ui.px(6);
+  const bool cut = clippedText(*ImGui::GetWindowDrawList(), {at.x, at.y + ImGui::GetStyle().FramePadding.y}, room,
+                               palette::kMuted.packed(), text);
+  const ImVec2 end{at.x + room, at.y + ImGui::GetFrameHeight()};
+  tooltipWhile(ui, cut && ImGui::IsWindowHovered() && ImGui::IsMouseHoveringRect(at, end), text);
+  ImGui::SetCursorScreenPos({at.x + room + ui.px(6), at.y});
+  if (ImGui::Button("Show all")) showAll(ui.state.document);
+  ui.widgets.note("outliner/show-all");
+}
+
+}  // namespace
+
+void drawOutliner(PanelUi& ui) {
+  drawSearch(ui);
+  drawOrder(ui);
+  const std::string away = anythingHidden(ui.state.document) ? hiddenText(ui.state.document) : "";
+  const bool footer = anythingHidden(ui.state.document);
+  const float below = footer ? ImGui::GetFrameHeightWithSpacing() + ImGui::GetStyle().ItemSpacing.y : 0.0f;
+  ImGui::BeginChild("outliner-tree", {0.0f, -below});
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0.0f, 0.0f});
+  drawRows(ui);
+  ImGui::PopStyleVar();
+  ImGui::EndChild();
+  if (footer) drawFooter(ui, away.empty() ? "Some bones are hidden" : away);
+}
+
+}  // namespace sinew::app

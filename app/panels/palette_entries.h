@@ -1,0 +1,42 @@
+// app/panels/palette_entries.h: everything that the palette can find, and what choosing it does.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "app/editor/actions.h"
+#include "app/panels/palette_controls.h"
+#include "app/panels/palette_search.h"
+#include "app/ui/icons.h"
+
+namespace sinew::app {
+
+enum class EntryKind { kAction, kPanel, kControl, kMuscle, kGroup, kBone, kPart, kClip, kSet, kPage, kFile };
+
+struct PaletteEntry {
+  EntryKind kind = EntryKind::kAction;
+  /// "file/save", "panel/learn", "control/surface/iso", "muscle/NAME", "group/NAME", "bone/NAME", "part/NAME",
+  /// "clip/NAME", "set/NAME", "set/NAME/MUSCLE", "page/opening", "sample/0", "recent/0"
+  std::string id;
+  const Action* action = nullptr;
+  const PaletteControl* control = nullptr;
+  PrimitiveId muscle = {};
+  std::filesystem::path file = {};
+  SetEntry set = {};
+  /// Of kPanel: into panelCommands(); kClip: the clip, -1: the bind pose; kBone; kPart; kGroup;
+  /// kPage: into helpPages().
+  int place = -1;
+  std::string why = {};  ///< Why it cannot be done now; "" if it can.
+};
+
+struct PaletteEntries {
+  std::vector<PaletteEntry> entries;
+  std::vector<Candidate> candidates;  ///< The same rows.
+};
+
+[[nodiscard]] PaletteEntries gatherEntries(const EditorState& state);
+void chooseEntry(EditorState& state, const PaletteEntry& entry);
+[[nodiscard]] Icon iconOf(const PaletteEntry& entry);
+
+}  // namespace sinew::app

@@ -1,0 +1,280 @@
+// app/panels/surface_panel.cpp: how the surface is made: mode, tightness, skin blend; depth, rounding,
+// search.
+
+#include <imgui.h>
+#include "app/panels/animated_field.h"
+#include "app/panels/field_edit.h"
+#include "app/panels/inspector.h"
+
+#include <algorithm>
+#include <array>
+#include <string>
+
+#include "app/ui/number_field.h"
+#include "core/geometry/creases.h"
+#include "sinew/rig/rig_edit.h"
+
+namespace sinew::app {
+namespace {
+
+constexpr int kDepthOfSlider = 8;
+constexpr const char* kAutoLabel = "Auto";
+constexpr float kIsoRange[] = {0.05f, 0.9f};
+constexpr float kBlendRange[] = {0.5f, 15.0f};  // Per cent of the height.
+
+/// What the interface calls a value, and what it does, with the term in brackets.
+struct Word {
+  const char* name;
+  const char* hint;
+};
+
+Word wordFor(SurfaceMode mode) {
+  if (mode == SurfaceMode::kSwell) return {"Swell", "The skin rises over the muscles"};
+  return {"Replace", "The muscles become the surface"};
+}
+
+Word wordFor(PatchKind patch) {
+  switch (patch) {
+    case PatchKind::kPn:
+      return {"Smooth", "Round, along the normals of the vertices (PN triangles)"};
+    case PatchKind::kPhong:
+      return {"Soft", "Rounder than flat, with the least work (Phong tessellation)"};
+    case PatchKind::kSpherigon:
+      return {"Full", "As parts of spheres: the fullest shape (spherigon)"};
+    case PatchKind::kFlat:
+      break;
+  }
+  return {"Flat", "The triangles of the file as they are"};
+}
+
+Word wordFor(ProjectionKind kind) {
+  switch (kind) {
+    case ProjectionKind::kNewton:
+      return {"Fast", "A few steps along the slope (Newton)"};
+    case ProjectionKind::kBisection:
+      return {"Careful", "Halves the distance until it is found (bisection)"};
+    case ProjectionKind::kAnalytic:
+      break;
+  }
+  return {"Exact", "Solves for the surface piece by piece (analytic)"};
+}
+
+Word wordFor(DetailKind detail) {
+  if (detail == DetailKind::kAdaptive)
+    return {"Adaptive", "Fine where muscles shape the skin, coarse where it is flat"};
+  return {"Uniform", "Every triangle of the file becomes depth x depth triangles (N-adic)"};
+}
+
+/// A choice among named values. @param apply  (value) -> Result<Rig>
+template <class Kind, std::size_t kCount, class Apply>
+void choiceRow(PanelUi& ui, const char* label, const std::string& id, Kind current,
+               const std::array<Kind, kCount>& kinds, const std::string& hint, Apply apply) {
+  beginRow(ui, label);
+  const bool open = ImGui::BeginCombo(("##" + id).c_str(), wordFor(current).name);
+  ui.widgets.note(id);
+  if (!open) {
+    tooltip(ui, hint + "\n" + wordFor(current).name + ": " + wordFor(current).hint + ".");
+    return;
+  }
+  for (const Kind kind : kinds) {
+    const bool chosen = ImGui::Selectable(wordFor(kind).name, kind == current);
+    ui.widgets.note(id + "/" + nameOf(kind));
+    tooltip(ui, wordFor(kind).hint);
+    if (chosen && kind != current) edit(ui.state, label, apply(kind));
+  }
+  ImGui::EndCombo();
+}
+
+/// Whether depth or tolerance follow the size on screen.
+template <class Changed>
+void autoBox(PanelUi& ui, const SmoothingSettings& before, const char* hint, Changed changed) {
+  ImGui::SameLine();
+  bool automatic = before.autoDepth;
+  const bool switched = ImGui::Checkbox(kAutoLabel, &automatic);
+  ui.widgets.note("smoothing/auto");
+  tooltip(ui, hint);
+  if (switched) edit(ui.state, "Auto detail", changed([&](SmoothingSettings& s) { s.autoDepth = automatic; }));
+}
+
+float besideAutoBox() {
+  const float box = ImGui::GetFrameHeight() + ImGui::GetStyle().ItemInnerSpacing.x + ImGui::CalcTextSize(kAutoLabel).x;
+  return ImGui::GetContentRegionAvail().x - box - ImGui::GetStyle().ItemSpacing.x;
+}
+
+/// The slider is shown but not moved while the depth follows the size on screen.
+template <class Changed>
+void depthRow(PanelUi& ui, const SmoothingSettings& before, Changed changed) {
+  beginRow(ui, "Depth");
+  const float width = besideAutoBox();
+  const char* format = before.autoDepth && width > ui.px(64) ? "auto: %.0f" : "%.0f";
+  ImGui::SetNextItemWidth(width);
+  const int shown = before.autoDepth ? ui.state.live->depth() : before.depth;
+  auto depth = static_cast<float>(shown);
+  NumberLook look{format, 0.0f, 1.0f, static_cast<float>(std::max(kDepthOfSlider, shown)), 1.0f, true};
+  Typing typing;
+  look.typing = &typing;
+  ImGui::BeginDisabled(before.autoDepth);
+  const bool edited = numberSlider(ui, "##depth", depth, look);
+  editNumber(
+      ui, "smoothing/depth", "Depth", edited && !before.autoDepth, typing,
+      [&] { return changed([&](SmoothingSettings& s) { s.depth = static_cast<int>(depth); }); },
+      [](const Rig& rig) { return std::to_string(rig.smoothing.depth); });
+  ImGui::EndDisabled();
+  tooltip(ui, "How fine the skin is: every triangle of the file becomes depth x depth triangles.");
+  autoBox(ui, before, "Chooses the depth from the character's size on screen. Exported files use the depth set here.",
+          changed);
+}
+
+/// Of adaptive detail, in per cent of the height.
+template <class Changed>
+void toleranceRow(PanelUi& ui, const SmoothingSettings& before, Changed changed) {
+  constexpr float kPercent = 100.0f;
+  beginRow(ui, "Tolerance");
+  const float width = besideAutoBox();
+  const char* format = before.autoDepth && width > ui.px(84) ? "auto: %.2f %%" : "%.2f %%";
+  ImGui::SetNextItemWidth(width);
+  float percent = kPercent * (before.autoDepth ? ui.state.live->tolerance() : before.tolerance);
+  NumberLook look{format, 0.0f, kPercent * kLeastTolerance, kPercent * kMostTolerance, 0.01f, false, true};
+  Typing typing;
+  look.typing = &typing;
+  ImGui::BeginDisabled(before.autoDepth);
+  const bool edited = numberSlider(ui, "##tolerance", percent, look);
+  editNumber(
+      ui, "smoothing/tolerance", "Tolerance", edited && !before.autoDepth, typing,
+      [&] { return changed([&](SmoothingSettings& s) { s.tolerance = percent / kPercent; }); },
+      [](const Rig& rig) { return numberText("%.2f %%", kPercent * rig.smoothing.tolerance); });
+  ImGui::EndDisabled();
+  tooltip(ui, "How far triangles may lie off the smooth surface, per cent of the character's height.");
+  autoBox(
+      ui, before,
+      "Chooses the tolerance from the character's size on screen: half a pixel. Exported files use the one set here.",
+      changed);
+}
+
+template <class Changed>
+void creaseRow(PanelUi& ui, const SmoothingSettings& before, Changed changed) {
+  beginRow(ui, "Crease");
+  float degrees = before.creaseAngle;
+  const char* format = degrees >= kNoCreases ? "smooth" : "%.0f\xc2\xb0";
+  NumberLook look{format, 0.0f, 0.0f, kNoCreases, 15.0f};
+  Typing typing;
+  look.typing = &typing;
+  const bool edited = numberSlider(ui, "##crease", degrees, look);
+  editNumber(
+      ui, "smoothing/crease", "Crease angle", edited, typing,
+      [&] { return changed([&](SmoothingSettings& s) { s.creaseAngle = degrees; }); },
+      [](const Rig& rig) { return numberText("%.0f\xc2\xb0", rig.smoothing.creaseAngle); });
+  tooltip(ui, "Faces that meet at a sharper angle than this keep a hard edge. 180: smooth everywhere.");
+}
+
+template <class Changed>
+void skinBlendRow(PanelUi& ui, const SurfaceSettings& before, Changed changed) {
+  beginRow(ui, "Skin blend");
+  constexpr float kPercent = 100.0f;
+  const char* const id = "surface/skin-blend";
+  const AnimatedField animated{{{Parameter::kSkinBlend, 0}}, {kPercent}, "%.1f %%"};
+  const AnimatedLook animation = lookOf(ui, animated);
+  NumberLook look{animated.format, 0.0f, kBlendRange[0], kBlendRange[1], 0.5f, false, true};
+  const auto menu = [&] {
+    if (!ImGui::BeginPopupContextItem(id)) return;
+    animationMenu(ui, animated);
+    ImGui::EndPopup();
+  };
+  if (animation.beingSet) {
+    look.speed = 0.02f;
+    look.logarithmic = false;
+    drawDrivenKeyField(ui, id, animated, look);
+    return menu();
+  }
+  float percent = before.skinBlend * kPercent;
+  look.clampTyped = false;
+  Typing typing;
+  look.typing = &typing;
+  pushAnimatedColors(animation);
+  const bool edited = numberSlider(ui, "##blend", percent, look);
+  popAnimatedColors(ui, animation);
+  notePointed(ui, animated);
+  editNumber(
+      ui, id, "Skin blend", edited, typing,
+      [&] { return changed([&](SurfaceSettings& s) { s.skinBlend = percent / kPercent; }); },
+      [&](const Rig& rig) { return numberText(look.format, kPercent * rig.surface.skinBlend); });
+  tooltip(ui, animation.words +
+                  "How softly the skin rises into a muscle, in percent of the character's height. Small muscles blend "
+                  "over their own size at most.\nRight click: key, drive.");
+  menu();
+}
+
+/// Why `replace` shows less than the designer placed: it needs muscles that wrap the body.
+void replaceNote(PanelUi& ui) {
+  const bool plays = ui.state.open.transport.playing;
+  const SmoothingReport& report = plays ? ui.state.live->report() : ui.state.live->surface().report;
+  if (report.mode != SurfaceMode::kReplace || report.unwrapped == 0) return;
+  std::string text = "Muscles do not wrap this body: only skin inside a muscle rises, the rest stays as it is.";
+  const auto carves = [](const Primitive& p) { return p.sign < 0; };
+  if (std::ranges::any_of(ui.state.document.rig().primitives, carves)) {
+    text += " Carves cut into muscles, not into bare skin.";
+  }
+  text += " Swell is made for muscles that lie in the skin.";
+  ImGui::PushTextWrapPos(0.0f);
+  ImGui::PushStyleColor(ImGuiCol_Text, palette::kWarning);
+  ImGui::TextUnformatted(text.c_str());
+  ImGui::PopStyleColor();
+  ui.widgets.note("surface/replace-note");
+  ImGui::PopTextWrapPos();
+}
+
+}  // namespace
+
+void drawSurfacePanel(PanelUi& ui) {
+  const SurfaceSettings before = ui.state.document.rig().surface;
+  const auto changed = [&](auto change) {
+    SurfaceSettings settings = before;
+    change(settings);
+    return setSurface(ui.state.document.rig(), settings);
+  };
+  choiceRow(ui, "Mode", "surface/mode", before.mode, std::array{SurfaceMode::kSwell, SurfaceMode::kReplace},
+            "How muscles show in the skin.",
+            [&](SurfaceMode mode) { return changed([&](SurfaceSettings& s) { s.mode = mode; }); });
+  replaceNote(ui);
+  beginRow(ui, "Tightness");
+  float iso = before.iso;
+  NumberLook isoLook{"%.3f", 0.0f, kIsoRange[0], kIsoRange[1], 0.05f};
+  isoLook.clampTyped = false;
+  Typing typing;
+  isoLook.typing = &typing;
+  const bool edited = numberSlider(ui, "##iso", iso, isoLook);
+  editNumber(
+      ui, "surface/iso", "Tightness", edited, typing, [&] { return changed([&](SurfaceSettings& s) { s.iso = iso; }); },
+      [&](const Rig& rig) { return numberText(isoLook.format, rig.surface.iso); });
+  tooltip(
+      ui,
+      "How tightly the skin lies around muscles that blend: higher is tighter. A muscle on its own keeps its radii. "
+      "(Iso value of the field.)");
+  skinBlendRow(ui, before, changed);
+  drawSurfaceAnimation(ui);
+}
+
+void drawSmoothingPanel(PanelUi& ui) {
+  const SmoothingSettings before = ui.state.document.rig().smoothing;
+  const auto changed = [&](auto change) {
+    SmoothingSettings settings = before;
+    change(settings);
+    return setSmoothing(ui.state.document.rig(), settings);
+  };
+  if (before.detail == DetailKind::kAdaptive) toleranceRow(ui, before, changed);
+  else depthRow(ui, before, changed);
+  choiceRow(ui, "Detail", "smoothing/detail", before.detail, std::array{DetailKind::kAdaptive, DetailKind::kUniform},
+            "How finely the file's triangles are divided.",
+            [&](DetailKind detail) { return changed([&](SmoothingSettings& s) { s.detail = detail; }); });
+  choiceRow(ui, "Rounding", "smoothing/patch", before.patch,
+            std::array{PatchKind::kPn, PatchKind::kPhong, PatchKind::kSpherigon, PatchKind::kFlat},
+            "How the skin curves between the file's vertices (patch).",
+            [&](PatchKind patch) { return changed([&](SmoothingSettings& s) { s.patch = patch; }); });
+  choiceRow(ui, "Search", "smoothing/projection", before.projection,
+            std::array{ProjectionKind::kNewton, ProjectionKind::kBisection, ProjectionKind::kAnalytic},
+            "How the place of a vertex on the muscles is found (projection).",
+            [&](ProjectionKind kind) { return changed([&](SmoothingSettings& s) { s.projection = kind; }); });
+  creaseRow(ui, before, changed);
+}
+
+}  // namespace sinew::app

@@ -1,0 +1,40 @@
+// app/ui/frame_stats.h: how long frames took over the last two seconds.
+#pragma once
+
+#include <deque>
+
+#include "sinew/surface/surface.h"
+
+namespace sinew::app {
+
+inline constexpr double kStatsSeconds = 2.0;
+
+/// Durations of the frames of the last kStatsSeconds. Milliseconds.
+class FrameStats {
+ public:
+  /// @param now seconds on a clock that only grows.
+  void add(double now, double milliseconds);
+
+  [[nodiscard]] double now() const { return frames_.empty() ? 0.0 : frames_.back().milliseconds; }
+  [[nodiscard]] double median() const;
+  [[nodiscard]] double worst() const;
+  [[nodiscard]] double framesPerSecond() const;  ///< From the median; 0 before the first frame.
+  [[nodiscard]] int count() const { return static_cast<int>(frames_.size()); }
+  [[nodiscard]] double at(int index) const { return frames_[static_cast<std::size_t>(index)].milliseconds; }
+
+  // Stages of the last frame, seconds.
+  StageSeconds stages;
+  double prepare = 0.0;  ///< After an edit; 0 in frames without one.
+  double upload = 0.0;
+  double draw = 0.0;
+  double ui = 0.0;  ///< Keys, panels and tools: what a frame costs besides pose, surface and picture.
+
+ private:
+  struct Sample {
+    double time = 0.0;
+    double milliseconds = 0.0;
+  };
+  std::deque<Sample> frames_;
+};
+
+}  // namespace sinew::app

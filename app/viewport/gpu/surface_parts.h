@@ -1,0 +1,21 @@
+// app/viewport/gpu/surface_parts.h: what a surface's time on the graphics card is told by.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <numeric>
+
+namespace sinew::app {
+
+/// As StageSeconds of the processor.
+enum class SurfacePart { kSkin, kPatch, kProject, kHeights, kFolds, kNormals, kDrawn };
+inline constexpr std::size_t kSurfaceParts = static_cast<std::size_t>(SurfacePart::kDrawn) + 1;
+[[nodiscard]] const char* nameOf(SurfacePart part);
+
+/// Seconds by part.
+using PartSeconds = std::array<double, kSurfaceParts>;
+[[nodiscard]] inline double total(const PartSeconds& seconds) {
+  return std::accumulate(seconds.begin(), seconds.end(), 0.0);
+}
+
+}  // namespace sinew::app

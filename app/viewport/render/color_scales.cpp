@@ -1,0 +1,108 @@
+// app/viewport/render/color_scales.cpp: the heat map's scale and the colors of triangle classes.
+#include "app/viewport/render/color_scales.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace sinew::app {
+namespace {
+
+float decoded(float s) { return s <= 0.04045f ? s / 12.92f : std::pow((s + 0.055f) / 1.055f, 2.4f); }
+float encoded(float l) { return l <= 0.0031308f ? 12.92f * l : 1.055f * std::pow(l, 1.0f / 2.4f) - 0.055f; }
+
+/// Lightness 0..1, chroma, hue in radians -> sRGB, clamped into what a screen shows.
+glm::vec3 fromOklch(float lightness, float chroma, float hue) {
+  const float a = chroma * std::cos(hue), b = chroma * std::sin(hue);
+  const auto cubed = [](float x) { return x * x * x; };
+  const float l = cubed(lightness + 0.3963377774f * a + 0.2158037573f * b);
+  const float m = cubed(lightness - 0.1055613458f * a - 0.0638541728f * b);
+  const float s = cubed(lightness - 0.0894841775f * a - 1.2914855480f * b);
+  const glm::vec3 linear(4.0767416621f * l - 3.3077115913f * m + 0.2309699292f * s,
+                         -1.2684380046f * l + 2.6097574011f * m - 0.3413193965f * s,
+                         -0.0041960863f * l - 0.7034186147f * m + 1.7076147010f * s);
+  return srgbFromLinear(glm::clamp(linear, glm::vec3(0.0f), glm::vec3(1.0f)));
+}
+
+constexpr float kMiddleLightness = 0.78f;
+constexpr float kEndLightness = 0.44f;
+constexpr float kMostChroma = 0.19f;
+constexpr float kInwardsHue = 4.53f;   ///< Blue.
+constexpr float kOutwardsHue = 0.60f;  ///< Vermilion.
+
+std::array<glm::vec3, 9> makeHeatStops() {
+  std::array<glm::vec3, 9> stops{};
+  for (std::size_t i = 0; i < stops.size(); ++i) {
+    const float x = static_cast<float>(i) / 4.0f - 1.0f;
+    const float far = std::abs(x);
+    const float lightness = kMiddleLightness + (kEndLightness - kMiddleLightness) * far;
+    // Chroma grows fast at first: a little displacement is already a color.
+    const float chroma = kMostChroma * std::pow(far, 0.7f) + 0.004f;
+    stops[i] = fromOklch(lightness, chroma, x < 0.0f ? kInwardsHue : kOutwardsHue);
+  }
+  return stops;
+}
+
+}  // namespace
+
+glm::vec3 linearFromSrgb(const glm::vec3& srgb) { return {decoded(srgb.r), decoded(srgb.g), decoded(srgb.b)}; }
+glm::vec3 srgbFromLinear(const glm::vec3& linear) { return {encoded(linear.r), encoded(linear.g), encoded(linear.b)}; }
+
+const std::array<glm::vec3, 9>& heatStops() {
+  static const std::array<glm::vec3, 9> stops = makeHeatStops();
+  return stops;
+}
+
+glm::vec3 heatColor(float x) {
+  const auto& stops = heatStops();
+  if (x <= -1.0f) return stops.front();
+  if (x >= 1.0f) return stops.back();
+  const float at = (x * 0.5f + 0.5f) * static_cast<float>(stops.size() - 1);
+  const auto low = std::min(static_cast<std::size_t>(at), stops.size() - 2);
+  const float share = at - static_cast<float>(low);
+  return srgbFromLinear(glm::mix(linearFromSrgb(stops[low]), linearFromSrgb(stops[low + 1]), share));
+}
+
+const std::array<ClassColor, 3>& classColors() {
+  static const std::array<ClassColor, 3> colors{
+      {{TriangleClass::kNormal, "Plain skin", "No muscle reaches them (normal)", {0.36f, 0.49f, 0.66f}},
+       {TriangleClass::kStraddling,
+        "At edges",
+        "Muscles reach some of their corners (straddling)",
+        {0.85f, 0.71f, 0.42f}},
+       {TriangleClass::kImplicit, "On muscles", "Muscles shape them (implicit)", {0.80f, 0.46f, 0.38f}}}};
+  return colors;
+}
+
+const std::array<LayerColor, 3>& layerColors() {
+  static const std::array<LayerColor, 3> colors{
+      {{SkinLayer::kSkin, "Skin", "Muscles push it", fromOklch(0.74f, 0.13f, 0.60f)},
+       {SkinLayer::kCloth, "Cloth", "It follows the skin under it", fromOklch(0.74f, 0.12f, 5.10f)},
+       {SkinLayer::kRigid, "Rigid", "Muscles leave it as it is", fromOklch(0.74f, 0.12f, 2.55f)}}};
+  return colors;
+}
+
+std::size_t zoneOf(TriangleClass kind, SkinLayer layer) {
+  if (layer == SkinLayer::kSkin) return static_cast<std::size_t>(kind);
+  return classColors().size() + static_cast<std::size_t>(layer) - 1;
+}
+
+glm::vec3 zoneColor(std::size_t zone) {
+  const std::size_t classes = classColors().size();
+  return zone < classes ? classColors()[zone].srgb : layerColors()[zone - classes + 1].srgb;
+}
+
+const LayerColor& layerColor(SkinLayer layer) { return layerColors()[static_cast<std::size_t>(layer)]; }
+
+int levelShown(const Refinement& refinement, int triangle) {
+  const auto pieces = static_cast<float>(refinement.refinedTriangles(triangle));
+  return std::clamp(static_cast<int>(std::lround(std::sqrt(pieces))), 1, kMaxDepth);
+}
+
+float levelShade(int level) { return glm::mix(1.3f, 0.22f, std::log2(static_cast<float>(level)) / 4.0f); }
+
+glm::vec3 fleshColor(float activation) {
+  constexpr glm::vec3 kLoose{0.585f, 0.340f, 0.308f}, kFlexed{0.632f, 0.105f, 0.115f};
+  return srgbFromLinear(glm::mix(linearFromSrgb(kLoose), linearFromSrgb(kFlexed), std::clamp(activation, 0.0f, 1.0f)));
+}
+
+}  // namespace sinew::app

@@ -1,0 +1,184 @@
+// app/viewport/render/gl_objects.cpp: making OpenGL objects; shaders from files.
+#include "app/viewport/render/gl_objects.h"
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string_view>
+#include <vector>
+
+#include <glm/gtc/type_ptr.hpp>
+
+#include "app/ui/data_files.h"
+
+namespace sinew::app {
+namespace {
+
+Result<std::string> readShader(const std::filesystem::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  if (!stream)
+    return Error{file.string(), "", "cannot be read; is Sinew installed whole? (SINEW_DATA_DIR names its data folder)"};
+  return std::string(std::istreambuf_iterator<char>(stream), {});
+}
+
+/// Replaces `#include "name"` lines, one level deep, and puts the defines under the version line (the first).
+/// #line keeps the driver's line numbers those of the file.
+Result<std::string> expand(const std::string& source, std::initializer_list<const char*> define) {
+  constexpr std::string_view kInclude = "#include \"";
+  std::string out;
+  int line = 0;
+  for (std::size_t at = 0; at < source.size();) {
+    const std::size_t end = std::min(source.find('\n', at), source.size());
+    const std::string_view text = std::string_view(source).substr(at, end - at);
+    at = end + 1;
+    ++line;
+    if (!text.starts_with(kInclude)) {
+      out.append(text).append("\n");
+      if (line > 1) continue;
+      for (const char* name : define) out.append("#define ").append(name).append(" 1\n");
+      out.append("#line 2\n");
+      continue;
+    }
+    const std::string_view rest = text.substr(kInclude.size());
+    const std::string name(rest.substr(0, rest.find('"')));
+    const Result<std::string> included = readShader(dataFile(std::filesystem::path("shaders") / name));
+    if (!included) return included.error();
+    out.append(included.value()).append("\n#line ").append(std::to_string(line + 1)).append("\n");
+  }
+  return out;
+}
+
+GLenum stageOf(const std::filesystem::path& file) {
+  const std::string ending = file.extension().string();
+  if (ending == ".vert") return GL_VERTEX_SHADER;
+  if (ending == ".geom") return GL_GEOMETRY_SHADER;
+  if (ending == ".comp") return GL_COMPUTE_SHADER;
+  assert(ending == ".frag");
+  return GL_FRAGMENT_SHADER;
+}
+
+std::string firstLine(const std::string& log) { return log.substr(0, log.find_first_of("\n\r")); }
+
+Result<GlShader> compileShader(const char* name, std::initializer_list<const char*> define) {
+  const std::filesystem::path file = dataFile(name);
+  const Result<std::string> raw = readShader(file);
+  if (!raw) return raw.error();
+  const Result<std::string> source = expand(raw.value(), define);
+  if (!source) return source.error();
+  GlShader shader(glCreateShader(stageOf(file)));
+  const char* text = source->c_str();
+  glShaderSource(shader.id(), 1, &text, nullptr);
+  glCompileShader(shader.id());
+  GLint compiled = GL_FALSE;
+  glGetShaderiv(shader.id(), GL_COMPILE_STATUS, &compiled);
+  if (compiled == GL_TRUE) return shader;
+  std::string log(4096, '\0');
+  GLsizei length = 0;
+  glGetShaderInfoLog(shader.id(), static_cast<GLsizei>(log.size()), &length, log.data());
+  log.resize(static_cast<std::size_t>(length));
+  return Error{file.string(), "", "the graphics driver refuses this shader: " + firstLine(log)};
+}
+
+}  // namespace
+
+GlBuffer makeBuffer() {
+  GLuint id = 0;
+  glCreateBuffers(1, &id);
+  return GlBuffer(id);
+}
+
+GlVertexArray makeVertexArray() {
+  GLuint id = 0;
+  glCreateVertexArrays(1, &id);
+  return GlVertexArray(id);
+}
+
+GlTexture makeTexture(GLenum target) {
+  GLuint id = 0;
+  glCreateTextures(target, 1, &id);
+  return GlTexture(id);
+}
+
+GlRenderbuffer makeRenderbuffer() {
+  GLuint id = 0;
+  glCreateRenderbuffers(1, &id);
+  return GlRenderbuffer(id);
+}
+
+GlFramebuffer makeFramebuffer() {
+  GLuint id = 0;
+  glCreateFramebuffers(1, &id);
+  return GlFramebuffer(id);
+}
+
+GlQuery makeQuery(GLenum target) {
+  GLuint id = 0;
+  glCreateQueries(target, 1, &id);
+  return GlQuery(id);
+}
+
+void setAttribute(GLuint array, GLuint location, GLuint binding, GLint count, std::size_t offset) {
+  glEnableVertexArrayAttrib(array, location);
+  glVertexArrayAttribFormat(array, location, count, GL_FLOAT, GL_FALSE, static_cast<GLuint>(offset));
+  glVertexArrayAttribBinding(array, location, binding);
+}
+
+Result<GlProgram> GlProgram::load(std::initializer_list<const char*> files, std::initializer_list<const char*> define) {
+  GlProgram program;
+  program.program_ = GlObject<GlProgramTraits>(glCreateProgram());
+  std::vector<GlShader> shaders;
+  for (const char* file : files) {
+    Result<GlShader> shader = compileShader(file, define);
+    if (!shader) return shader.error();
+    glAttachShader(program.id(), shader->id());
+    shaders.push_back(std::move(shader).value());
+  }
+  glLinkProgram(program.id());
+  for (const GlShader& shader : shaders) glDetachShader(program.id(), shader.id());
+  GLint linked = GL_FALSE;
+  glGetProgramiv(program.id(), GL_LINK_STATUS, &linked);
+  if (linked == GL_TRUE) return program;
+  std::string log(4096, '\0');
+  GLsizei length = 0;
+  glGetProgramInfoLog(program.id(), static_cast<GLsizei>(log.size()), &length, log.data());
+  log.resize(static_cast<std::size_t>(length));
+  return Error{dataFile(*files.begin()).string(), "", "the graphics driver cannot link this shader: " + firstLine(log)};
+}
+
+void GlProgram::set(const char* name, int value) const { glProgramUniform1i(id(), location(name), value); }
+void GlProgram::set(const char* name, float value) const { glProgramUniform1f(id(), location(name), value); }
+void GlProgram::set(const char* name, const glm::vec2& value) const {
+  glProgramUniform2fv(id(), location(name), 1, glm::value_ptr(value));
+}
+void GlProgram::set(const char* name, const glm::vec3& value) const {
+  glProgramUniform3fv(id(), location(name), 1, glm::value_ptr(value));
+}
+void GlProgram::set(const char* name, const glm::vec4& value) const {
+  glProgramUniform4fv(id(), location(name), 1, glm::value_ptr(value));
+}
+void GlProgram::set(const char* name, const glm::ivec2& value) const {
+  glProgramUniform2iv(id(), location(name), 1, glm::value_ptr(value));
+}
+void GlProgram::set(const char* name, const glm::mat3& value) const {
+  glProgramUniformMatrix3fv(id(), location(name), 1, GL_FALSE, glm::value_ptr(value));
+}
+void GlProgram::set(const char* name, const glm::mat4& value) const {
+  glProgramUniformMatrix4fv(id(), location(name), 1, GL_FALSE, glm::value_ptr(value));
+}
+void GlProgram::set(const char* name, std::span<const glm::vec4> values) const {
+  if (values.empty()) return;
+  glProgramUniform4fv(id(), location(name), static_cast<GLsizei>(values.size()), glm::value_ptr(values.front()));
+}
+
+std::string rendererName() {
+  const GLubyte* name = glGetString(GL_RENDERER);
+  return name == nullptr ? std::string("unknown") : std::string(reinterpret_cast<const char*>(name));
+}
+
+bool isSoftwareRenderer() {
+  const std::string name = rendererName();
+  return name.find("llvmpipe") != std::string::npos || name.find("softpipe") != std::string::npos ||
+         name.find("SwiftShader") != std::string::npos;
+}
+
+}  // namespace sinew::app

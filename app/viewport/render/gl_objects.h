@@ -1,0 +1,128 @@
+// app/viewport/render/gl_objects.h: OpenGL names that delete themselves. Made and destroyed with a current context.
+#pragma once
+
+#include <initializer_list>
+#include <span>
+#include <string>
+#include <utility>
+
+#include <epoxy/gl.h>
+
+#include "sinew/geometry/geometry.h"
+#include "sinew/geometry/result.h"
+
+namespace sinew::app {
+
+/// Owner of one OpenGL name; 0 owns nothing. Move-only.
+template <class Traits>
+class GlObject {
+ public:
+  GlObject() = default;
+  explicit GlObject(GLuint id) : id_(id) {}
+  ~GlObject() { reset(); }
+  GlObject(GlObject&& other) noexcept : id_(std::exchange(other.id_, 0)) {}
+  GlObject& operator=(GlObject&& other) noexcept {
+    if (this != &other) {
+      reset();
+      id_ = std::exchange(other.id_, 0);
+    }
+    return *this;
+  }
+  GlObject(const GlObject&) = delete;
+  GlObject& operator=(const GlObject&) = delete;
+
+  [[nodiscard]] GLuint id() const { return id_; }
+  [[nodiscard]] explicit operator bool() const { return id_ != 0; }
+  void reset() {
+    if (id_ != 0) Traits::destroy(id_);
+    id_ = 0;
+  }
+
+ private:
+  GLuint id_ = 0;
+};
+
+struct GlBufferTraits {
+  static void destroy(GLuint id) { glDeleteBuffers(1, &id); }
+};
+struct GlVertexArrayTraits {
+  static void destroy(GLuint id) { glDeleteVertexArrays(1, &id); }
+};
+struct GlTextureTraits {
+  static void destroy(GLuint id) { glDeleteTextures(1, &id); }
+};
+struct GlRenderbufferTraits {
+  static void destroy(GLuint id) { glDeleteRenderbuffers(1, &id); }
+};
+struct GlFramebufferTraits {
+  static void destroy(GLuint id) { glDeleteFramebuffers(1, &id); }
+};
+struct GlShaderTraits {
+  static void destroy(GLuint id) { glDeleteShader(id); }
+};
+struct GlQueryTraits {
+  static void destroy(GLuint id) { glDeleteQueries(1, &id); }
+};
+struct GlProgramTraits {
+  static void destroy(GLuint id) { glDeleteProgram(id); }
+};
+
+using GlBuffer = GlObject<GlBufferTraits>;
+using GlVertexArray = GlObject<GlVertexArrayTraits>;
+using GlTexture = GlObject<GlTextureTraits>;
+using GlRenderbuffer = GlObject<GlRenderbufferTraits>;
+using GlFramebuffer = GlObject<GlFramebufferTraits>;
+using GlQuery = GlObject<GlQueryTraits>;
+using GlShader = GlObject<GlShaderTraits>;
+
+[[nodiscard]] GlBuffer makeBuffer();
+[[nodiscard]] GlVertexArray makeVertexArray();
+[[nodiscard]] GlTexture makeTexture(GLenum target);
+[[nodiscard]] GlRenderbuffer makeRenderbuffer();
+[[nodiscard]] GlFramebuffer makeFramebuffer();
+[[nodiscard]] GlQuery makeQuery(GLenum target);
+
+/// An attribute of `count` floats at an offset in what is bound, made part of the array.
+void setAttribute(GLuint array, GLuint location, GLuint binding, GLint count, std::size_t offset);
+
+/// Replaces a buffer's bytes; the old storage is left to the driver, so a frame in flight is never waited for.
+template <class T>
+void uploadBuffer(const GlBuffer& buffer, std::span<const T> values, GLenum usage = GL_STREAM_DRAW) {
+  const auto bytes = static_cast<GLsizeiptr>(values.size_bytes());
+  glNamedBufferData(buffer.id(), bytes > 0 ? bytes : 4, bytes > 0 ? values.data() : nullptr, usage);
+}
+
+/// A linked shader program. Uniforms go by name; a name the linker removed is skipped.
+class GlProgram {
+ public:
+  GlProgram() = default;
+  /// @param files data files ("shaders/x.vert", ".geom", ".frag", or a ".comp" alone); a line `#include "y.glsl"`
+  /// takes in shaders/y.glsl.
+  /// Error: the file, and the driver's first complaint with its line.
+  /// @param define names defined as 1 in all of them.
+  [[nodiscard]] static Result<GlProgram> load(std::initializer_list<const char*> files,
+                                              std::initializer_list<const char*> define = {});
+
+  void use() const { glUseProgram(program_.id()); }
+  [[nodiscard]] GLuint id() const { return program_.id(); }
+  void set(const char* name, int value) const;
+  void set(const char* name, float value) const;
+  void set(const char* name, const glm::vec2& value) const;
+  void set(const char* name, const glm::vec3& value) const;
+  void set(const char* name, const glm::vec4& value) const;
+  void set(const char* name, const glm::ivec2& value) const;
+  void set(const char* name, const glm::mat3& value) const;
+  void set(const char* name, const glm::mat4& value) const;
+  void set(const char* name, std::span<const glm::vec4> values) const;
+
+ private:
+  [[nodiscard]] GLint location(const char* name) const { return glGetUniformLocation(program_.id(), name); }
+  GlObject<GlProgramTraits> program_;
+};
+
+/// "llvmpipe (LLVM 15.0.6, 256 bits)" and the like.
+[[nodiscard]] std::string rendererName();
+/// The processor draws: many samples are dear.
+[[nodiscard]] bool isSoftwareRenderer();
+
+}  // namespace sinew::app

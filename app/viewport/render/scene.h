@@ -1,0 +1,135 @@
+// app/viewport/render/scene.h: all that one picture shows, as plain references; nothing here owns.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "app/document/picture_look.h"
+#include "core/rig/posed_rig.h"
+#include "core/rig/tendons.h"
+#include "sinew/character/character.h"
+#include "sinew/character/pose.h"
+#include "sinew/rig/rig.h"
+#include "sinew/surface/surface.h"
+
+namespace sinew::app {
+
+enum class Shading { kTextured, kClay, kClasses, kHeat };
+
+/// What is shown and how. View state, not document state: never saved in a rig.
+struct DisplaySettings {
+  Shading shading = Shading::kTextured;
+  bool surface = true;
+  bool wire = false;           ///< Refined mesh's edges over the shading.
+  bool controlMesh = false;    ///< Edges of the skinned control mesh.
+  bool skeleton = false;       ///< In x-ray.
+  bool primitives = false;     ///< Visible ellipsoids, translucent.
+  bool influence = false;      ///< Their regions of influence, fainter.
+  bool anatomy = false;        ///< Muscles as flesh and tendons, the skin as glass over them.
+  bool cullBackFaces = false;  ///< Asks the surface's maker, not the drawer, to leave out what cannot be seen.
+  bool ground = true;          ///< Grid and shadow.
+  bool background = true;      ///< Off: transparent where nothing is drawn.
+  bool relief = false;         ///< Shading::kClay has the normal maps of the materials.
+  bool lighting = true;        ///< Off: Shading::kTextured shows the bare base color.
+  bool territory = true;       ///< Scene::territory as a tint on the skin.
+  bool segments = true;        ///< Scene::segments.
+  float lineScale = 1.0f;      ///< Factor on line, outline and dot widths, for dense displays.
+  PictureLook look;            ///< Light, background, ambient occlusion.
+  float heatRange = 0.05f;     ///< Displacement at the ends of the heat scale, fraction of the height, > 0.
+  float glass = 0.8f;          ///< With `anatomy`: how clear the skin is. 0: as without, 1: a faint rim is left.
+
+  friend bool operator==(const DisplaySettings&, const DisplaySettings&) = default;
+};
+
+/// The muscle line that a primitive rides, in the pose.
+struct ShapeLine {
+  LinePath path;
+  float activation = 0.0f;  ///< 0..1
+  float stretch = 1.0f;     ///< Length / rest length.
+
+  friend bool operator==(const ShapeLine&, const ShapeLine&) = default;
+};
+
+/// One primitive to draw.
+struct PrimitiveShape {
+  int rigIndex = 0;
+  glm::mat4 unitBallInWorld{1.0f};  ///< Unit ball -> visible ellipsoid; its shape is made of the ball before.
+  Shape shape{};
+  float reach = 1.4142135f;
+  int sign = 1;
+  glm::vec3 radii{1.0f};                 ///< As the rig has them: the same in every pose.
+  std::optional<ShapeLine> line;         ///< nullopt: it rides a bone.
+  glm::vec3 color{0.85f, 0.20f, 0.11f};  ///< Linear: its group's.
+  bool selected = false;
+  bool active = false;  ///< The last selected one: handles and inspector are about it.
+  bool hovered = false;
+  bool twin = false;  ///< Follows a selected one from the other side.
+
+  friend bool operator==(const PrimitiveShape&, const PrimitiveShape&) = default;
+};
+
+/// The primitives of a rig in a pose, in rig order; what is not to be seen is left out.
+/// @param posed  of this rig
+[[nodiscard]] std::vector<PrimitiveShape> shapesOf(const Rig& rig, const PosedRig& posed);
+
+/// Ends of its three axes where rho = scale, world space.
+[[nodiscard]] std::array<glm::vec3, 6> extremesOf(const PrimitiveShape& shape, float scale);
+
+/// What a segment says; each class has its color.
+enum class SegmentClass : std::uint8_t { kPlain, kFound, kFallback, kLost };
+
+/// A straight line with a dot at both ends: a projection ray, an anchor. World space.
+struct SceneSegment {
+  glm::vec3 from{0.0f};
+  glm::vec3 to{0.0f};
+  SegmentClass kind = SegmentClass::kPlain;
+};
+
+struct Image;
+
+/// A picture to work after. It is seen from its front alone.
+struct ReferencePlane {
+  std::shared_ptr<const Image> pixels;
+  /// Square of side 1 about the origin, x right and y up in the picture -> world; z is the unit normal towards the eye.
+  glm::mat4 squareInWorld{1.0f};
+  float opacity = 1.0f;
+  bool inside = false;  ///< Hidden by what stands before it, and hides what lies behind; else behind everything.
+
+  friend bool operator==(const ReferencePlane&, const ReferencePlane&) = default;
+};
+
+/// A part of the mesh that is tinted, in the color of its layer.
+struct LitPart {
+  int part = 0;  ///< Index into Character::parts.
+  SkinLayer layer = SkinLayer::kSkin;
+  bool hovered = false;
+
+  friend bool operator==(const LitPart&, const LitPart&) = default;
+};
+
+/// One moment of a character. Pointers are valid for the call; surface may be null before the first smoothing.
+struct Scene {
+  const Character* character = nullptr;
+  const Surface* surface = nullptr;
+  /// A second one of the same refinement, drawn as the first is; null: none. Positions, normals and displacement are
+  /// all that it needs.
+  const Surface* beside = nullptr;
+  std::uint64_t surfaceRevision = 0;  ///< Equal for equal surfaces of a character, uploaded once. 0: unknown.
+  const Pose* pose = nullptr;
+  std::vector<PrimitiveShape> primitives;
+  int selectedBone = -1;
+  int hoveredBone = -1;
+  std::vector<bool> hiddenBones;                   ///< [bones] not drawn; empty: none is left out.
+  std::vector<glm::vec3> skinnedControlPositions;  ///< [V] for DisplaySettings::controlMesh; may be empty.
+  std::vector<float> territory;     ///< [V] 0..1, how much of a muscle each control vertex takes; empty: no tint.
+  std::vector<int> territoryBones;  ///< Highlighted among the bones, and drawn though the skeleton is hidden.
+  std::vector<LitPart> litParts;
+  std::vector<SkinLayer> layers;       ///< [parts] for Shading::kClasses; empty: all is skin.
+  std::vector<SceneSegment> segments;  ///< Seen through the skin, fainter.
+  std::vector<ReferencePlane> references;
+};
+
+}  // namespace sinew::app

@@ -1,0 +1,358 @@
+// app/viewport/render/surface_drawer.cpp: the smoothed surface on the graphics processor.
+#include "app/viewport/render/surface_drawer.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+
+#include <glm/gtc/matrix_access.hpp>
+
+#include "app/viewport/render/color_scales.h"
+#include "app/viewport/render/occlusion.h"
+#include "app/viewport/render/shape_colors.h"
+#include "app/viewport/render/shape_mesh.h"
+#include "core/geometry/parallel.h"
+
+namespace sinew::app {
+namespace {
+
+constexpr std::size_t kMostMarks = 4;  ///< As in shaders/surface.frag.
+constexpr float kTerritoryStrength = 0.62f;
+constexpr std::size_t kFewVertices = 8192;  ///< For one thread.
+
+std::uint8_t byteOf(float share) {
+  return static_cast<std::uint8_t>(std::lround(255.0f * std::clamp(share, 0.0f, 1.0f)));
+}
+
+/// Muscles whose reach is outlined on the skin: selected ones, then the hovered. World -> their ball of influence.
+std::vector<const PrimitiveShape*> markedShapes(const Frame& frame) {
+  std::vector<const PrimitiveShape*> marked;
+  for (const bool selected : {true, false}) {
+    for (const PrimitiveShape& shape : frame.scene.primitives) {
+      if (marked.size() == kMostMarks) return marked;
+      if (selected ? shape.selected : (shape.hovered && !shape.selected)) marked.push_back(&shape);
+    }
+  }
+  std::erase_if(marked, [](const PrimitiveShape* shape) {
+    return !(std::abs(glm::determinant(glm::mat3(shape->unitBallInWorld))) > 0.0f);
+  });
+  return marked;
+}
+
+void setMarks(const GlProgram& program, const Frame& frame, std::span<const PrimitiveShape* const> shapes) {
+  std::array<glm::vec4, 3 * kMostMarks> rows{};
+  std::array<glm::vec4, std::tuple_size_v<FormVectors> * kMostMarks> forms{};
+  std::array<glm::vec4, kMostMarks> reaches{}, colors{};
+  for (std::size_t i = 0; i < shapes.size(); ++i) {
+    const PrimitiveShape& shape = *shapes[i];
+    const ShapeInstance influence = shellOf(shape, shape.reach);
+    const glm::mat4 inShell = glm::inverse(influence.shapeInWorld);
+    for (glm::length_t row = 0; row < 3; ++row) rows[3 * i + static_cast<std::size_t>(row)] = glm::row(inShell, row);
+    reaches[i] = glm::vec4(influence.style.w);
+    std::ranges::copy(influence.form, forms.begin() + static_cast<std::ptrdiff_t>(i * influence.form.size()));
+    colors[i] = glm::vec4(shapeColor(shape), shape.selected ? 0.62f : 0.30f);
+  }
+  program.set("markCount", static_cast<int>(shapes.size()));
+  program.set("markRows", std::span<const glm::vec4>(rows));
+  program.set("markForms", std::span<const glm::vec4>(forms));
+  program.set("markReaches", std::span<const glm::vec4>(reaches));
+  program.set("markColors", std::span<const glm::vec4>(colors));
+  const float tint = frame.settings.territory ? kTerritoryStrength : 0.0f;
+  program.set("territoryTint", glm::vec4(toLinear(kTerritoryColor), tint));
+}
+
+}  // namespace
+
+SurfaceDrawer::SurfaceDrawer()
+    : partSeen_(makeQuery(GL_ANY_SAMPLES_PASSED)),
+      array_(makeVertexArray()),
+      vertices_(makeBuffer()),
+      besideVertices_(makeBuffer()),
+      uvs_(makeBuffer()),
+      skinValues_(makeBuffer()),
+      colors_(makeBuffer()),
+      indices_(makeBuffer()),
+      keptIndices_(makeBuffer()),
+      seenIndices_(makeBuffer()),
+      shadowIndices_(makeBuffer()),
+      controlOf_(makeBuffer()),
+      classes_(makeBuffer()),
+      parts_(makeBuffer()) {
+  const GLuint array = array_.id();
+  glVertexArrayVertexBuffer(array, 0, vertices_.id(), 0, sizeof(Vertex));
+  glVertexArrayVertexBuffer(array, 1, uvs_.id(), 0, sizeof(glm::vec2));
+  glVertexArrayElementBuffer(array, indices_.id());
+  setAttribute(array, 0, 0, 3, offsetof(Vertex, position));
+  setAttribute(array, 1, 0, 3, offsetof(Vertex, normal));
+  setAttribute(array, 2, 0, 1, offsetof(Vertex, displacement));
+  setAttribute(array, 3, 1, 2, 0);
+  glVertexArrayVertexBuffer(array, 2, skinValues_.id(), 0, sizeof(SkinValues));
+  glEnableVertexArrayAttrib(array, 4);
+  glVertexArrayAttribFormat(array, 4, 2, GL_UNSIGNED_BYTE, GL_TRUE, 0);
+  glVertexArrayAttribBinding(array, 4, 2);
+  glVertexArrayVertexBuffer(array, 3, colors_.id(), 0, sizeof(glm::vec4));
+  setAttribute(array, 5, 3, 4, 0);
+}
+
+Result<SurfaceDrawer> SurfaceDrawer::create() {
+  Result<SurfacePrograms> programs = SurfacePrograms::create();
+  if (!programs) return programs.error();
+  Result<GlProgram> part = GlProgram::load({"shaders/depth.vert", "shaders/part.frag"});
+  if (!part) return part.error();
+  SurfaceDrawer drawer;
+  drawer.partProgram_ = std::move(part).value();
+  drawer.programs_ = std::move(programs).value();
+  return drawer;
+}
+
+void SurfaceDrawer::setCharacter(const Character& character) {
+  refinement_.reset();
+  ranges_.clear();
+  bounds_ = {};
+  materials_ = character.materials;
+  materialOfPart_.clear();
+  for (const MeshPart& part : character.parts) materialOfPart_.push_back(part.material);
+  std::vector<int> parts;
+  for (const ControlTriangle& triangle : character.mesh.triangles) parts.push_back(triangle.part);
+  uploadBuffer(parts_, std::span<const int>(parts), GL_STATIC_DRAW);
+  open_ = bakeOpenness(character.mesh);
+  if (isSoftwareRenderer()) shadowClusters_ = shadowClusters(character);
+  territory_.clear();
+  revision_ = 0;
+  textures_.set(character);
+}
+
+void SurfaceDrawer::rebuildSkinValues(const ControlMesh& mesh) {
+  const std::vector<float> open = spreadOverRefinement(open_, mesh, *refinement_);
+  const std::vector<float> own =
+      territory_.empty() ? std::vector<float>{} : spreadOverRefinement(territory_, mesh, *refinement_);
+  std::vector<SkinValues> values(refinement_->drawVertex.size());
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const auto vertex = static_cast<std::size_t>(refinement_->drawVertex[i]);
+    values[i] = {byteOf(open[vertex]), own.empty() ? std::uint8_t{0} : byteOf(own[vertex]), {}};
+  }
+  uploadBuffer(skinValues_, std::span<const SkinValues>(values), GL_STATIC_DRAW);
+}
+
+void SurfaceDrawer::stage(const Surface& surface) {
+  const std::vector<int>& drawVertex = refinement_->drawVertex;
+  staging_.resize(drawVertex.size());
+  const bool displaced = surface.displacement.size() == surface.positions.size();
+  forEachIndex(staging_.size(), kFewVertices, [&](std::size_t i) {
+    const auto vertex = static_cast<std::size_t>(drawVertex[i]);
+    staging_[i] = {surface.positions[vertex], shadingNormal(surface, i),
+                   displaced ? surface.displacement[vertex] : 0.0f};
+  });
+}
+
+void SurfaceDrawer::fillVertices(const Scene& scene) {
+  stage(*scene.surface);
+  uploadBuffer(vertices_, std::span<const Vertex>(staging_));
+  glVertexArrayVertexBuffer(array_.id(), 0, vertices_.id(), 0, sizeof(Vertex));
+  bounds_ = boundsOf(scene.surface->positions);
+  hasBeside_ = scene.beside != nullptr;
+  if (hasBeside_) {
+    assert(scene.beside->refinement == refinement_);
+    stage(*scene.beside);
+    uploadBuffer(besideVertices_, std::span<const Vertex>(staging_));
+    for (const glm::vec3& point : scene.beside->positions) bounds_.add(point);
+  }
+}
+
+void SurfaceDrawer::takeCardVertices() {
+  glVertexArrayVertexBuffer(array_.id(), 0, cardVertices_->buffer, 0, sizeof(Vertex));
+  hasBeside_ = false;
+  bounds_ = cardVertices_->bounds;
+}
+
+void SurfaceDrawer::fillClasses(const Scene& scene) {
+  const std::vector<TriangleClass>& found = scene.surface->classes;
+  const std::vector<ControlTriangle>& triangles = scene.character->mesh.triangles;
+  std::vector<std::uint32_t> classes(refinement_->triangleBegin.size(), 0);
+  for (std::size_t t = 0; t < found.size(); ++t) {
+    const SkinLayer layer =
+        scene.layers.empty() ? SkinLayer::kSkin : scene.layers[static_cast<std::size_t>(triangles[t].part)];
+    const int level = refinement_->isUniform ? 0 : levelShown(*refinement_, static_cast<int>(t));
+    classes[t] = static_cast<std::uint32_t>(zoneOf(found[t], layer)) + 8 * static_cast<std::uint32_t>(level);
+  }
+  uploadBuffer(classes_, std::span<const std::uint32_t>(classes));
+}
+
+void SurfaceDrawer::upload(const Scene& scene, bool showsClasses) {
+  const Surface& surface = *scene.surface;
+  const ControlMesh& mesh = scene.character->mesh;
+  const std::vector<float>& territory = scene.territory;
+  assert(open_.size() == mesh.positions.size() && (territory.empty() || territory.size() == open_.size()));
+  const bool refined = refinement_ != surface.refinement;
+  if (refined) {
+    refinement_ = surface.refinement;
+    rebuildTopology(*scene.character);
+  }
+  if (refined || territory_ != territory) {
+    territory_ = territory;
+    rebuildSkinValues(mesh);
+  }
+  drawsSeen_ = false;
+  const bool reordered = culled_ != surface.culled;
+  if (reordered) {
+    culled_ = surface.culled;
+    rebuildOrder(mesh, culled_.empty() ? indices_ : keptIndices_, culled_.empty() ? GL_STATIC_DRAW : GL_STREAM_DRAW);
+  }
+  const bool known = scene.surfaceRevision != 0 && scene.surfaceRevision == revision_;
+  if (refined || reordered || !known) {
+    revision_ = scene.surfaceRevision;
+    hasClasses_ = false;
+    if (cardVertices_) takeCardVertices();
+    else fillVertices(scene);
+  }
+  if (std::exchange(layers_, scene.layers) != scene.layers) hasClasses_ = false;
+  if (showsClasses && !std::exchange(hasClasses_, true)) fillClasses(scene);
+}
+
+void SurfaceDrawer::leaveOutUnseen(const Frame& frame) {
+  // Classes are read by the place of a triangle among all; vertices on the card and those beside lie elsewhere.
+  const bool placed = frame.settings.shading == Shading::kClasses || hasBeside_ || cardVertices_;
+  if (!isSoftwareRenderer() || refinement_ == nullptr || placed) return;
+  seen_.find({*refinement_, frame.scene.surface->positions, refinedOrder_, ranges_, showsBacks_},
+             frame.view.clipFromWorld(), frame.view.size);
+  uploadBuffer(seenIndices_, seen_.triangles(), GL_STREAM_DRAW);
+  drawsSeen_ = true;
+}
+
+const GlProgram& SurfaceDrawer::prepareProgram(const Frame& frame, MapSet maps) const {
+  const std::vector<const PrimitiveShape*> marks = markedShapes(frame);
+  const PictureLook& look = frame.settings.look;
+  SurfaceKind kind{.shading = frame.settings.shading, .wired = frame.settings.wire, .maps = maps};
+  kind.marked = !marks.empty() || (frame.settings.territory && !territory_.empty());
+  kind.colored = kind.shading == Shading::kTextured && !refinement_->drawColor.empty();
+  kind.chosen = look.light != LightPreset::kStudio || look.occlusion;
+  const GlProgram& program = programs_.of(kind);
+  program.use();
+  program.set("baseMap", 0);
+  program.set("lineScale", frame.settings.lineScale);
+  program.set("heatRange", std::max(frame.settings.heatRange, 1e-6f) * frame.height);
+  std::array<glm::vec4, 9> stops{};
+  std::ranges::transform(heatStops(), stops.begin(),
+                         [](const glm::vec3& stop) { return glm::vec4(linearFromSrgb(stop), 1.0f); });
+  program.set("heatStops", std::span<const glm::vec4>(stops));
+  std::array<glm::vec4, kZones> zones{};
+  for (std::size_t i = 0; i < zones.size(); ++i) zones[i] = glm::vec4(linearFromSrgb(zoneColor(i)), 1.0f);
+  program.set("zoneColors", std::span<const glm::vec4>(zones));
+  if (kind.marked) setMarks(program, frame, marks);
+  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, classes_.id());
+  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 1, controlOf_.id());
+  glBindVertexArray(array_.id());
+  return program;
+}
+
+const Material& SurfaceDrawer::materialOf(const Range& range) const {
+  const auto index = static_cast<std::size_t>(range.material);
+  assert(index < materials_.size());
+  return materials_[index];
+}
+
+AlphaMode SurfaceDrawer::alphaIn(const Frame& frame, const Material& material) {
+  const bool solid = frame.settings.shading != Shading::kTextured || material.shownOpaque;
+  return solid ? AlphaMode::kOpaque : material.alphaMode;
+}
+
+void SurfaceDrawer::drawRange(const GlProgram& program, const Frame& frame, const Range& range, MapSet maps) const {
+  const Material& material = materialOf(range);
+  const AlphaMode alpha = alphaIn(frame, material);
+  // Factors of maps that this program does not read would turn skin into chrome or into a lamp.
+  const bool metal = material.metallicRoughnessMap.texture < 0 || (maps & kRoughnessBit) != 0;
+  const bool glows = material.emissiveMap.texture < 0 || (maps & kEmissiveBit) != 0;
+  program.set("baseColor", material.baseColor);
+  program.set("finish", glm::vec4(metal ? material.metallic : 0.0f, material.roughness,
+                                  alpha == AlphaMode::kMask ? material.alphaCutoff : -1.0f,
+                                  alpha == AlphaMode::kBlend ? 1.0f : 0.0f));
+  program.set("emissive", glows ? material.emissive : glm::vec3(0.0f));
+  program.set("unlit", frame.settings.lighting && !material.unlit ? 0 : 1);
+  program.set("firstTriangle", range.firstTriangle);
+  textures_.bindBase(material);
+  textures_.bindMaps(program, material, maps);
+  drawTriangles(range.firstTriangle, range.triangles);
+}
+
+void SurfaceDrawer::drawTriangles(int firstTriangle, int triangles) const {
+  const auto* const first =
+      reinterpret_cast<const void*>(static_cast<std::uintptr_t>(firstTriangle) * 3 * sizeof(std::uint32_t));
+  glDrawElements(GL_TRIANGLES, triangles * 3, GL_UNSIGNED_INT, first);
+  if (!hasBeside_) return;
+  glVertexArrayVertexBuffer(array_.id(), 0, besideVertices_.id(), 0, sizeof(Vertex));
+  glDrawElements(GL_TRIANGLES, triangles * 3, GL_UNSIGNED_INT, first);
+  glVertexArrayVertexBuffer(array_.id(), 0, vertices_.id(), 0, sizeof(Vertex));
+}
+
+/// Draws ranges with the programs that their materials' maps need, each prepared when it follows another.
+class SurfaceDrawer::OwnProgram {
+ public:
+  OwnProgram(const SurfaceDrawer& drawer, const Frame& frame) : drawer_(drawer), frame_(frame) {}
+
+  void draw(const Range& range) {
+    const MapSet maps = drawer_.textures_.mapsOf(drawer_.materialOf(range), frame_.settings);
+    if (program_ == nullptr || maps != maps_) program_ = &drawer_.prepareProgram(frame_, maps);
+    maps_ = maps;
+    drawer_.drawRange(*program_, frame_, range, maps);
+  }
+
+ private:
+  const SurfaceDrawer& drawer_;
+  const Frame& frame_;
+  const GlProgram* program_ = nullptr;
+  MapSet maps_ = 0;
+};
+
+void SurfaceDrawer::drawOpaque(const Frame& frame) const {
+  glDisable(GL_BLEND);
+  if (refinement_ == nullptr) return;
+  OwnProgram own(*this, frame);
+  drawOpaqueRanges(frame, [&](const Range& range) { own.draw(range); });
+}
+
+void SurfaceDrawer::drawOpaque(const GlProgram& program, const Frame& frame) const {
+  if (refinement_ == nullptr) return;
+  glBindVertexArray(array_.id());
+  drawOpaqueRanges(frame, [&](const Range& range) { drawRange(program, frame, range, 0); });
+}
+
+template <class Draw>
+void SurfaceDrawer::drawOpaqueRanges(const Frame& frame, const Draw& draw) const {
+  const GLuint all = culled_.empty() ? indices_.id() : keptIndices_.id();
+  glVertexArrayElementBuffer(array_.id(), drawsSeen_ ? seenIndices_.id() : all);
+  glCullFace(GL_BACK);
+  for (const Range& range : drawsSeen_ ? seen_.ranges() : std::span<const Range>(ranges_)) {
+    const Material& material = materialOf(range);
+    if (alphaIn(frame, material) == AlphaMode::kBlend) continue;
+    if (material.doubleSided) glDisable(GL_CULL_FACE);
+    else glEnable(GL_CULL_FACE);
+    draw(range);
+  }
+  glDisable(GL_CULL_FACE);
+  glVertexArrayElementBuffer(array_.id(), all);
+}
+
+void SurfaceDrawer::drawBlended(const Frame& frame) const {
+  if (refinement_ == nullptr) return;
+  const auto blends = [&](const Range& range) { return alphaIn(frame, materialOf(range)) == AlphaMode::kBlend; };
+  if (std::ranges::none_of(ranges_, blends)) return;
+  OwnProgram own(*this, frame);
+  blendPremultiplied();
+  glDepthMask(GL_FALSE);
+  glEnable(GL_CULL_FACE);
+  for (const Range& range : ranges_) {
+    if (!blends(range)) continue;
+    for (const GLenum hidden : {GL_FRONT, GL_BACK}) {
+      if (hidden == GL_FRONT && !materialOf(range).doubleSided) continue;
+      glCullFace(hidden);
+      own.draw(range);
+    }
+  }
+  glDisable(GL_CULL_FACE);
+  glDepthMask(GL_TRUE);
+  glDisable(GL_BLEND);
+}
+
+}  // namespace sinew::app

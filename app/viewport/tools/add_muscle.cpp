@@ -1,0 +1,341 @@
+// app/viewport/tools/add_muscle.cpp: an ellipsoid grows where the skin is pressed.
+
+#include "app/viewport/tools/add_muscle.h"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cmath>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include <glm/geometric.hpp>
+
+#include "app/document/muscle_names.h"
+#include "app/viewport/tools/gizmo_basis.h"
+#include "core/character/bindings.h"
+#include "core/geometry/at.h"
+#include "core/geometry/flatness.h"
+#include "core/rig/twins.h"
+#include "sinew/rig/rig_edit.h"
+
+namespace sinew::app {
+namespace {
+
+constexpr float kClickLength = 0.05f;  ///< Semi-axes, of H.
+constexpr float kClickWidth = 0.025f;
+constexpr float kClickThickness = 0.011f;
+constexpr float kWidth = 0.5f;  ///< Fraction of half a stroke's length.
+// Thin rather than deep: skin that only a shell's top lifts pops when it moves.
+constexpr float kThickness = 0.22f;
+constexpr float kLeastThickness = 0.01f;  ///< Of H: seen on the skin at once,
+constexpr float kMostThickness = 0.012f;  ///< and no lump.
+constexpr float kShortestStroke = 0.01f;  ///< Chord, of H.
+constexpr float kLongestStroke = 1.5f;
+constexpr float kLeastHalf = 0.015f;  ///< Half length, of H.
+constexpr float kMostHalf = 0.75f;
+constexpr float kMostHalfOnBone = 0.3f;
+constexpr float kSlenderness = 1.25f;   ///< Length over thickness of a muscle added on a bone, at least.
+constexpr float kPerWheelStep = 1.12f;  ///< Factor on the thickness.
+constexpr float kThinnest = 0.3f;       ///< Of the thickness that the tool begins with.
+constexpr float kThickest = 3.0f;
+constexpr float kThinnestEver = 0.003f;  ///< Of H.
+constexpr float kSunk = 0.2f;            ///< Fraction of the thickness: how deep the center lies under the skin.
+
+bool isUsable(const glm::mat4& boneInWorld) {
+  return isFinite(boneInWorld) && !isFlat(glm::dmat3(glm::mat3(boneInWorld)));
+}
+
+/// The ellipsoid before it meets the bone. World.
+struct EllipsoidInWorld {
+  glm::vec3 center{0.0f};
+  glm::vec3 along{1.0f, 0.0f, 0.0f};   ///< Unit.
+  glm::vec3 normal{0.0f, 0.0f, 1.0f};  ///< Unit, perpendicular to `along`, out of the skin.
+  glm::vec3 semiAxes{1.0f};            ///< Along, across, out.
+};
+
+EllipsoidInWorld ellipsoidOfClick(const SkinPoint& start, const glm::vec3& boneAxisInWorld, float height) {
+  EllipsoidInWorld ellipsoid;
+  // Along the bone, unless the bone stands on the skin.
+  const glm::vec3 bone = normalizeOr(boneAxisInWorld, start.normal);
+  const glm::vec3 flat = bone - glm::dot(bone, start.normal) * start.normal;
+  ellipsoid.along = glm::dot(flat, flat) > 1e-4f ? glm::normalize(flat) : across(start.normal);
+  ellipsoid.normal = start.normal;
+  ellipsoid.semiAxes = height * glm::vec3(kClickLength, kClickWidth, kClickThickness);
+  ellipsoid.center = start.point - kSunk * ellipsoid.semiAxes.z * start.normal;
+  return ellipsoid;
+}
+
+/// The points up to the longest distance from the first.
+std::span<const SkinPoint> withinReach(const std::vector<SkinPoint>& points, float longest) {
+  const auto tooFar = std::ranges::find_if(
+      points, [&](const SkinPoint& at) { return glm::length(at.point - points.front().point) > longest; });
+  return {points.begin(), tooFar};
+}
+
+/// The path's normals, weighted by length. Not unit.
+glm::vec3 normalSum(std::span<const SkinPoint> path) {
+  glm::vec3 sum = 1e-6f * path.front().normal;
+  for (std::size_t i = 1; i < path.size(); ++i) {
+    sum += glm::length(path[i].point - path[i - 1].point) * (path[i].normal + path[i - 1].normal);
+  }
+  return sum;
+}
+
+/// A path seen from the side: x along its chord from 0 to the chord's length, y over the chord.
+struct PathProfile {
+  std::vector<glm::vec2> points;
+  float length = 0.0f;
+
+  /// y where x first comes to a value within 0 .. length.
+  [[nodiscard]] float heightAt(float x) const {
+    for (std::size_t i = 1; i < points.size(); ++i) {
+      const glm::vec2 a = points[i - 1], b = points[i];
+      if (b.x >= x && b.x > a.x) return glm::mix(a.y, b.y, std::clamp((x - a.x) / (b.x - a.x), 0.0f, 1.0f));
+    }
+    return 0.0f;
+  }
+
+  /// First and last x where the path is at a height. The whole length if it does not rise to it.
+  [[nodiscard]] glm::vec2 rangeAt(float y) const {
+    const auto firstX = [y](const auto& from, float otherwise) {
+      for (std::size_t i = 1; i < from.size(); ++i) {
+        const glm::vec2 a = from[i - 1], b = from[i];
+        if (a.y < y && b.y >= y) return glm::mix(a.x, b.x, (y - a.y) / (b.y - a.y));
+      }
+      return otherwise;
+    };
+    const std::vector<glm::vec2> backwards(points.rbegin(), points.rend());
+    return {firstX(points, 0.0f), firstX(backwards, length)};
+  }
+};
+
+PathProfile profileOf(std::span<const SkinPoint> path, const glm::vec3& along, const glm::vec3& normal) {
+  PathProfile profile;
+  for (const SkinPoint& at : path) {
+    const glm::vec3 offset = at.point - path.front().point;
+    profile.points.emplace_back(glm::dot(offset, along), glm::dot(offset, normal));
+  }
+  profile.length = profile.points.back().x;
+  return profile;
+}
+
+/// Thickness on a flat skin.
+float flatThickness(float half, float height) {
+  return std::clamp(kThickness * half, kLeastThickness * height, kMostThickness * height);
+}
+
+/// Semi-axes and center; direction and normal are there.
+void fitToProfile(EllipsoidInWorld& ellipsoid, const glm::vec3& start, const PathProfile& profile, float height) {
+  const float halfChord = 0.5f * profile.length;
+  const float rise = std::clamp(profile.heightAt(halfChord), -halfChord, halfChord);
+  const float thickness = flatThickness(halfChord, height);
+  // Half of an arch's height lifts the center, half makes the ellipsoid thicker: together they reach its top.
+  const float arch = std::max(rise, 0.0f);
+  const float level = rise - 0.5f * arch - kSunk * thickness;
+  // On a high arch the center is over the chord, and at its level the path is shorter than the chord.
+  const glm::vec2 ends = level > 0.0f ? profile.rangeAt(level) : glm::vec2(0.0f, profile.length);
+  const float half = std::clamp(0.5f * (ends.y - ends.x), kLeastHalf * height, kMostHalf * height);
+  ellipsoid.semiAxes = {half, std::clamp(kWidth * half, 0.02f * height, 0.2f * height),
+                        std::min(thickness + 0.5f * arch, kMostHalf * height)};
+  ellipsoid.center = start + 0.5f * (ends.x + ends.y) * ellipsoid.along + level * ellipsoid.normal;
+}
+
+EllipsoidInWorld ellipsoidOnSkin(const SkinStroke& stroke, const glm::vec3& boneAxisInWorld, float height) {
+  assert(!stroke.points.empty());
+  const std::span<const SkinPoint> path = withinReach(stroke.points, kLongestStroke * height);
+  const SkinPoint& start = path.front();
+  const glm::vec3 chord = path.back().point - start.point;
+  const float length = glm::length(chord);
+  if (length < kShortestStroke * height) return ellipsoidOfClick(start, boneAxisInWorld, height);
+  EllipsoidInWorld ellipsoid;
+  ellipsoid.along = chord / length;
+  const glm::vec3 out = normalSum(path);
+  ellipsoid.normal = normalizeOr(out - glm::dot(out, ellipsoid.along) * ellipsoid.along, across(ellipsoid.along));
+  fitToProfile(ellipsoid, start.point, profileOf(path, ellipsoid.along, ellipsoid.normal), height);
+  return ellipsoid;
+}
+
+/// Grows out of the skin: the center sinks by the same share of the thickness as before.
+void thicken(EllipsoidInWorld& ellipsoid, float factor, float height) {
+  const glm::vec3 before = ellipsoid.semiAxes;
+  for (const int axis : {1, 2}) {
+    ellipsoid.semiAxes[axis] = std::clamp(factor * before[axis], kThinnestEver * height, kMostHalf * height);
+  }
+  ellipsoid.center -= kSunk * (ellipsoid.semiAxes.z - before.z) * ellipsoid.normal;
+}
+
+/// The bone-space ellipsoid whose world image has this long axis, tangent plane and extents. Directions go through
+/// inverse(B), planes through transpose(B): the two stay at right angles to each other, so they are axes as they are.
+Placement placementOf(const EllipsoidInWorld& ellipsoid, const glm::mat4& boneInWorld) {
+  const glm::dmat3 bone{glm::mat3(boneInWorld)};
+  const glm::dmat3 inverse = glm::inverse(bone);
+  const glm::dvec3 along = glm::normalize(inverse * glm::dvec3(ellipsoid.along));
+  const glm::dvec3 out = glm::normalize(glm::transpose(bone) * glm::dvec3(ellipsoid.normal));
+  const glm::dvec3 side = glm::cross(out, along);
+  const glm::dvec3 size(ellipsoid.semiAxes);
+  Placement placement;
+  placement.center = glm::vec3(inverse * (glm::dvec3(ellipsoid.center) - glm::dvec3(boneInWorld[3])));
+  placement.rotation = glm::normalize(glm::quat_cast(glm::mat3(glm::vec3(along), glm::vec3(side), glm::vec3(out))));
+  placement.radii = glm::vec3(size.x / glm::length(bone * along), size.y / glm::length(bone * side),
+                              size.z / glm::dot(glm::dvec3(ellipsoid.normal), bone * out));
+  return placement;
+}
+
+Primitive newMuscle(const Skeleton& skeleton, int bone, const Placement& placement) {
+  Primitive primitive;
+  primitive.name = defaultMuscleName(skeleton, bone);
+  primitive.bone = skeleton.fileName(bone);
+  primitive.placement = placement;
+  primitive.reach = kNewReach;
+  return primitive;
+}
+
+constexpr float kNearPlane = 0.01f;  ///< Fraction of H: a muscle added this near to the middle is laid into it.
+
+/// The muscle, and with symmetry its twin; one in the middle stays alone.
+Result<Rig> withMuscle(const Document& document, const Rig& rig, Primitive muscle) {
+  const MirrorPlan* const plan = document.mirror.get();
+  if (!document.symmetry || !plan || !twinBone(*plan, muscle.bone)) return addPrimitive(rig, std::move(muscle));
+  if (const std::optional<Placement> snapped = snappedToPlane(*plan, muscle, kNearPlane)) {
+    muscle.placement = *snapped;
+    return addPrimitive(rig, std::move(muscle));
+  }
+  return addPair(rig, std::move(muscle), *plan);
+}
+
+Placement placementOf(const AddMuscleDrag& drag, const SkinStroke& stroke, const Character& character) {
+  const glm::vec3 tip = at(character.skeleton.bones, drag.bone).tip;
+  return placementOnSkin(stroke, drag.boneInWorld, glm::mat3(drag.boneInWorld) * tip, character.height, drag.thicker);
+}
+
+/// Shows the muscle as one state of the gesture.
+Result<void> show(const AddMuscleDrag& drag, const SkinStroke& stroke, Document& document) {
+  const Placement placement = placementOf(drag, stroke, *document.character);
+  Result<Rig> rig =
+      withMuscle(document, *drag.rigBefore, newMuscle(document.character->skeleton, drag.bone, placement));
+  if (!rig) return rig.error();
+  document.commands.updateGesture(std::move(rig).value());
+  document.selection.set(document.idAt(static_cast<int>(drag.rigBefore->primitives.size())));
+  return {};
+}
+
+/// Mean distance from the bone's line of the skin that mostly follows it, in the bind pose; 0 if there is none.
+float skinDistance(const Character& character, int bone, const glm::vec3& origin, const glm::vec3& axis) {
+  float sum = 0.0f;
+  int count = 0;
+  for (std::size_t v = 0; v < character.mesh.positions.size(); ++v) {
+    float weight = 0.0f;
+    for (const WeightedBinding& follows : bindingsOf(character, static_cast<int>(v))) {
+      if (follows.bone() == bone) weight += follows.weight;
+    }
+    if (weight < 0.5f) continue;
+    const glm::vec3 offset = character.mesh.positions[v] - origin;
+    sum += glm::length(offset - glm::dot(offset, axis) * axis);
+    ++count;
+  }
+  return count > 0 ? sum / static_cast<float>(count) : 0.0f;
+}
+
+/// Half axes of a muscle around a bone, world: along it, and twice across.
+glm::vec3 semiAxesAround(const Character& character, int bone, const glm::vec3& segment) {
+  const float height = character.height;
+  const float length = glm::length(segment);
+  const glm::vec3 origin(at(character.skeleton.bones, bone).bindInWorld[3]);
+  const glm::vec3 axis = normalizeOr(segment, glm::vec3(0.0f, 1.0f, 0.0f));
+  const float half = std::clamp(0.45f * length, 0.03f * height, kMostHalfOnBone * height);
+  const float skin = skinDistance(character, bone, origin, axis);
+  const float thickness = std::clamp(skin > 0.0f ? 1.15f * skin : 0.4f * half, 0.012f * height, 0.2f * height);
+  if (!(length > 0.0f)) return glm::vec3(thickness);
+  // Where the skin is far from a short bone, longer than the bone rather than a disc around it.
+  const float slender = std::clamp(kSlenderness * thickness, half, kMostHalfOnBone * height);
+  return {slender, std::min(thickness, slender / kSlenderness), std::min(thickness, slender / kSlenderness)};
+}
+
+}  // namespace
+
+Placement placementOnSkin(const SkinStroke& stroke, const glm::mat4& boneInWorld, const glm::vec3& boneAxisInWorld,
+                          float characterHeight, float thicker) {
+  assert(isUsable(boneInWorld));
+  EllipsoidInWorld ellipsoid = ellipsoidOnSkin(stroke, boneAxisInWorld, characterHeight);
+  if (thicker != 1.0f) thicken(ellipsoid, thicker, characterHeight);
+  return placementOf(ellipsoid, boneInWorld);
+}
+
+Result<void> beginAddMuscle(AddMuscleState& state, const ViewportContext& context, const ViewportHover& hover,
+                            const glm::vec2& pixel) {
+  if (!hover.skin || !context.surface) return errorAt("", "a muscle is added by pressing on the skin");
+  Document& document = context.document;
+  AddMuscleDrag drag;
+  drag.skin = snapshotOf(*context.surface);
+  drag.start = {hover.pointInWorld, skinPointAt(*document.character, context.pose, *hover.skin).normal};
+  drag.bone = boneAt(*document.character, *hover.skin);
+  drag.boneInWorld = at(context.pose.boneInWorld, drag.bone);
+  drag.pressPixel = pixel;
+  drag.selectionBefore = document.selection;
+  drag.rigBefore = document.commands.sharedRig();
+  if (!isUsable(drag.boneInWorld)) {
+    return errorAt(document.character->skeleton.fileName(drag.bone), "this bone has a scale of zero in this pose");
+  }
+  document.commands.beginGesture("Add " + newMuscle(document.character->skeleton, drag.bone, {}).name);
+  if (const Result<void> shown = show(drag, {{drag.start}}, document); !shown) {
+    document.commands.cancelGesture();
+    return shown.error();
+  }
+  state.drag = std::move(drag);
+  return {};
+}
+
+void updateAddMuscle(AddMuscleState& state, const ViewportInput& input, const ViewportContext& context,
+                     const View& view) {
+  assert(state.drag);
+  AddMuscleDrag& drag = *state.drag;
+  if (input.keyPressed(Key::kEscape) || input.button(MouseButton::kRight).pressed) {
+    cancelAddMuscle(state, context.document);
+    return;
+  }
+  drag.dragged = drag.dragged || glm::length(input.mouse - drag.pressPixel) > kDragThreshold * context.uiScale;
+  drag.thicker = std::clamp(drag.thicker * std::pow(kPerWheelStep, input.wheel), kThinnest, kThickest);
+  SkinStroke stroke{{drag.start}};
+  if (drag.dragged) {
+    stroke = strokeOnSkin(drag.skin, drag.start, view, input.mouse, context.document.character->height);
+  }
+  // A refused state is not shown: the one before stands.
+  static_cast<void>(show(drag, stroke, context.document));
+  if (!input.button(MouseButton::kLeft).released) return;
+  context.document.commands.endGesture();
+  state.drag.reset();
+}
+
+void cancelAddMuscle(AddMuscleState& state, Document& document) {
+  if (!state.drag) return;
+  document.commands.cancelGesture();
+  document.selection = state.drag->selectionBefore;
+  state.drag.reset();
+}
+
+Result<std::string> addMuscleOnBone(Document& document, int bone, ShapePreset preset) {
+  const Character& character = *document.character;
+  const Bone& onBone = at(character.skeleton.bones, bone);
+  if (!isUsable(onBone.bindInWorld)) {
+    return errorAt(character.skeleton.fileName(bone), "this bone has a scale of zero in the bind pose");
+  }
+  const glm::vec3 segment = glm::mat3(onBone.bindInWorld) * onBone.tip;
+  const glm::vec3 origin(onBone.bindInWorld[3]);
+  EllipsoidInWorld ellipsoid;
+  ellipsoid.along = normalizeOr(segment, glm::vec3(0.0f, 1.0f, 0.0f));
+  ellipsoid.normal = across(ellipsoid.along);
+  ellipsoid.center = origin + 0.5f * segment;
+  ellipsoid.semiAxes = semiAxesAround(character, bone, segment);
+  const Placement placement = shaped(preset, placementOf(ellipsoid, onBone.bindInWorld), kNewReach);
+  Result<Rig> rig = withMuscle(document, document.rig(), newMuscle(character.skeleton, bone, placement));
+  if (!rig) return rig.error();
+  const std::size_t index = document.rig().primitives.size();
+  const std::string name = rig->primitives[index].name;
+  document.commands.apply("Add " + name, std::move(rig).value());
+  document.selection.set(document.idAt(static_cast<int>(index)));
+  return document.activeName();
+}
+
+}  // namespace sinew::app

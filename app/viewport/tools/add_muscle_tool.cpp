@@ -1,0 +1,69 @@
+// app/viewport/tools/add_muscle_tool.cpp: the tool that draws muscles on the skin.
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+
+#include "app/document/shown_names.h"
+#include "app/viewport/tools/status_line.h"
+#include "app/viewport/tools/tool.h"
+
+namespace sinew::app {
+namespace {
+
+bool pressOnSkin(ToolFrame& frame) {
+  if (!frame.tools.hover.skin) return false;
+  const Result<void> begun = beginAddMuscle(frame.tools.addMuscle, frame.context, frame.tools.hover, frame.input.mouse);
+  if (!begun) frame.result.refusal = begun.error();
+  return begun.ok();
+}
+
+bool drawOnSkin(ToolFrame& frame, const ViewportInput& input) {
+  AddMuscleState& state = frame.tools.addMuscle;
+  // An undo from elsewhere has ended the gesture.
+  if (!frame.document().commands.inGesture()) state.drag.reset();
+  else updateAddMuscle(state, input, frame.context, frame.view);
+  return state.drag.has_value();
+}
+
+void cancelDrawing(ViewportTools& tools, Document& document) { cancelAddMuscle(tools.addMuscle, document); }
+
+std::string describeDrawing(const ToolFrame& frame) {
+  const ViewportTools& tools = frame.tools;
+  if (tools.addMuscle.drag) {
+    return statusLine("New muscle, the pose is held while you draw",
+                      {"Release keeps", "Wheel thickens or thins", "Esc cancels"});
+  }
+  if (!tools.hover.skin || tools.hover.bone < 0) {
+    return statusLine("Background",
+                      {"Drag orbits", "Drag on the skin adds a muscle", "Right+drag pans", "Wheel zooms"});
+  }
+  const std::string name = shownBoneName(frame.document().character->skeleton, tools.hover.bone);
+  return statusLine("Skin",
+                    {"Drag adds a muscle that grows on " + name, "Alt+drag orbits", "Right+drag pans", "Wheel zooms"});
+}
+
+}  // namespace
+
+constinit const Tool kAddMuscleTool{
+    .id = "tool/add-muscle",
+    .label = "Add muscle",
+    .hint = "Press on the skin and drag: a muscle grows there",
+    .key = GLFW_KEY_M,
+    .shift = false,
+    .icon = Icon::kAddMuscle,
+    .handles = GizmoMode::kPoles,
+    .whole = GizmoHandle::kNone,
+    .onSkin = true,
+    .picksMuscles = false,
+    .target = nullptr,
+    .beginHandle = nullptr,
+    .continueHandle = nullptr,
+    .hover = hoverAt,
+    .press = pressOnSkin,
+    .drag = drawOnSkin,
+    .cancel = cancelDrawing,
+    .click = nullptr,
+    .describe = describeDrawing,
+};
+
+}  // namespace sinew::app

@@ -1,0 +1,147 @@
+// app/viewport/tools/axis_triad.cpp: the axis gizmo: where it is, what the mouse does to it.
+
+#include "app/viewport/tools/axis_triad.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include <glm/geometric.hpp>
+
+#include "app/viewport/render/framing.h"
+#include "app/viewport/tools/status_line.h"
+
+namespace sinew::app {
+namespace {
+
+constexpr float kKnobPlace = 0.78f;  ///< Fraction of the ball's radius, from its center.
+constexpr float kKnobRadius = 9.0f;  ///< Design pixels.
+constexpr float kSameDirection = 0.9995f;
+
+glm::vec3 directionOf(AxisEnd end) {
+  const int number = static_cast<int>(end);
+  glm::vec3 direction(0.0f);
+  direction[number / 2] = number % 2 == 0 ? 1.0f : -1.0f;
+  return direction;
+}
+
+AxisEnd oppositeOf(AxisEnd end) {
+  const int number = static_cast<int>(end);
+  return static_cast<AxisEnd>(number % 2 == 0 ? number + 1 : number - 1);
+}
+
+/// Where the camera is, or is going to be.
+CameraStand standAhead(const Camera& camera) { return camera.transition ? camera.transition->to : camera.stand; }
+
+}  // namespace
+
+TriadLayout layoutTriad(const Camera& camera, const glm::ivec2& size, float uiScale) {
+  TriadLayout layout;
+  layout.radius = kTriadRadius * uiScale;
+  layout.center = glm::vec2(size) - (kTriadMargin + kTriadRadius) * uiScale;
+  const glm::mat3 axes = cameraAxes(camera.stand.yaw, camera.stand.pitch);  // Right, up, backward.
+  for (std::size_t i = 0; i < layout.ends.size(); ++i) {
+    const auto end = static_cast<AxisEnd>(i);
+    const glm::vec3 seen = directionOf(end) * axes;
+    const float nearness = 1.0f + 0.12f * seen.z;
+    layout.ends[i] = {end, layout.center + kKnobPlace * layout.radius * glm::vec2(seen.x, -seen.y),
+                      kKnobRadius * uiScale * nearness, seen.z};
+  }
+  std::ranges::stable_sort(layout.ends, {}, &TriadLayout::End::depth);
+  return layout;
+}
+
+std::optional<AxisEnd> axisEndAt(const TriadLayout& layout, const glm::vec2& pixel) {
+  for (std::size_t i = layout.ends.size(); i-- > 0;) {  // Nearest to the eye first.
+    const TriadLayout::End& end = layout.ends[i];
+    if (glm::distance(pixel, end.pixel) <= end.radius + 1.0f) return end.end;
+  }
+  return std::nullopt;
+}
+
+StandardView viewFrom(AxisEnd end) {
+  switch (end) {
+    case AxisEnd::kX:
+      return StandardView::kLeft;
+    case AxisEnd::kMinusX:
+      return StandardView::kRight;
+    case AxisEnd::kY:
+      return StandardView::kTop;
+    case AxisEnd::kMinusY:
+      return StandardView::kBottom;
+    case AxisEnd::kZ:
+      return StandardView::kFront;
+    case AxisEnd::kMinusZ:
+      break;
+  }
+  return StandardView::kBack;
+}
+
+void lookFrom(Camera& camera, AxisEnd end) {
+  const CameraStand stand = standAhead(camera);
+  const glm::vec3 backward = cameraAxes(stand.yaw, stand.pitch)[2];
+  const bool thereAlready = glm::dot(backward, directionOf(end)) > kSameDirection;
+  showStandardView(camera, viewFrom(thereAlready ? oppositeOf(end) : end));
+}
+
+bool routeTriad(AxisTriad& triad, Camera& camera, const ViewportInput& input, const glm::ivec2& size, float uiScale) {
+  const TriadLayout layout = layoutTriad(camera, size, uiScale);
+  const ButtonState& left = input.button(MouseButton::kLeft);
+  if (!triad.pressed) {
+    triad.ballHovered = !input.mouseTaken && glm::distance(input.mouse, layout.center) <= layout.radius;
+    triad.hovered = triad.ballHovered ? axisEndAt(layout, input.mouse) : std::nullopt;
+    if (!triad.ballHovered || !left.pressed || input.alt) return false;
+    triad.pressed = true;
+    triad.turning = false;
+    triad.pressPixel = triad.lastPixel = input.mouse;
+  }
+  if (!triad.turning && glm::distance(input.mouse, triad.pressPixel) > kDragThreshold * uiScale) triad.turning = true;
+  if (triad.turning) {
+    // The ball turns under the pointer: across it is half a turn, however large the picture.
+    const int across = std::max(static_cast<int>(2.0f * layout.radius), 1);
+    orbit(camera, input.mouse - triad.lastPixel, {across, across});
+  }
+  triad.lastPixel = input.mouse;
+  if (left.released || !left.down) {
+    if (!triad.turning && triad.hovered) lookFrom(camera, *triad.hovered);
+    triad.pressed = triad.turning = false;
+  }
+  return true;
+}
+
+ViewportInput passTriad(AxisTriad& triad, Camera& camera, ViewportInput input, const glm::ivec2& size, float uiScale,
+                        bool busy) {
+  if (busy && !triad.pressed) {
+    triad.hovered.reset();
+    triad.ballHovered = false;
+    return input;
+  }
+  const bool taken = routeTriad(triad, camera, input, size, uiScale);
+  input.mouseTaken = input.mouseTaken || taken || triad.ballHovered;
+  return input;
+}
+
+std::string describe(const AxisTriad& triad) {
+  if (triad.turning) return statusLine("Orbit", {"Release ends"});
+  if (!triad.ballHovered) return "";
+  if (!triad.hovered) return statusLine("Axis gizmo", {"Click on an axis looks along it", "Drag orbits"});
+  struct Named {
+    const char* axis;
+    const char* first;
+    const char* again;
+  };
+  // By AxisEnd.
+  constexpr std::array<Named, 6> kEnds{{
+      {"Axis +X", "Click shows the character's left", "Click again shows its right"},
+      {"Axis -X", "Click shows the character's right", "Click again shows its left"},
+      {"Axis +Y", "Click looks from above", "Click again looks from below"},
+      {"Axis -Y", "Click looks from below", "Click again looks from above"},
+      {"Axis +Z", "Click shows the front", "Click again shows the back"},
+      {"Axis -Z", "Click shows the back", "Click again shows the front"},
+  }};
+  const Named& end = kEnds[static_cast<std::size_t>(*triad.hovered)];
+  return statusLine(end.axis, {end.first, end.again, "Drag orbits"});
+}
+
+}  // namespace sinew::app

@@ -1,0 +1,347 @@
+// app/viewport/tools/gizmo_drag.cpp: from the pointer's way over the picture to a new placement.
+
+#include <algorithm>
+#include <cassert>
+#include <charconv>
+#include <cmath>
+#include <cstdio>
+#include <numbers>
+#include <utility>
+
+#include <glm/geometric.hpp>
+
+#include "app/viewport/tools/gizmo.h"
+#include "app/viewport/tools/gizmo_basis.h"
+#include "app/viewport/tools/gizmo_effect.h"
+#include "app/viewport/tools/gizmo_shape.h"
+#include "core/geometry/flatness.h"
+
+namespace sinew::app {
+namespace {
+
+constexpr float kPi = std::numbers::pi_v<float>;
+constexpr float kPrecise = 0.1f;
+constexpr float kMoveStep = 0.01f;  ///< Fraction of H.
+constexpr float kAngleStep = kPi / 12.0f;
+constexpr float kFactorStep = 0.1f;
+constexpr float kFarthestMove = 50.0f;  ///< Multiple of H: beyond that the pointer is near an axis' vanishing point.
+constexpr float kPlanarRing = 0.2f;     ///< |cosine| of ring normal and sight below which a ring counts as edge-on.
+
+glm::mat3 axesMatrix(const GizmoBasis& frame) { return {frame.axes[0], frame.axes[1], frame.axes[2]}; }
+
+std::string number(float value) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.3g", static_cast<double>(std::abs(value) < 1e-9f ? 0.0f : value));
+  return text.data();
+}
+
+std::string lengthText(float length, float characterHeight) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), " (%.1f %% of H)", static_cast<double>(100.0f * length / characterHeight));
+  return number(length) + text.data();
+}
+
+float snapped(float value, float step) { return std::round(value / step) * step; }
+
+// Pointer -> tracks -----------------------------------------------------------------------------------------------
+
+/// World point, relative to the origin, that a pixel means for a move along one way.
+std::optional<glm::vec3> movePoint(Way way, const glm::vec2& pixel, const GizmoBasis& frame, const View& view) {
+  const Ray ray = view.rayThrough(pixel);
+  if (isAxis(way)) {
+    const glm::vec3 direction = frame.along(way);
+    const std::optional<float> along = alongLine(frame.origin, direction, ray);
+    if (!along) return std::nullopt;
+    return *along * direction;
+  }
+  glm::vec3 normal = view.forwardInWorld();
+  if (isPlane(way)) {
+    const std::array<int, 2> pair = planeAxes(way);
+    normal = normalizeOr(
+        glm::cross(frame.axes[static_cast<std::size_t>(pair[0])], frame.axes[static_cast<std::size_t>(pair[1])]),
+        normal);
+  }
+  const std::optional<glm::vec3> hit = onPlane(frame.origin, normal, ray);
+  if (!hit) return std::nullopt;
+  return *hit - frame.origin;
+}
+
+/// Adds the motion from the track's last pixel. What a pixel cannot say (vanishing points) is left until it can.
+void advanceMove(GizmoTrack& track, Way way, const glm::vec2& pixel, float speed, const GizmoBasis& frame,
+                 const GizmoContext& context) {
+  const std::optional<glm::vec3> now = movePoint(way, pixel, frame, context.view);
+  if (!now || glm::length(*now) > kFarthestMove * context.characterHeight) return;
+  const std::optional<glm::vec3> before = movePoint(way, track.lastPixel, frame, context.view);
+  track.lastPixel = pixel;
+  if (!before) return;
+  const glm::vec3 delta = *now - *before;
+  // Axes need not be orthogonal on sheared bones, so coordinates are solved for.
+  glm::vec3 coordinates(0.0f);
+  if (isAxis(way)) coordinates[axisOf(way)] = glm::dot(delta, frame.along(way));
+  else coordinates = glm::inverse(axesMatrix(frame)) * delta;
+  if (isPlane(way)) coordinates[normalAxisOf(way)] = 0.0f;
+  track.traveled += speed * coordinates;
+}
+
+void advanceRotation(GizmoTrack& track, Way way, const glm::vec2& pixel, float speed, const GizmoBasis& frame,
+                     const GizmoContext& context) {
+  const glm::vec3 normal = frame.ringNormal(way);
+  const glm::vec2 before = track.lastPixel;
+  track.lastPixel = pixel;
+  if (std::abs(glm::dot(normal, frame.toEye)) > kPlanarRing) {
+    const std::optional<glm::vec3> from = onPlane(frame.origin, normal, context.view.rayThrough(before));
+    const std::optional<glm::vec3> to = onPlane(frame.origin, normal, context.view.rayThrough(pixel));
+    if (!from || !to) return;
+    const glm::vec3 a = *from - frame.origin;
+    const glm::vec3 b = *to - frame.origin;
+    const float tooNear = 0.03f * frame.arm;
+    if (glm::length(a) < tooNear || glm::length(b) < tooNear) return;
+    track.traveled.x += speed * std::atan2(glm::dot(normal, glm::cross(a, b)), glm::dot(a, b));
+    return;
+  }
+  // Edge-on the ring is a line across the picture: rolled along it, an arm's length is one radian.
+  const glm::vec3 tangent = normalizeOr(glm::cross(normal, frame.toEye), across(normal));
+  const glm::vec2 onScreen = glm::vec2(context.view.toPixel(frame.origin + frame.arm * tangent)) -
+                             glm::vec2(context.view.toPixel(frame.origin));
+  const float lengthSquared = glm::dot(onScreen, onScreen);
+  if (lengthSquared > 1.0f) track.traveled.x += speed * glm::dot(pixel - before, onScreen) / lengthSquared;
+}
+
+void advanceTracks(GizmoDrag& drag, const glm::vec2& pixel, float speed, const GizmoBasis& frame,
+                   const GizmoContext& context) {
+  const HandleParts parts = partsOf(drag.handle);
+  for (const Way way : kAllWays) {
+    GizmoTrack& track = drag.tracks[trackOf(way)];
+    if (track.lastPixel == pixel) continue;
+    if (parts.kind == HandleKind::kRotate) {
+      if (!isPlane(way)) advanceRotation(track, way, pixel, speed, frame, context);
+    } else if (parts.kind == HandleKind::kScale && way == Way::kWhole) {
+      track.traveled.x += speed * ((pixel.x - track.lastPixel.x) - (pixel.y - track.lastPixel.y));
+      track.lastPixel = pixel;
+    } else {
+      advanceMove(track, way, pixel, speed, frame, context);
+    }
+  }
+  drag.pointer = pixel;
+}
+
+// Keys ------------------------------------------------------------------------------------------------------------
+
+void readKeys(GizmoDrag& drag, const ViewportInput& input) {
+  const bool oneWay = partsOf(drag.handle).kind == HandleKind::kPole || drag.handle == GizmoHandle::kBelly;
+  if (!oneWay) {
+    constexpr std::array<std::pair<Key, Way>, 3> axisKeys = {
+        {{Key::kX, Way::kX}, {Key::kY, Way::kY}, {Key::kZ, Way::kZ}}};
+    for (const auto& [key, axis] : axisKeys) {
+      if (drag.handle == GizmoHandle::kBend && axis == Way::kY) continue;
+      if (input.keyPressed(key)) drag.lock = drag.lock == axis ? Way::kNone : axis;
+    }
+  }
+  if (input.keyPressed(Key::kBackspace) && !drag.typed.empty()) drag.typed.pop_back();
+  for (const char typed : input.typed) {
+    const char c = typed == ',' ? '.' : typed;
+    if (c == '-') {
+      if (drag.typed.starts_with('-')) drag.typed.erase(0, 1);
+      else drag.typed.insert(0, 1, '-');
+      continue;
+    }
+    const bool digit = c >= '0' && c <= '9' && drag.typed.size() < 12;
+    if (digit || (c == '.' && drag.typed.find('.') == std::string::npos)) {
+      drag.typed.push_back(c);
+    }
+  }
+}
+
+/// Nothing while what is typed is not yet a number ("-", ".").
+std::optional<float> typedValue(const std::string& typed) {
+  float value = 0.0f;
+  const char* end = typed.data() + typed.size();
+  const auto parsed = std::from_chars(typed.data(), end, value);
+  if (typed.empty() || parsed.ec != std::errc() || parsed.ptr != end) return std::nullopt;
+  return value;
+}
+
+// Tracks -> placement ---------------------------------------------------------------------------------------------
+
+struct Evaluation {
+  GizmoDrag& drag;
+  const ViewportInput& input;
+  const GizmoContext& context;
+  const GizmoBasis& frame;
+  Way way;  ///< After the lock.
+  float sign;
+  std::optional<float> typed;
+
+  [[nodiscard]] const glm::vec3& traveled() const { return drag.tracks[trackOf(way)].traveled; }
+  [[nodiscard]] float step(float coarse) const { return input.shift ? kPrecise * coarse : coarse; }
+  [[nodiscard]] bool snaps() const { return input.ctrl && !typed; }
+};
+
+void setValue(const Evaluation& e, const std::string& value) {
+  const std::string label = nameOf(e.way);
+  e.drag.value = label + (label.empty() ? "" : " ") + value + (e.drag.typed.empty() ? "" : " [" + e.drag.typed + "]");
+}
+
+/// The axis along which a typed length goes while nothing is moved yet.
+int firstAxisOf(Way way) {
+  if (isAxis(way)) return axisOf(way);
+  return isPlane(way) ? planeAxes(way)[0] : axisOf(Way::kX);
+}
+
+Placement evaluateMove(const Evaluation& e) {
+  glm::vec3 coordinates = e.traveled();
+  const glm::mat3 axes = axesMatrix(e.frame);
+  if (e.snaps()) {
+    for (int i = 0; i < 3; ++i) coordinates[i] = snapped(coordinates[i], e.step(kMoveStep * e.context.characterHeight));
+  }
+  if (e.typed) {
+    glm::vec3 first(0.0f);
+    first[firstAxisOf(e.way)] = 1.0f;
+    const float length = glm::length(axes * coordinates);
+    const bool moved = !isAxis(e.way) && length > 1e-6f * e.context.characterHeight;
+    coordinates = *e.typed * (moved ? coordinates / length : first);
+  }
+  const glm::vec3 inWorld = axes * coordinates;
+  const float length = isAxis(e.way) ? coordinates[axisOf(e.way)] : glm::length(inWorld);
+  setValue(e, lengthText(length, e.context.characterHeight));
+  e.drag.effect.moved = inWorld;
+  return moved(e.drag.effect, e.drag.start, e.frame.boneInverse);
+}
+
+Placement evaluateRotation(const Evaluation& e) {
+  float angle = e.traveled().x;
+  if (e.snaps()) angle = snapped(angle, e.step(kAngleStep));
+  if (e.typed) angle = *e.typed * kPi / 180.0f;
+  e.drag.angle = angle;
+  setValue(e, number(angle * 180.0f / kPi) + " deg");
+  e.drag.effect.turnAxis = e.frame.ringNormal(e.way);
+  e.drag.effect.angle = angle;
+  e.drag.effect.pivot = e.frame.origin;
+  return turned(e.drag.effect, e.drag.start, e.frame.boneInverse, e.context.pivotInWorld ? &e.frame.center : nullptr);
+}
+
+Placement evaluateScale(const Evaluation& e) {
+  // A lock on the uniform handle changes which radii follow, not how they are pulled.
+  const bool uniform = partsOf(e.drag.handle).way == Way::kWhole;
+  const glm::vec3& traveled = e.drag.tracks[trackOf(uniform ? Way::kWhole : e.way)].traveled;
+  float factor = uniform ? std::exp2(traveled.x / (kGizmoArmPixels * e.context.uiScale))
+                         : 1.0f + traveled[axisOf(e.way)] / e.drag.grabbedLength;
+  if (e.snaps()) factor = std::max(snapped(factor, e.step(kFactorStep)), e.step(kFactorStep));
+  factor = std::clamp(e.typed.value_or(factor), 0.01f, 1000.0f);
+  e.drag.factor = factor;
+  setValue(e, "x " + number(factor));
+  e.drag.effect.factors = glm::vec3(1.0f);
+  for (const Way axis : kAxisWays) {
+    if (e.way == Way::kWhole || e.way == axis) e.drag.effect.factors[axisOf(axis)] = factor;
+  }
+  return scaled(e.drag.effect, e.drag.start, e.frame.bone, e.context.characterHeight);
+}
+
+/// By how many radii both poles of an axis are moved along it.
+float bendAtPole(const Shape& shape, int axis) { return axis == 1 ? 0.0f : axisAt(shape, thickestAt(shape))[axis / 2]; }
+
+Placement evaluatePole(const Evaluation& e) {
+  const int axis = axisOf(e.way);
+  const float perUnit = worldPerUnit(e.frame.bone, e.drag.start, axis);
+  const float before = perUnit * e.drag.start.radii[axis];
+  const float pulled = e.sign * e.traveled()[axis];
+  const bool bothEnds = e.input.alt;
+  float length = before + (bothEnds ? pulled : 0.5f * pulled);
+  if (e.snaps()) length = snapped(length, e.step(kMoveStep * e.context.characterHeight));
+  length = e.typed.value_or(length);
+  length = std::max(length, std::min(before, kLeastRadius * e.context.characterHeight));
+  setValue(e, lengthText(length, e.context.characterHeight));
+  Placement placement = e.drag.start;
+  if (length == before) return placement;
+  placement.radii[axis] = length / perUnit;
+  if (!bothEnds) {
+    glm::vec3 unit(0.0f);
+    unit[axis] = e.sign - bendAtPole(placement.shape, axis);
+    placement.center += (placement.radii[axis] - e.drag.start.radii[axis]) * (e.drag.start.rotation * unit);
+  }
+  return placement;
+}
+
+Placement evaluateShape(const Evaluation& e) {
+  const Placement& start = e.drag.start;
+  glm::vec3 traveled(0.0f);
+  for (int axis = 0; axis < 3; ++axis) {
+    traveled[axis] = e.traveled()[axis] / (worldPerUnit(e.frame.bone, start, axis) * start.radii[axis]);
+    if (e.snaps()) traveled[axis] = snapped(traveled[axis], e.step(kFactorStep));
+  }
+  const bool belly = e.drag.handle == GizmoHandle::kBelly;
+  const Placement placement = belly ? withBelly(start, traveled.y, e.context.reach, e.typed)
+                                    : withBend(start, e.way, traveled, e.context.reach, e.typed);
+  const Shape& shape = placement.shape;
+  setValue(e, belly ? number(shape.belly) : number(shape.bend.x) + ", " + number(shape.bend.y));
+  return placement;
+}
+
+Placement evaluate(GizmoDrag& drag, const ViewportInput& input, const GizmoContext& context, const GizmoBasis& frame) {
+  const HandleParts parts = partsOf(drag.handle);
+  const Evaluation e{drag, input, context, frame, wayOf(drag), parts.sign, typedValue(drag.typed)};
+  switch (parts.kind) {
+    case HandleKind::kNone:
+      break;
+    case HandleKind::kMove:
+      return evaluateMove(e);
+    case HandleKind::kRotate:
+      return evaluateRotation(e);
+    case HandleKind::kScale:
+      return evaluateScale(e);
+    case HandleKind::kPole:
+      return evaluatePole(e);
+    case HandleKind::kShape:
+      return evaluateShape(e);
+  }
+  return drag.start;
+}
+
+/// Scale and poles work along the primitive's axes whatever axes are chosen; poles from its center.
+}  // namespace
+
+void beginDrag(GizmoState& state, GizmoHandle handle, const Placement& inBone, const glm::vec2& pixel,
+               const GizmoContext& context) {
+  assert(handle != GizmoHandle::kNone);
+  GizmoDrag drag;
+  drag.handle = handle;
+  drag.start = inBone;
+  drag.current = inBone;
+  drag.pressPixel = pixel;
+  drag.pointer = pixel;
+  for (GizmoTrack& track : drag.tracks) track.lastPixel = pixel;
+  const std::optional<GizmoBasis> frame = basisOfDrag(state, handle, inBone, context);
+  const HandleParts parts = partsOf(handle);
+  if (frame) {
+    drag.grabbedLength = frame->arm;
+    if (parts.kind == HandleKind::kScale && isAxis(parts.way)) {
+      const std::optional<glm::vec3> grabbed = movePoint(parts.way, pixel, *frame, context.view);
+      const float length = grabbed ? glm::dot(*grabbed, frame->along(parts.way)) : 0.0f;
+      if (length > 0.1f * frame->arm) drag.grabbedLength = length;
+    }
+  }
+  state.drag = drag;
+}
+
+DragResult updateDrag(GizmoState& state, const ViewportInput& input, const GizmoContext& context) {
+  assert(state.drag);
+  GizmoDrag& drag = *state.drag;
+  if (input.keyPressed(Key::kEscape) || input.button(MouseButton::kRight).pressed) {
+    const DragResult canceled{drag.start, DragOutcome::kCanceled, {}};
+    state.drag.reset();
+    return canceled;
+  }
+  readKeys(drag, input);
+  // The placement at the start, carried by the bone of this frame: what was dragged so far is added to that.
+  if (const std::optional<GizmoBasis> frame = basisOfDrag(state, drag.handle, drag.start, context)) {
+    advanceTracks(drag, input.mouse, input.shift ? kPrecise : 1.0f, *frame, context);
+    drag.current = evaluate(drag, input, context, *frame);
+  }
+  const bool committed =
+      input.keyPressed(Key::kEnter) || input.keyPressed(Key::kKeypadEnter) || input.button(MouseButton::kLeft).released;
+  const DragResult result{drag.current, committed ? DragOutcome::kCommitted : DragOutcome::kDragging, drag.effect};
+  if (committed) state.drag.reset();
+  return result;
+}
+
+}  // namespace sinew::app

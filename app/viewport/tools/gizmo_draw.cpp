@@ -1,0 +1,263 @@
+// app/viewport/tools/gizmo_draw.cpp: the gizmo in two dimensions, smooth at any window scale.
+
+#include "app/viewport/tools/gizmo_draw.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <imgui.h>
+#include <glm/geometric.hpp>
+
+#include "app/viewport/tools/gizmo_basis.h"
+
+namespace sinew::app {
+namespace {
+
+constexpr std::array<ImU32, 3> kAxisColors = {IM_COL32(235, 82, 82, 255), IM_COL32(112, 200, 80, 255),
+                                              IM_COL32(84, 140, 245, 255)};
+constexpr ImU32 kHoverColor = IM_COL32(255, 214, 64, 255);
+constexpr ImU32 kNeutralColor = IM_COL32(225, 228, 235, 255);
+constexpr ImU32 kShadowColor = IM_COL32(12, 14, 18, 150);
+
+ImU32 faded(ImU32 color, float alpha) {
+  const auto opaque = static_cast<float>((color >> IM_COL32_A_SHIFT) & 0xFFu);
+  const auto value = static_cast<ImU32>(std::clamp(opaque * alpha, 0.0f, 255.0f));
+  return (color & ~IM_COL32_A_MASK) | (value << IM_COL32_A_SHIFT);
+}
+
+/// Draw list and the way from viewport pixels to its units.
+struct GizmoCanvas {
+  ImDrawList& list;
+  glm::vec2 topLeft;
+  float unitsPerPixel;
+  float scale;  ///< Draw list units per design pixel.
+
+  [[nodiscard]] ImVec2 at(const glm::vec2& pixel) const {
+    const glm::vec2 p = topLeft + pixel * unitsPerPixel;
+    return {p.x, p.y};
+  }
+  void line(const glm::vec2& a, const glm::vec2& b, ImU32 color, float width) const {
+    list.AddLine(at(a), at(b), color, width * scale);
+  }
+  void dot(const glm::vec2& center, float radius, ImU32 color) const {
+    list.AddCircleFilled(at(center), radius * scale, color, 24);
+  }
+  void circle(const glm::vec2& center, float radius, ImU32 color, float width) const {
+    list.AddCircle(at(center), radius * scale, color, 32, width * scale);
+  }
+};
+
+ImU32 colorOf(GizmoHandle handle, const GizmoState& state) {
+  const GizmoHandle hot = state.drag ? state.drag->handle : state.hovered;
+  if (handle == hot) return kHoverColor;
+  const HandleParts parts = partsOf(handle);
+  if (parts.way == Way::kWhole) return kNeutralColor;
+  // A plane has the color of the axis across it.
+  const int axis = isPlane(parts.way) ? normalAxisOf(parts.way) : axisOf(parts.way);
+  return kAxisColors[static_cast<std::size_t>(axis)];
+}
+
+void drawArrow(const GizmoCanvas& canvas, const HandleShape& shape, ImU32 color) {
+  const glm::vec2 base = shape.outline[0];
+  const glm::vec2 tip = shape.outline[1];
+  const float length = glm::length(tip - base);
+  if (!(length > 1.0f)) return;
+  const glm::vec2 along = (tip - base) / length;
+  const glm::vec2 side(-along.y, along.x);
+  const float pixel = canvas.scale / canvas.unitsPerPixel;  // Viewport pixels per design pixel.
+  const float head = std::min(14.0f * pixel, 0.6f * length);
+  const glm::vec2 neck = tip - head * along;
+  canvas.line(base, neck, faded(kShadowColor, 1.0f), 4.5f);
+  canvas.line(base, neck, color, 2.5f);
+  canvas.list.AddTriangleFilled(canvas.at(tip + 2.0f * pixel * along), canvas.at(neck + 5.5f * pixel * side),
+                                canvas.at(neck - 5.5f * pixel * side), color);
+}
+
+void drawBox(const GizmoCanvas& canvas, const HandleShape& shape, ImU32 color) {
+  canvas.line(shape.outline[0], shape.outline[1], kShadowColor, 4.5f);
+  canvas.line(shape.outline[0], shape.outline[1], color, 2.5f);
+  const ImVec2 tip = canvas.at(shape.outline[1]);
+  const float half = 5.5f * canvas.scale;
+  canvas.list.AddRectFilled({tip.x - half, tip.y - half}, {tip.x + half, tip.y + half}, color, 1.5f * canvas.scale);
+}
+
+void drawPlane(const GizmoCanvas& canvas, const HandleShape& shape, ImU32 color, bool hot) {
+  std::array<ImVec2, 4> corners;
+  for (std::size_t i = 0; i < 4; ++i) corners[i] = canvas.at(shape.outline[i]);
+  canvas.list.AddQuadFilled(corners[0], corners[1], corners[2], corners[3], faded(color, hot ? 0.6f : 0.32f));
+  canvas.list.AddQuad(corners[0], corners[1], corners[2], corners[3], color, 1.3f * canvas.scale);
+}
+
+void drawRing(const GizmoCanvas& canvas, const HandleShape& shape, ImU32 color, bool hot) {
+  const std::size_t count = shape.outline.size();
+  for (const bool front : {false, true}) {
+    // Runs of points on one side become one polyline each, so that the joints are smooth.
+    for (std::size_t i = 0; i < count; ++i) {
+      const std::size_t next = (i + 1) % count;
+      if ((shape.inFront[i] && shape.inFront[next]) != front) continue;
+      const ImU32 shade = front ? color : faded(color, 0.22f);
+      canvas.line(shape.outline[i], shape.outline[next], shade, front ? (hot ? 3.2f : 2.4f) : 1.4f);
+    }
+  }
+}
+
+void drawPole(const GizmoCanvas& canvas, const HandleShape& shape, ImU32 color, bool hot) {
+  const float strength = shape.facesEye || hot ? 1.0f : 0.5f;
+  const float radius = hot ? 6.0f : 4.5f;
+  canvas.dot(shape.outline[0], radius + 1.5f, faded(kShadowColor, strength));
+  canvas.dot(shape.outline[0], radius, faded(color, strength));
+  canvas.circle(shape.outline[0], radius, faded(kNeutralColor, 0.85f * strength), 1.2f);
+}
+
+void drawDiamond(const GizmoCanvas& canvas, const glm::vec2& center, ImU32 color, bool hot) {
+  const ImVec2 c = canvas.at(center);
+  const auto quad = [&](float radius, ImU32 fill) {
+    const float r = radius * canvas.scale;
+    canvas.list.AddQuadFilled({c.x, c.y - r}, {c.x + r, c.y}, {c.x, c.y + r}, {c.x - r, c.y}, fill);
+  };
+  const float radius = hot ? 7.5f : 6.0f;
+  quad(radius + 2.0f, kShadowColor);
+  quad(radius + 1.2f, kNeutralColor);
+  quad(radius, color);
+}
+
+void drawHandle(const GizmoCanvas& canvas, const HandleShape& shape, const GizmoState& state) {
+  const ImU32 color = colorOf(shape.handle, state);
+  const bool hot = color == kHoverColor;
+  const HandleParts parts = partsOf(shape.handle);
+  switch (parts.kind) {
+    case HandleKind::kNone:
+      return;
+    case HandleKind::kPole:
+      drawPole(canvas, shape, color, hot);
+      return;
+    case HandleKind::kShape:
+      drawDiamond(canvas, shape.outline[0], color, hot);
+      return;
+    case HandleKind::kRotate:
+      drawRing(canvas, shape, color, hot);
+      return;
+    case HandleKind::kMove:
+    case HandleKind::kScale:
+      break;
+  }
+  if (parts.way == Way::kWhole) {
+    canvas.circle(shape.outline[0], 8.0f, kShadowColor, 4.0f);
+    canvas.circle(shape.outline[0], 8.0f, color, hot ? 2.6f : 1.8f);
+    canvas.dot(shape.outline[0], 2.0f, color);
+  } else if (isPlane(parts.way)) {
+    drawPlane(canvas, shape, color, hot);
+  } else if (parts.kind == HandleKind::kMove) {
+    drawArrow(canvas, shape, color);
+  } else {
+    drawBox(canvas, shape, color);
+  }
+}
+
+// What a drag shows -------------------------------------------------------------------------------------------------
+
+void drawAxisLine(const GizmoCanvas& canvas, const glm::vec3& origin, const glm::vec3& direction, float arm,
+                  ImU32 color, const View& view) {
+  // Long enough for any picture; drawn in pieces, so that what is behind the eye is simply left out.
+  constexpr int kPieces = 48;
+  for (int i = -kPieces; i < kPieces; ++i) {
+    const auto at = [&](int step) { return view.toPixel(origin + 0.5f * arm * static_cast<float>(step) * direction); };
+    const glm::vec3 a = at(i);
+    const glm::vec3 b = at(i + 1);
+    if (std::abs(a.z) > 1.0f || std::abs(b.z) > 1.0f) continue;
+    canvas.line(glm::vec2(a), glm::vec2(b), faded(color, 0.75f), 1.3f);
+  }
+}
+
+void drawWedge(const GizmoCanvas& canvas, const GizmoBasis& frame, const GizmoDrag& drag, const glm::vec3& normal,
+               const View& view) {
+  const Ray press = view.rayThrough(drag.pressPixel);
+  const glm::vec3 grabbed = onPlane(frame.origin, normal, press).value_or(frame.origin + across(normal)) - frame.origin;
+  const glm::vec3 u = normalizeOr(grabbed - glm::dot(grabbed, normal) * normal, across(normal));
+  const glm::vec3 v = glm::cross(normal, u);
+  const float shown = std::clamp(drag.angle, -6.2831853f, 6.2831853f);
+  const int steps = 2 + static_cast<int>(std::abs(shown) * 14.0f);
+  std::vector<ImVec2> fan{canvas.at(glm::vec2(view.toPixel(frame.origin)))};
+  for (int i = 0; i <= steps; ++i) {
+    const float angle = shown * static_cast<float>(i) / static_cast<float>(steps);
+    const glm::vec3 pixel = view.toPixel(frame.origin + frame.arm * (std::cos(angle) * u + std::sin(angle) * v));
+    if (std::abs(pixel.z) > 1.0f) return;
+    fan.push_back(canvas.at(glm::vec2(pixel)));
+  }
+  for (std::size_t i = 1; i + 1 < fan.size(); ++i) {
+    canvas.list.AddTriangleFilled(fan[0], fan[i], fan[i + 1], faded(kHoverColor, 0.22f));
+  }
+  canvas.list.AddLine(fan[0], fan[1], faded(kHoverColor, 0.7f), 1.3f * canvas.scale);
+  canvas.list.AddLine(fan[0], fan.back(), kHoverColor, 1.6f * canvas.scale);
+}
+
+void drawLabel(const GizmoCanvas& canvas, const glm::vec2& pixel, const std::string& text) {
+  if (text.empty()) return;
+  const ImVec2 size = ImGui::CalcTextSize(text.c_str());
+  const ImVec2 at = canvas.at(pixel);
+  const float pad = 5.0f * canvas.scale;
+  // Beside the pointer, but never cut off at the picture's edge.
+  const ImVec2 room = canvas.list.GetClipRectMax();
+  const ImVec2 low(std::min(at.x + 18.0f * canvas.scale, room.x - size.x - 2.0f * pad),
+                   std::min(at.y + 16.0f * canvas.scale, room.y - size.y - 2.0f * pad));
+  canvas.list.AddRectFilled({low.x - pad, low.y - 0.6f * pad}, {low.x + size.x + pad, low.y + size.y + 0.6f * pad},
+                            IM_COL32(18, 20, 26, 215), 4.0f * canvas.scale);
+  canvas.list.AddText(low, kNeutralColor, text.c_str());
+}
+
+void drawDrag(const GizmoCanvas& canvas, const GizmoState& state, const GizmoContext& context) {
+  const GizmoDrag& drag = *state.drag;
+  const HandleParts parts = partsOf(drag.handle);
+  const auto frame = basisOfDrag(state, drag.handle, drag.start, context);
+  if (!frame) return;
+  const Way way = wayOf(drag);
+  const auto axisLine = [&](int axis) {
+    const auto i = static_cast<std::size_t>(axis);
+    drawAxisLine(canvas, frame->origin, frame->axes[i], frame->arm, kAxisColors[i], context.view);
+  };
+  if (isAxis(way)) axisLine(axisOf(way));
+  if (isPlane(way)) {
+    for (const int axis : planeAxes(way)) axisLine(axis);
+  }
+  if (parts.kind == HandleKind::kRotate) {
+    drawWedge(canvas, *frame, drag, frame->ringNormal(way), context.view);
+  }
+  if (parts.kind == HandleKind::kMove) {
+    const glm::vec3 now(context.boneInWorld * glm::vec4(drag.current.center, 1.0f));
+    canvas.dot(glm::vec2(context.view.toPixel(frame->origin)), 3.0f, faded(kNeutralColor, 0.5f));
+    canvas.line(glm::vec2(context.view.toPixel(frame->origin)), glm::vec2(context.view.toPixel(now)),
+                faded(kHoverColor, 0.6f), 1.2f);
+  }
+  drawLabel(canvas, drag.pointer, drag.value);
+}
+
+/// Back to front: what hitTest prefers is drawn last.
+int drawOrder(const HandleShape& shape) {
+  const HandleParts parts = partsOf(shape.handle);
+  if (parts.kind == HandleKind::kShape) return 5;
+  if (parts.kind == HandleKind::kPole) return shape.facesEye ? 4 : 3;
+  if (parts.kind == HandleKind::kRotate) return 1;
+  return parts.way == Way::kWhole ? 2 : (isAxis(parts.way) ? 1 : 0);
+}
+
+}  // namespace
+
+void drawGizmo(ImDrawList& list, const GizmoState& state, const GizmoLayout& layout, const GizmoContext& context,
+               const glm::vec2& topLeft, float unitsPerPixel) {
+  if (!layout.visible) return;
+  const GizmoCanvas canvas{list, topLeft, unitsPerPixel, context.uiScale * unitsPerPixel};
+  const glm::vec2 size(context.view.size);
+  list.PushClipRect(canvas.at(glm::vec2(0.0f)), canvas.at(size), true);
+  if (state.drag) drawDrag(canvas, state, context);
+  std::vector<const HandleShape*> ordered;
+  for (const HandleShape& shape : layout.handles) {
+    // During a drag only the dragged handle stays, so that the shape under it can be seen.
+    if (!state.drag || state.drag->handle == shape.handle) ordered.push_back(&shape);
+  }
+  std::ranges::stable_sort(ordered, {}, [](const HandleShape* shape) { return drawOrder(*shape); });
+  for (const HandleShape* shape : ordered) drawHandle(canvas, *shape, state);
+  list.PopClipRect();
+}
+
+}  // namespace sinew::app

@@ -1,0 +1,25 @@
+// app/viewport/tools/tool_table.cpp: every tool, in the order of ToolKind.
+
+#include <array>
+#include <string>
+
+#include "app/viewport/tools/tool.h"
+#include "core/geometry/lower_case.h"
+
+namespace sinew::app {
+namespace {
+
+constexpr std::array<const Tool*, kToolCount> kTools{&kSelectTool, &kAddMuscleTool, &kMuscleLineTool, &kMoveTool,
+                                                     &kRotateTool, &kScaleTool,     &kPoseTool};
+
+}  // namespace
+
+std::string nameOf(ToolKind tool) { return lowerCase(kTools[static_cast<std::size_t>(tool)]->label); }
+
+std::span<const Tool* const, kToolCount> tools() { return kTools; }
+
+const Tool& activeTool(const ViewportTools& state) {
+  return state.territoryMode ? kTerritoryTool : *kTools[static_cast<std::size_t>(state.tool)];
+}
+
+}  // namespace sinew::app

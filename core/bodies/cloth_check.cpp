@@ -1,0 +1,210 @@
+// core/bodies/cloth_check.cpp: each vertex of cloth against a tree of the skin's triangles, pose after pose.
+#include "core/bodies/cloth_check.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <numeric>
+#include <optional>
+#include <utility>
+
+#include <glm/geometric.hpp>
+
+#include "core/bodies/skin_sight.h"
+#include "core/geometry/at.h"
+#include "core/geometry/parallel.h"
+#include "core/geometry/triangle_tree.h"
+#include "core/rig/layer_guess.h"
+#include "core/rig/layers.h"
+#include "sinew/surface/smoother.h"
+
+namespace sinew {
+namespace {
+
+constexpr float kInsideBody = 0.5f;  ///< Winding number.
+
+std::vector<int> clothVertices(const ControlMesh& mesh, const MeshLayers& layers, const Refinement& refinement) {
+  std::vector<int> out;
+  const auto take = [&](int carrier, int first, int end) {
+    for (int v = first; v < end && at(layers.carriers, carrier) == SkinLayer::kCloth; ++v) out.push_back(v);
+  };
+  const int vertices = refinement.controlVertices;
+  for (int v = 0; v < vertices; ++v) take(v, v, v + 1);
+  for (int e = 0; e < refinement.controlEdges; ++e) {
+    take(vertices + e, at(refinement.edgeBegin, e), at(refinement.edgeBegin, e + 1));
+  }
+  for (int t = 0; t < static_cast<int>(mesh.triangles.size()); ++t) {
+    take(vertices + refinement.controlEdges + t, at(refinement.insideBegin, t), at(refinement.insideBegin, t + 1));
+  }
+  return out;
+}
+
+TriangleCorners cornersIn(const Surface& surface, int triangle) {
+  const std::array<int, 3>& t = at(surface.refinement->triangles, triangle);
+  return {at(surface.positions, t[0]), at(surface.positions, t[1]), at(surface.positions, t[2])};
+}
+
+glm::vec3 faceNormal(const TriangleCorners& c) {
+  return normalizeOr(glm::cross(c[1] - c[0], c[2] - c[0]), glm::vec3(0.0f));
+}
+
+TriangleTree treeOf(const Surface& surface, std::span<const int> triangles) {
+  std::vector<TriangleCorners> corners;
+  for (const int t : triangles) corners.push_back(cornersIn(surface, t));
+  return {corners, triangles};
+}
+
+/// [V'] normals that tell inside from outside at vertices: those of faces, by the angles there (Baerentzen and Aanaes
+/// 2005). At edges it is the sum of both faces.
+std::vector<glm::vec3> vertexNormals(const Surface& surface, std::span<const int> triangles) {
+  std::vector<glm::vec3> normals(surface.positions.size(), glm::vec3(0.0f));
+  for (const int t : triangles) {
+    const TriangleCorners c = cornersIn(surface, t);
+    const glm::vec3 face = faceNormal(c);
+    for (std::size_t k = 0; k < 3; ++k) {
+      const glm::vec3 a = normalizeOr(c[(k + 1) % 3] - c[k], face);
+      const glm::vec3 b = normalizeOr(c[(k + 2) % 3] - c[k], face);
+      at(normals, at(surface.refinement->triangles, t)[k]) += std::acos(std::clamp(glm::dot(a, b), -1.0f, 1.0f)) * face;
+    }
+  }
+  return normals;
+}
+
+/// [T'] triangle across each edge.
+std::vector<std::array<int, 3>> acrossEdges(const Refinement& refinement, std::span<const int> triangles) {
+  std::vector<std::array<int, 3>> across(refinement.triangles.size(), {-1, -1, -1});
+  std::map<std::array<int, 2>, std::array<int, 2>> open;  // Edge to triangle and corner.
+  for (const int t : triangles) {
+    for (int k = 0; k < 3; ++k) {
+      const std::array<int, 3>& v = at(refinement.triangles, t);
+      const int a = at(v, k);
+      const int b = at(v, (k + 1) % 3);
+      const auto [found, isNew] = open.try_emplace({std::min(a, b), std::max(a, b)}, std::array{t, k});
+      if (isNew) continue;
+      at(at(across, t), k) = found->second[0];
+      at(at(across, found->second[0]), found->second[1]) = t;
+    }
+  }
+  return across;
+}
+
+/// So that bare and lifted cloth are compared vertex by vertex: the same mesh, every muscle hidden.
+std::vector<int> allPrimitives(const Rig& rig) {
+  std::vector<int> all(rig.primitives.size());
+  for (std::size_t i = 0; i < all.size(); ++i) all[i] = static_cast<int>(i);
+  return all;
+}
+
+/// What an eye makes of cloth that is below a wall of the skin.
+class ClothSight {
+ public:
+  ClothSight(const Surface& surface, std::span<const int> skin)
+      : all_(treeOf(surface, allTriangles(surface))), skin_(treeOf(surface, skin)) {}
+
+  /// Whether the cloth is inside of the body and the skin over it is in sight.
+  [[nodiscard]] bool shows(const ClothSunk& sunk, const glm::vec3& cloth, float off) const {
+    return skin_.windingAt(cloth) > kInsideBody && isSeen(all_, sunk.place, sunk.normal, off);
+  }
+
+ private:
+  static std::vector<int> allTriangles(const Surface& surface) {
+    std::vector<int> all(surface.refinement->triangles.size());
+    std::iota(all.begin(), all.end(), 0);
+    return all;
+  }
+
+  TriangleTree all_;  ///< All parts hide what is behind them.
+  TriangleTree skin_;
+};
+
+}  // namespace
+
+ClothMeter::ClothMeter(const ControlMesh& mesh, const MeshLayers& layers, const Surface& bind, float height)
+    : height_(height), cloth_(clothVertices(mesh, layers, *bind.refinement)), bind_(bind.positions) {
+  const std::size_t first = mesh.positions.size() + mesh.edges.size();
+  const int triangles = static_cast<int>(bind.refinement->triangles.size());
+  for (int i = 0; i < triangles; ++i) {
+    bindFaces_.push_back(faceNormal(cornersIn(bind, i)));
+    if (layers.carriers[first + toIndex(at(bind.refinement->controlOf, i))] == SkinLayer::kSkin) skin_.push_back(i);
+  }
+  across_ = acrossEdges(*bind.refinement, skin_);
+  const TriangleTree tree = treeOf(bind, skin_);
+  for (const int v : cloth_) {
+    const NearestPoint found = tree.nearest(at(bind_, v), kClothReach * height_);
+    under_.push_back(found.triangle < 0 ? glm::vec3(0.0f) : at(bindFaces_, found.triangle));
+  }
+}
+
+std::vector<ClothSunk> ClothMeter::below(const Surface& surface) const {
+  std::vector<ClothSunk> out(cloth_.size());
+  const TriangleTree tree = treeOf(surface, skin_);
+  const std::vector<glm::vec3> normals = vertexNormals(surface, skin_);
+  const float within = kClothSunk * height_;
+  forEachIndex(out.size(), 256, [&](std::size_t i) {
+    const glm::vec3& p = at(surface.positions, cloth_[i]);
+    const auto ofOthers = [&](int triangle) {
+      const glm::vec3& corner = at(bind_, at(surface.refinement->triangles, triangle)[0]);
+      const bool isUnder = glm::distance(corner, at(bind_, cloth_[i])) <= kClothReach * height_ &&
+                           glm::dot(at(bindFaces_, triangle), under_[i]) > 0.0f;
+      return isUnder ? 0.0f : 2.0f * within;
+    };
+    const NearestPoint found = tree.nearest(p, within, ofOthers);
+    if (found.triangle < 0) return;
+    const TriangleCorners c = cornersIn(surface, found.triangle);
+    const glm::vec3& s = found.shares;
+    glm::vec3 normal = faceNormal(c);
+    for (int k = 0; k < 3; ++k) {
+      if (s[k] == 1.0f) normal = at(normals, at(at(surface.refinement->triangles, found.triangle), k));
+      const int other = at(at(across_, found.triangle), k);
+      const bool isOnEdge = s[(k + 2) % 3] == 0.0f && s[k] > 0.0f && s[(k + 1) % 3] > 0.0f;
+      if (isOnEdge && other >= 0) normal += faceNormal(cornersIn(surface, other));
+    }
+    if (glm::dot(p - mixed(c, s), normal) < 0.0f) out[i] = {found.distance, mixed(c, s), normal};
+  });
+  return out;
+}
+
+Result<ClothCount> countClothBelow(const std::shared_ptr<const Character>& character, const Rig& rig,
+                                   std::span<const Pose> poses) {
+  ClothCount count;
+  const MeshLayers layers = meshLayers(*character, layersOf(rig, *character, guessLayers(*character)));
+  if (!layers.hasCloth()) return count;
+  Smoother lifted(character);
+  Rig whole = rig;
+  whole.smoothing.detail = DetailKind::kUniform;
+  if (auto prepared = lifted.prepare(whole); !prepared) return prepared.error();
+  Smoother bare(character);
+  if (auto prepared = bare.prepare(whole, allPrimitives(whole)); !prepared) return prepared.error();
+  Surface surface;
+  bare.smooth(bindPose(character->skeleton), surface);
+  const ClothMeter meter(character->mesh, layers, surface, character->height);
+  count.vertices = static_cast<int>(meter.cloth().size());
+  const float least = kClothBelow * character->height;
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    if (!bare.smooth(poses[i], surface)) continue;
+    const std::vector<ClothSunk> before = meter.below(surface);
+    lifted.smooth(poses[i], surface);
+    const std::vector<ClothSunk> after = meter.below(surface);
+    std::optional<ClothSight> sight;
+    for (std::size_t v = 0; v < after.size(); ++v) {
+      if (before[v].depth > least) ++count.bare;
+      if (!(after[v].depth > least)) continue;
+      ++count.below;
+      if (before[v].depth > least) continue;
+      ++count.more;
+      if (!sight) sight.emplace(surface, meter.skin());
+      if (after[v].depth - before[v].depth > least &&
+          sight->shows(after[v], at(surface.positions, meter.cloth()[v]), least)) {
+        ++count.seen;
+        count.lastSeen = static_cast<int>(i);
+      }
+      if (after[v].depth / character->height <= count.deepest) continue;
+      count.deepest = after[v].depth / character->height;
+      count.worst = static_cast<int>(i);
+    }
+  }
+  return count;
+}
+
+}  // namespace sinew

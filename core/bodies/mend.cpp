@@ -1,0 +1,325 @@
+// core/bodies/mend.cpp: candidates in order of how little they change; each is measured over all poses.
+#include "core/bodies/mend.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+#include <utility>
+#include <vector>
+
+#include <glm/geometric.hpp>
+
+#include "core/bodies/belly_motion.h"
+#include "core/bodies/belly_trial.h"
+#include "core/bodies/check.h"
+#include "core/bodies/learn_full.h"
+#include "core/bodies/mend_belly.h"
+#include "core/bodies/mend_drawn.h"
+#include "core/geometry/at.h"
+#include "core/rig/line_edit.h"
+#include "core/rig/line_fitting.h"
+#include "core/rig/reparent.h"
+#include "core/rig/twins.h"
+
+namespace sinew {
+namespace {
+
+constexpr float kRigidFrom = 2.0f;  ///< Times what is found: worse lines do more harm than none.
+
+/// One line and its first muscle, in a rig of their own.
+class LineTrial {
+ public:
+  LineTrial(const Rig& rig, int line, int primitive, const Motions& motions) : motions_(motions) {
+    trial_.surface = rig.surface;
+    trial_.lines = {at(rig.lines, line)};
+    trial_.primitives = {at(rig.primitives, primitive)};
+    trial_.lines[0].animated.clear();
+    trial_.primitives[0].animated.clear();
+    const Character& character = motions.character();
+    if (const auto bone = character.skeleton.findBone(trial_.primitives[0].bone)) {
+      const RigPoser poser(trial_, character);
+      belly_ =
+          FollowedBelly::create(character, motions.skin(), poser.pose(bindPose(character.skeleton)).muscles[0], *bone);
+    }
+    if (belly_) frames_ = motions.framesOf(belly_->spots());
+  }
+
+  [[nodiscard]] bool canTell() const { return belly_.has_value(); }
+  [[nodiscard]] const SkinSpot& spot() const { return belly_->spots()[0]; }
+
+  /// @param enough  after a pose with a worse path no other is looked at
+  Trouble trouble(const MuscleLine& line, float enough = std::numeric_limits<float>::max()) {
+    trial_.lines[0].via = line.via;
+    trial_.lines[0].settings = line.settings;
+    const RigPoser poser(trial_, motions_.character());
+    Trouble out;
+    constexpr std::size_t kPoints = FollowedBelly::kPoints;
+    const std::size_t count = motions_.poses().size();
+    for (std::size_t k = 0; k < count && out.path <= enough; ++k) {
+      const std::size_t i = (worst_ + k) % count;
+      poser.pose(motions_.poses()[i], posed_);
+      const PosedLine& shown = posed_.lines[0];
+      if (!shown.usable) continue;
+      const BellyMotion motion = belly_->motion(posed_.muscles[0], std::span(frames_).subspan(i * kPoints, kPoints));
+      out.add(troubleOf(*belly_, motion, shown, motions_.shareOf(i)));
+      if (out.path > enough) worst_ = i;
+    }
+    return out;
+  }
+
+ private:
+  const Motions& motions_;
+  Rig trial_;
+  std::optional<FollowedBelly> belly_;
+  std::vector<std::optional<SkinFrame>> frames_;
+  PosedRig posed_;
+  std::size_t worst_ = 0;  ///< What was too much for the last line is looked at first.
+};
+
+struct LineChoice {
+  MuscleLine line;
+  std::string said;
+};
+
+/// 1 where the line is no farther from its bone than the flesh is thick, fading to 0 at twice that.
+float fadedPivot(const LineRest& rest, const SkinSpot& spot, const Character& character) {
+  const auto frame = frameAt(character, spot, bindPose(character.skeleton));
+  if (!frame) return rest.settings.pivot;
+  const glm::vec3 middle(0.5 * (rest.origin.inBind + rest.insertion.inBind));
+  const float flesh = std::max(glm::distance(frame->origin, middle), 1e-6f * character.height);
+  const auto away = static_cast<float>(rest.height);
+  return std::min(rest.settings.pivot, std::clamp(2.0f - away / flesh, 0.0f, 1.0f));
+}
+
+std::string inWords(float number) {
+  char text[16];
+  std::snprintf(text, sizeof text, "%.2g", static_cast<double>(number));
+  return text;
+}
+
+std::vector<LineChoice> candidatesFor(const Rig& rig, int line, const SkinSpot& spot, const Character& character) {
+  const MuscleLine& own = at(rig.lines, line);
+  std::vector<LineChoice> out{{own, ""}};
+  const Result<LineRest> rest = lineRest(own, character);
+  if (!rest) return out;
+  const float pivot = fadedPivot(rest.value(), spot, character);
+  std::vector<float> pivots;
+  for (const float value : {own.settings.pivot, pivot, 0.0f}) {
+    if (std::ranges::find(pivots, value) == pivots.end()) pivots.push_back(value);
+  }
+  const auto add = [&](const MuscleLine& led, const std::string& said) {
+    for (const float value : pivots) {
+      LineChoice candidate{led, said};
+      candidate.line.settings.pivot = value;
+      if (value != own.settings.pivot) candidate.said = "pivot " + inWords(value) + (said.empty() ? "" : ", ") + said;
+      out.push_back(std::move(candidate));
+    }
+  };
+  add(own, "");
+  if (own.via) {
+    MuscleLine straight = own;
+    straight.via.reset();
+    add(straight, "no via point");
+  }
+  const glm::dvec2 tendons(own.settings.tendons);
+  const glm::dvec3 along = rest->insertion.inBind - rest->origin.inBind;
+  const glm::dvec3 middle = rest->origin.inBind + 0.5 * (1.0 + tendons.x - tendons.y) * along;
+  for (const int bone : bonesAt(character, spot)) {
+    MuscleLine led = own;
+    led.via = anchorOn(character.skeleton, bone, glm::vec3(middle));
+    add(led, "via point on " + led.via->bone);
+  }
+  if (const Result<Rig> beside = withViaPoint(rig, line, character)) {
+    add(at(beside->lines, line), "via point beside the joint");
+  }
+  // The belly may go with either bone.
+  const std::size_t halfWay = out.size();
+  for (std::size_t i = 0; i < halfWay; ++i) {
+    for (const float twist : {0.0f, 1.0f}) {
+      if (out[i].line.settings.twist == twist) continue;
+      out.push_back(out[i]);
+      out.back().line.settings.twist = twist;
+      out.back().said += std::string(out.back().said.empty() ? "" : ", ") + "twist " + inWords(twist);
+    }
+  }
+  return out;
+}
+
+/// Less and less of what makes a short belly thick.
+std::vector<std::pair<LineSettings, std::string>> thinner(const LineSettings& settings) {
+  std::vector<std::pair<LineSettings, std::string>> out;
+  LineSettings next = settings;
+  const auto add = [&](const char* said) { out.emplace_back(next, said); };
+  next.flex = glm::min(0.5f * settings.flex, settings.flex);
+  add("half the flex");
+  next.tendons = 0.5f * settings.tendons;
+  add("half the flex, shorter tendons");
+  next.volume = std::min(settings.volume, 0.5f);
+  add("half the flex, shorter tendons, less volume");
+  next.tendons = {0.0f, 0.0f};
+  next.flex = glm::min(glm::vec2(0.0f), settings.flex);
+  next.volume = 0.0f;
+  add("no flex, no tendons, no volume");
+  return out;
+}
+
+/// The muscles ride the bone that carries the skin over them, where they lie now.
+Result<Mended> withoutLine(Rig rig, std::span<const int> bellies, int bone, const Character& character) {
+  const Skeleton& skeleton = character.skeleton;
+  for (const int belly : bellies) {
+    Primitive& primitive = at(rig.primitives, belly);
+    const std::optional<int> from = skeleton.findBone(primitive.bone);
+    if (!from || *from == bone) continue;
+    primitive.placement =
+        carryToBone(primitive.placement, at(skeleton.bones, *from).bindInWorld, at(skeleton.bones, bone).bindInWorld);
+    primitive.bone = skeleton.fileName(bone);
+  }
+  Result<Rig> rigid = setLineOfSeveral(std::move(rig), bellies, -1);
+  if (!rigid) return rigid.error();
+  return Mended{std::move(rigid).value(),
+                "no line between its bones stays in the flesh, so it rides " + skeleton.fileName(bone), true, true};
+}
+
+void sayItLeaves(std::string& said) {
+  said += std::string(said.empty() ? "" : ", ") + "and it still leaves the flesh somewhere";
+}
+
+/// Only its line and where it lies are taken.
+Result<Mended> withChoice(Rig rig, int line, int belly, BellyChoice choice) {
+  Mended out;
+  out.said = std::move(choice.said);
+  Primitive& own = at(rig.primitives, belly);
+  own.bone = choice.primitive.bone;
+  own.placement = choice.primitive.placement;
+  if (!choice.line) {
+    out.isRigid = true;
+    out.rig = setLineOfSeveral(std::move(rig), std::array{belly}, -1);
+    return out;
+  }
+  Result<Rig> edited = editLine(std::move(rig), line, [&](MuscleLine& of) {
+    of.origin = choice.line->origin;
+    of.insertion = choice.line->insertion;
+    of.via = choice.line->via;
+    of.settings = choice.line->settings;
+  });
+  if (!edited) return edited.error();
+  out.rig = std::move(edited).value();
+  return out;
+}
+
+/// What no candidate mended, if it is one muscle: deeper, else with its end or itself in another place.
+/// @param best  the candidate that comes nearest  @return nullopt: none of this helps
+std::optional<Result<Mended>> withNewPlace(const Rig& rig, int line, int belly, const LineChoice& best,
+                                           const Motions& motions, MadeLine made) {
+  const BellyChoice drawn{at(rig.primitives, belly), at(rig.lines, line), {}};
+  BellyChoice deeper = drawn;
+  deeper.line = best.line;
+  deeper.said = best.said;
+  if (const auto clean = withDeeperBelly(deeper, rig.surface, motions)) return withChoice(rig, line, belly, *clean);
+  if (!lineRest(*drawn.line, motions.character())) return std::nullopt;
+  if (made == MadeLine::kOtherEnd) {
+    const auto clean = withNearerEnd(drawn, rig.surface, motions);
+    return clean ? std::optional(withChoice(rig, line, belly, *clean)) : std::nullopt;
+  }
+  auto muscle = withDrawnMuscle(drawn, rig.surface, motions);
+  if (!muscle) return std::nullopt;
+  Result<Mended> done = withChoice(rig, line, belly, std::move(muscle->choice));
+  if (done && !muscle->isClean) {
+    done.value().isClean = false;
+    sayItLeaves(done.value().said);
+  }
+  return done;
+}
+
+}  // namespace
+
+Result<Mended> withMendedLine(Rig rig, int line, const Motions& motions, MadeLine made) {
+  Mended out;
+  const Character& character = motions.character();
+  const std::vector<int> bellies = primitivesOn(rig, at(rig.lines, line).name);
+  if (bellies.empty() || motions.poses().empty()) {
+    out.rig = std::move(rig);
+    return out;
+  }
+  LineTrial trial(rig, line, bellies.front(), motions);
+  if (!trial.canTell()) {
+    out.rig = std::move(rig);
+    return out;
+  }
+  std::optional<LineChoice> best;
+  Trouble least;
+  for (LineChoice& candidate : candidatesFor(rig, line, trial.spot(), character)) {
+    const Trouble trouble = best ? trial.trouble(candidate.line, least.path) : trial.trouble(candidate.line);
+    if (best && !(trouble.path < least.path)) continue;
+    least = trouble;
+    best = std::move(candidate);
+    // The designer's own line is left alone as long as nothing is found.
+    if (least.path <= (best->said.empty() ? 1.0f : kMendedMargin)) break;
+  }
+  out.said = best->said;
+  const bool isNew = made != MadeLine::kBefore;
+  if (isNew) {
+    learnFull(best->line, motions);
+    least = trial.trouble(best->line);
+  }
+  if (least.ball > 1.0f) {
+    for (const auto& [settings, said] : thinner(best->line.settings)) {
+      MuscleLine thin = best->line;
+      thin.settings = settings;
+      const Trouble trouble = trial.trouble(thin);
+      if (trouble.path > std::max(1.0f, least.path)) continue;
+      best->line = thin;
+      least = trouble;
+      out.said = best->said + (best->said.empty() ? "" : ", ") + said;
+      if (least.ball <= 1.0f) break;
+    }
+  }
+  out.isClean = least.path <= 1.0f && least.ball <= 1.0f;
+  if (isNew && !out.isClean && bellies.size() == 1) {
+    if (auto placed = withNewPlace(rig, line, bellies.front(), *best, motions, made)) return std::move(*placed);
+  }
+  if (least.path > kRigidFrom) {
+    const std::vector<int> carriers = bonesAt(character, trial.spot());
+    return withoutLine(std::move(rig), bellies, carriers.front(), character);
+  }
+  Result<Rig> edited = editLine(std::move(rig), line, [&](MuscleLine& of) {
+    of.via = best->line.via;
+    of.settings = best->line.settings;
+  });
+  if (!edited) return edited.error();
+  out.rig = std::move(edited).value();
+  if (isNew && !out.isClean) sayItLeaves(out.said);
+  return out;
+}
+
+Result<MendedRig> withMendedFindings(Rig rig, std::span<const Finding> findings, const Motions& motions,
+                                     const MirrorPlan* plan) {
+  MendedRig out{std::move(rig), {}};
+  std::vector<std::string> done;
+  const auto isDone = [&](const std::string& name) { return std::ranges::find(done, name) != done.end(); };
+  for (const Finding& finding : findings) {
+    const std::string name = at(out.rig.primitives, finding.primitive).line;
+    const int line = findLine(out.rig, name);
+    if (line < 0 || isDone(name) || finding.kind == FindingKind::kReachesAcross) continue;
+    done.push_back(name);
+    const std::string twin = plan ? at(out.rig.lines, line).mirror : "";
+    if (!twin.empty()) done.push_back(twin);
+    Result<Mended> mended = withMendedLine(out.rig, line, motions, MadeLine::kBefore);
+    if (!mended) return mended.error();
+    if (mended->said.empty()) continue;
+    out.said.push_back(name + ": " + mended->said);
+    Rig edited = std::move(mended.value().rig);
+    if (mended->isRigid && !twin.empty()) {
+      const std::vector<int> bellies = primitivesOn(edited, twin);
+      Result<Rig> both = setLineOfSeveral(std::move(edited), bellies, -1);
+      if (!both) return both.error();
+      edited = std::move(both).value();
+    }
+    out.rig = plan ? keepTwins(out.rig, out.rig, std::move(edited), *plan) : std::move(edited);
+  }
+  return out;
+}
+
+}  // namespace sinew

@@ -1,0 +1,51 @@
+// core/bodies/mend.h: muscle lines changed until their bellies stay in the flesh. docs/check.md.
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/bodies/check.h"
+#include "core/bodies/motions.h"
+#include "core/rig/mirror.h"
+#include "sinew/geometry/result.h"
+#include "sinew/rig/rig.h"
+
+namespace sinew {
+
+/// Where a line comes from, which says what may be changed of it.
+enum class MadeLine {
+  kBefore,    ///< It was there: its muscle stays.
+  kOtherEnd,  ///< Just made for a muscle that was there: its other end may move.
+  kDrawn,     ///< Just made with its muscle: both may be laid elsewhere.
+};
+
+struct Mended {
+  Rig rig;
+  std::string said;      ///< "pivot 0.3, via point on thigh.L"; empty: nothing had to be changed.
+  bool isClean = true;   ///< False: something is still found.
+  bool isRigid = false;  ///< No line would do: its muscles ride their bones.
+};
+
+/// Tries, in this order, what keeps the line's first belly under the skin over all poses: the line as it is; a pivot
+/// that fades where the bone is far; a via point at the belly's middle on the bones that carry the skin there; one
+/// beside the joint. If none does, the best of them; none if that is twice as bad as what is found. Then tendons,
+/// flex, volume and limits are taken back until the belly swells to a ball no more. Twins stay as they are
+/// (core/rig/line_twins.h).
+/// A line that has just been made learns its full contraction from the motions. Where no candidate is clean and it
+/// carries one muscle, that lies deeper or goes with one of the line's bones (mend_drawn.h), and what is still found is
+/// said.
+[[nodiscard]] Result<Mended> withMendedLine(Rig rig, int line, const Motions& motions, MadeLine made);
+
+struct MendedRig {
+  Rig rig;
+  std::vector<std::string> said;  ///< Of each line that was changed: "calf L: pivot 0.3".
+};
+
+/// Mends every line that something was found of, and its twin with it. What muscles on one bone do is their designer's
+/// to change.
+/// @param findings  check() of this rig  @param plan  null: twins stay as they are
+[[nodiscard]] Result<MendedRig> withMendedFindings(Rig rig, std::span<const Finding> findings, const Motions& motions,
+                                                   const MirrorPlan* plan);
+
+}  // namespace sinew

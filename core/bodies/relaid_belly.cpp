@@ -1,0 +1,221 @@
+// core/bodies/relaid_belly.cpp: the belly lies between its line and the skin, as a tool lays it.
+#include "core/bodies/relaid_belly.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <utility>
+
+#include <glm/geometric.hpp>
+
+#include "core/character/bone_segments.h"
+#include "core/geometry/affine_image.h"
+#include "core/geometry/at.h"
+#include "core/rig/belly_on_line.h"
+#include "core/rig/line_fitting.h"
+#include "core/rig/reparent.h"
+
+namespace sinew {
+namespace {
+
+constexpr float kOwnTendon = 0.1f;    ///< Of the line; of a belly under the skin, of its half length.
+constexpr float kLeastHalf = 0.35f;   ///< Of that drawn: shorter ones are hardly what was wanted.
+constexpr float kFarHalves = 3.0f;    ///< Of half the length as drawn, or, where that is more,
+constexpr float kFarHeight = 0.1f;    ///< of H.
+constexpr float kLeastAcross = 0.5f;  ///< Between line and skin's normal: steeper lines run out of the skin.
+constexpr float kMostCosine = 0.7f;   ///< The same, of the way to the other end.
+constexpr float kMostAside = 0.5f;    ///< Along the line, of half the length: from its middle to the skin over it.
+constexpr float kNearest = 0.01f;     ///< Of H: other ends that are nearer give no direction.
+
+/// What is left of it square to a unit vector; nullopt: less than a share.
+std::optional<glm::vec3> acrossTo(const glm::vec3& unit, const glm::vec3& along, float least) {
+  const glm::vec3 across = unit - glm::dot(unit, along) * along;
+  const float size = glm::length(across);
+  return size < least ? std::nullopt : std::optional(across / size);
+}
+
+std::string withReach(std::string said, BellyBone bone, float reach) {
+  if (reach < 1.0f) {
+    said += said.empty() ? "" : ", ";
+    said += bone == BellyBone::kOrigin ? "insertion nearer to the joint" : "origin nearer to the joint";
+  }
+  return said;
+}
+
+}  // namespace
+
+RelaidBelly::RelaidBelly(const BellyChoice& drawn, const BellyTrial& trial, const Character& character)
+    : drawn_(drawn),
+      character_(character),
+      rest_(lineRest(*drawn.line, character).value()),
+      skins_{OwnSkin(character, rest_.origin.bone), OwnSkin(character, rest_.insertion.bone)},
+      joint_(jointBetween(rest_, character)),
+      middle_(trial.body().center),
+      half_(glm::length(trial.body().axes[1])) {
+  const glm::vec3 top = trial.body().center + glm::length(trial.body().axes[2]) * trial.outwards();
+  const auto skin = frameAt(character, trial.spot(), bindPose(character.skeleton));
+  if (skin) stands_ = std::max(0.0f, glm::dot(top - skin->origin, skin->normal()));
+}
+
+glm::vec3 RelaidBelly::ownEnd(BellyBone bone) const {
+  return glm::vec3(bone == BellyBone::kOrigin ? rest_.origin.inBind : rest_.insertion.inBind);
+}
+
+glm::vec3 RelaidBelly::otherEnd(BellyBone bone, float reach) const {
+  const glm::vec3 other = ownEnd(bone == BellyBone::kOrigin ? BellyBone::kInsertion : BellyBone::kOrigin);
+  return joint_ + reach * (other - joint_);
+}
+
+/// Half way from the skin to the bone, but no deeper than a belly is thick.
+glm::vec3 RelaidBelly::lineUnder(int bone, const SkinFrame& skin) const {
+  const glm::vec3 onAxis = bindSegment(at(character_.skeleton.bones, bone)).nearest(skin.origin);
+  const float depth = std::clamp(0.5f * glm::dot(skin.origin - onAxis, skin.normal()), 0.0f, 0.5f * half_);
+  return skin.origin - depth * skin.normal();
+}
+
+MuscleLine RelaidBelly::lineOf(BellyBone bone, const glm::vec3& own, const glm::vec3& other) const {
+  const bool atOrigin = bone == BellyBone::kOrigin;
+  MuscleLine line = *drawn_.line;
+  line.origin = anchorOn(character_.skeleton, rest_.origin.bone, atOrigin ? own : other);
+  line.insertion = anchorOn(character_.skeleton, rest_.insertion.bone, atOrigin ? other : own);
+  line.via.reset();
+  line.settings.pivot = 0.0f;
+  line.settings.twist = atOrigin ? 0.0f : 1.0f;
+  return line;
+}
+
+void RelaidBelly::place(BellyChoice& choice, int bone, const Placement& belly) const {
+  const glm::dmat4 toBone(at(character_.skeleton.bones, bone).inverseBindInWorld);
+  choice.primitive.placement = imageOf(belly, {glm::dmat3(toBone), glm::dvec3(toBone[3])});
+  choice.primitive.bone = character_.skeleton.fileName(bone);
+}
+
+float RelaidBelly::distanceOf(const BellyChoice& choice) const {
+  const Bone& bone = at(character_.skeleton.bones, *character_.skeleton.findBone(choice.primitive.bone));
+  const glm::vec3 middle(bone.bindInWorld * glm::vec4(choice.primitive.placement.center, 1.0f));
+  return glm::distance(middle, middle_);
+}
+
+bool RelaidBelly::isNear(const BellyChoice& choice) const {
+  return distanceOf(choice) <= std::max(kFarHalves * half_, kFarHeight * character_.height);
+}
+
+BellyChoice RelaidBelly::asDrawn(BellyBone bone, float reach) const {
+  BellyChoice choice = drawn_;
+  choice.line = lineOf(bone, ownEnd(bone), otherEnd(bone, reach));
+  const Skeleton& skeleton = character_.skeleton;
+  const int from = *skeleton.findBone(choice.primitive.bone);
+  const int to = skin(bone).bone();
+  if (from != to) {
+    choice.primitive.placement = carryToBone(choice.primitive.placement, at(skeleton.bones, from).bindInWorld,
+                                             at(skeleton.bones, to).bindInWorld);
+    choice.primitive.bone = skeleton.fileName(to);
+  }
+  choice.said = withReach("goes with " + choice.primitive.bone, bone, reach);
+  return choice;
+}
+
+/// @param tendons  at its own end, at the other one: of the line
+std::optional<BellyChoice> RelaidBelly::laid(BellyBone bone, const glm::vec3& own, const glm::vec3& other,
+                                             const glm::vec2& tendons, const SkinFrame& skin) const {
+  const float length = glm::distance(own, other);
+  const float half = 0.5f * (1.0f - tendons.x - tendons.y) * length;
+  if (!(half >= kLeastHalf * half_)) return std::nullopt;
+  const bool atOrigin = bone == BellyBone::kOrigin;
+  const glm::vec3 away = (other - own) / length;
+  const glm::vec3 along = atOrigin ? away : -away;
+  const auto out = acrossTo(skin.normal(), along, kLeastAcross);
+  if (!out) return std::nullopt;
+  // Under the skin's nearest place, even where the line itself runs through the air.
+  const glm::vec3 off = skin.origin - (own + (tendons.x * length + half) * away);
+  if (std::abs(glm::dot(off, along)) > kMostAside * half) return std::nullopt;
+  BellyChoice choice = drawn_;
+  choice.line = lineOf(bone, own, other);
+  choice.line->settings.tendons = atOrigin ? tendons : glm::vec2(tendons.y, tendons.x);
+  if (!lineRest(*choice.line, character_)) return std::nullopt;
+  const float depth = std::max(0.0f, glm::dot(off, skin.normal()));
+  const float stands = std::min(stands_, kBellyBulge * half);
+  place(choice, this->skin(bone).bone(), bellyOnLine(skin.origin - depth * *out, along, *out, depth + stands, half));
+  return choice;
+}
+
+std::optional<BellyChoice> RelaidBelly::shorter(BellyBone bone, float reach, float tendon) const {
+  const glm::vec3 own = ownEnd(bone);
+  const glm::vec3 other = otherEnd(bone, reach);
+  const float middle = kOwnTendon + 0.5f * (1.0f - kOwnTendon - tendon);
+  const auto over = skin(bone).nearest(glm::mix(own, other, middle));
+  if (!over) return std::nullopt;
+  auto choice = laid(bone, own, other, {kOwnTendon, tendon}, *over);
+  if (choice) choice->said = withReach("shorter, along " + choice->primitive.bone, bone, reach);
+  return choice;
+}
+
+std::optional<BellyChoice> RelaidBelly::under(BellyBone bone, float reach, float share, float inwards) const {
+  const OwnSkin& skin = this->skin(bone);
+  const glm::vec3 other = otherEnd(bone, reach);
+  const glm::vec3 wanted = glm::mix(ownEnd(bone), skin.middle(), inwards);
+  const OwnTriangle* best = nullptr;
+  float least = std::numeric_limits<float>::max();
+  for (const OwnTriangle& own : skin.firm()) {
+    const glm::vec3 way = other - lineUnder(skin.bone(), own.frame);
+    const float length = glm::length(way);
+    if (!(length > kNearest * character_.height)) continue;
+    if (std::abs(glm::dot(way, own.frame.normal())) > kMostCosine * length) continue;
+    const float off = glm::distance(own.frame.origin, wanted);
+    if (off >= least) continue;
+    least = off;
+    best = &own;
+  }
+  if (best == nullptr) return std::nullopt;
+  const glm::vec3 middle = lineUnder(skin.bone(), best->frame);
+  const float way = glm::distance(middle, other);
+  const float half = std::min(share * way, half_);
+  const float tendon = kOwnTendon * half;
+  const float length = way + half + tendon;
+  const glm::vec2 tendons(tendon / length, (way - half) / length);
+  if (tendons.x + tendons.y > kMostTendons) return std::nullopt;
+  auto choice = laid(bone, middle + (half + tendon) / way * (middle - other), other, tendons, best->frame);
+  if (choice) choice->said = withReach("under the skin of " + choice->primitive.bone, bone, reach);
+  return choice;
+}
+
+std::optional<BellyChoice> RelaidBelly::riding(const OwnSkin& skin, const glm::vec3& near, float inwards) const {
+  const glm::vec3 wanted = glm::mix(near, skin.middle(), inwards);
+  const auto over = std::ranges::min_element(
+      skin.firm(), {}, [&](const OwnTriangle& own) { return glm::distance(own.frame.origin, wanted); });
+  if (over == skin.firm().end()) return std::nullopt;
+  const glm::vec3& out = over->frame.normal();
+  const auto drawn = acrossTo(glm::vec3(rest_.direction), out, kLeastAcross);
+  const glm::vec3 along = drawn ? *drawn : over->frame.axes[0];
+  BellyChoice choice = drawn_;
+  const glm::vec3 middle = lineUnder(skin.bone(), over->frame);
+  const float top = glm::distance(middle, over->frame.origin) + std::min(stands_, kBellyBulge * half_);
+  place(choice, skin.bone(), bellyOnLine(middle, along, out, top, half_));
+  return offItsLine(std::move(choice));
+}
+
+BellyChoice offItsLine(BellyChoice choice) {
+  choice.line.reset();
+  choice.primitive.line.clear();
+  choice.said = "no line between its bones stays in the flesh, so it rides " + choice.primitive.bone;
+  return choice;
+}
+
+BellyChoice larger(BellyChoice choice, float factor) {
+  Placement& placement = choice.primitive.placement;
+  placement.center -= (factor - 1.0f) * placement.radii.z * glm::mat3_cast(placement.rotation)[2];
+  placement.radii *= glm::vec3(factor, 1.0f, factor);
+  choice.said += ", larger";
+  return choice;
+}
+
+BellyChoice ledByItsBone(BellyChoice choice, const Skeleton& skeleton) {
+  const int bone = *skeleton.findBone(choice.primitive.bone);
+  const glm::vec4 middle(choice.primitive.placement.center, 1.0f);
+  choice.line->via = anchorOn(skeleton, bone, glm::vec3(at(skeleton.bones, bone).bindInWorld * middle));
+  choice.said += ", via point on " + choice.primitive.bone;
+  return choice;
+}
+
+}  // namespace sinew

@@ -1,0 +1,302 @@
+// core/bodies/retargeter.cpp: R'(t) = (R_clip(t) R_clip,0^-1) R_0, bone by bone, then the way of the hips.
+#include "core/bodies/retargeter.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <glm/geometric.hpp>
+#include <glm/gtc/matrix_inverse.hpp>
+
+#include "core/geometry/at.h"
+
+namespace sinew {
+namespace {
+
+constexpr float kSameTurn = 1e-6f;   ///< Per component of a rotation.
+constexpr float kSamePlace = 1e-6f;  ///< Fraction of the larger of both.
+constexpr double kLargest = 1e15;    ///< As the import allows.
+
+glm::dquat restTurn(const Node& node) {
+  return node.rest.matrix ? rotationIn(*node.rest.matrix) : glm::normalize(glm::dquat(node.rest.rotation));
+}
+
+glm::dquat bindTurn(const Skeleton& skeleton, int bone) { return rotationIn(at(skeleton.bones, bone).bindInWorld); }
+
+bool isFiniteMatrix(const glm::dmat4& matrix) {
+  for (int column = 0; column < 4; ++column) {
+    for (int row = 0; row < 4; ++row) {
+      if (!(std::abs(matrix[column][row]) < kLargest)) return false;
+    }
+  }
+  return true;
+}
+
+bool isTame(const Channel& channel) {
+  return std::ranges::all_of(channel.values, [](const glm::vec4& value) {
+    return std::abs(static_cast<double>(value.x)) < kLargest && std::abs(static_cast<double>(value.y)) < kLargest &&
+           std::abs(static_cast<double>(value.z)) < kLargest && std::abs(static_cast<double>(value.w)) < kLargest;
+  });
+}
+
+bool isSame(const glm::vec4& a, const glm::vec4& b, ChannelPath path) {
+  const glm::vec4 apart = glm::abs(a - b);
+  const float most = std::max({apart.x, apart.y, apart.z, apart.w});
+  if (path == ChannelPath::kRotation) {
+    const glm::vec4 sum = glm::abs(a + b);
+    return std::min(most, std::max({sum.x, sum.y, sum.z, sum.w})) <= kSameTurn;
+  }
+  return most <= kSamePlace * std::max(glm::length(a), glm::length(b));
+}
+
+/// One key where all are the same.
+void shorten(Channel& channel) {
+  const bool still = std::ranges::all_of(
+      channel.values, [&](const glm::vec4& value) { return isSame(value, channel.values.front(), channel.path); });
+  if (!still || channel.interpolation == Interpolation::kCubicSpline || channel.values.size() < 2) return;
+  channel.times.resize(1);
+  channel.values.resize(1);
+}
+
+std::size_t placeOf(int node, ChannelPath path) { return 2 * toIndex(node) + (path == ChannelPath::kRotation ? 0 : 1); }
+
+}  // namespace
+
+void MadeChannels::add(Channel channel) {
+  places_[placeOf(channel.node, channel.path)] = static_cast<int>(channels_.size());
+  channels_.push_back(std::move(channel));
+}
+
+const Channel* MadeChannels::of(int node, ChannelPath path) const {
+  const int place = places_[placeOf(node, path)];
+  return place < 0 ? nullptr : &at(channels_, place);
+}
+
+Retargeter::Retargeter(const ClipBodies& bodies) : bodies_(bodies), stance_(findCommonStance(bodies)) {}
+
+bool Retargeter::canTurn(int bone) const {
+  return partnerOf(bone) >= 0 && !at(bodies_.to.nodes, at(bodies_.to.bones, bone).node).rest.matrix;
+}
+
+int Retargeter::anchorOf(int bone) const {
+  int above = at(bodies_.to.bones, bone).parent;
+  while (above >= 0 && !canTurn(above)) above = at(bodies_.to.bones, above).parent;
+  return above;
+}
+
+Channel Retargeter::turnOf(int bone, const ClipTurns& turns, double& budget) const {
+  const int anchor = anchorOf(bone);
+  const int node = at(bodies_.to.bones, bone).node;
+  const int top = anchor < 0 ? -1 : at(bodies_.to.bones, anchor).node;
+  glm::dquat between(1.0, 0.0, 0.0, 0.0);
+  for (int above = at(bodies_.to.nodes, node).parent; above >= 0 && above != top;
+       above = at(bodies_.to.nodes, above).parent) {
+    between = restTurn(at(bodies_.to.nodes, above)) * between;
+  }
+  glm::dquat left = glm::conjugate(between);
+  int theirs = -1;
+  if (anchor >= 0) {
+    left = left * glm::conjugate(bindTurn(bodies_.to, anchor)) * at(stance_.turn, anchor) * stance_.facing *
+           bindTurn(bodies_.from, partnerOf(anchor));
+    theirs = at(bodies_.from.bones, partnerOf(anchor)).node;
+  } else {
+    left = left * stance_.facing;
+  }
+  const glm::dquat right = glm::conjugate(bindTurn(bodies_.from, partnerOf(bone))) * glm::conjugate(stance_.facing) *
+                           glm::conjugate(at(stance_.turn, bone)) * bindTurn(bodies_.to, bone);
+  Channel channel = turns.between(theirs, at(bodies_.from.bones, partnerOf(bone)).node, left, right, budget);
+  channel.node = node;
+  return channel;
+}
+
+bool Retargeter::isAtRest(const Channel& channel) const {
+  const LocalTransform& rest = at(bodies_.to.nodes, channel.node).rest;
+  if (channel.values.size() != 1) return false;
+  const glm::quat& turn = rest.rotation;
+  const glm::vec4 still = channel.path == ChannelPath::kRotation ? glm::vec4(turn.x, turn.y, turn.z, turn.w)
+                                                                 : glm::vec4(rest.translation, 0.0f);
+  return isSame(channel.values.front(), still, channel.path);
+}
+
+glm::dmat4 Retargeter::placed(int node, const MadeChannels& made, float time) const {
+  glm::dmat4 world(1.0);
+  for (int next = node; next >= 0; next = at(bodies_.to.nodes, next).parent) {
+    LocalTransform local = at(bodies_.to.nodes, next).rest;
+    if (const Channel* turn = made.of(next, ChannelPath::kRotation)) {
+      const glm::vec4 value = sampleChannel(*turn, time);
+      local.rotation = glm::quat(value.w, value.x, value.y, value.z);
+    }
+    if (const Channel* path = made.of(next, ChannelPath::kTranslation)) {
+      local.translation = glm::vec3(sampleChannel(*path, time));
+    }
+    world = glm::dmat4(local.toMatrix()) * world;
+  }
+  return world;
+}
+
+double Retargeter::depthOf(int node) const {
+  double depth = 1.0;
+  for (int next = node; next >= 0; next = at(bodies_.to.nodes, next).parent) ++depth;
+  return depth;
+}
+
+std::vector<float> Retargeter::timesAbove(int node, const MadeChannels& made) const {
+  std::vector<float> times;
+  for (int next = node; next >= 0; next = at(bodies_.to.nodes, next).parent) {
+    for (const ChannelPath path : {ChannelPath::kRotation, ChannelPath::kTranslation}) {
+      const Channel* channel = made.of(next, path);
+      if (channel != nullptr) times.insert(times.end(), channel->times.begin(), channel->times.end());
+    }
+  }
+  return times;
+}
+
+/// p'(t) = p'_0 + k (p(t) - p_0) for the joint, in the world; then under the node above it.
+Channel Retargeter::hipPath(const ClipTurns& turns, const MadeChannels& made, double& budget) const {
+  Channel channel;
+  if (stance_.hips < 0 || !canTurn(stance_.hips)) return channel;
+  const Bone& ours = at(bodies_.to.bones, stance_.hips);
+  const Bone& theirs = at(bodies_.from.bones, partnerOf(stance_.hips));
+  channel.node = ours.node;
+  channel.path = ChannelPath::kTranslation;
+  std::vector<int> nodes;
+  (void)turns.chain(-1, theirs.node, nodes);
+  const int above = at(bodies_.to.nodes, ours.node).parent;
+  const std::vector<float> ourTimes = timesAbove(above, made);
+  const glm::dmat3 scaled = glm::mat3_cast(stance_.facing) * stance_.heightRatio;
+  const glm::dvec3 start(ours.bindInWorld[3]);
+  const glm::dvec3 from(theirs.bindInWorld[3]);
+  // What places a joint in the world: all above it, and its own translation.
+  const auto theirPlace = [&](float time, const glm::vec4* own, double point) {
+    glm::dmat4 world(1.0);
+    for (const int node : nodes) {
+      LocalTransform local = at(bodies_.from.nodes, node).rest;
+      if (local.matrix) {
+        world = world * glm::dmat4(*local.matrix);
+        continue;
+      }
+      const glm::dquat turn = turns.turn(node, time);
+      local.rotation = glm::quat(turn);
+      if (const Channel* path = turns.channel(node, ChannelPath::kTranslation)) {
+        local.translation = glm::vec3(sampleChannel(*path, time));
+      }
+      if (const Channel* size = turns.channel(node, ChannelPath::kScale))
+        local.scale = glm::vec3(sampleChannel(*size, time));
+      if (node == theirs.node && own != nullptr) return glm::dvec3(world * glm::dvec4(glm::dvec3(*own), point));
+      world = world * glm::dmat4(local.toMatrix());
+    }
+    return glm::dvec3(world[3]);
+  };
+  const auto under = [&](float time) { return glm::inverse(above < 0 ? glm::dmat4(1.0) : placed(above, made, time)); };
+  const Channel* own = turns.channel(theirs.node, ChannelPath::kTranslation);
+  const bool othersStill = std::ranges::all_of(nodes, [&](int node) {
+    if (node == theirs.node) return true;
+    return turns.channel(node, ChannelPath::kTranslation) == nullptr &&
+           turns.channel(node, ChannelPath::kRotation) == nullptr &&
+           turns.channel(node, ChannelPath::kScale) == nullptr;
+  });
+  if (othersStill && ourTimes.empty() && own != nullptr) {
+    const glm::dmat4 inParent = under(0.0f);
+    if (!isFiniteMatrix(inParent)) return {};
+    channel.interpolation = own->interpolation;
+    channel.times = own->times;
+    const bool cubic = own->interpolation == Interpolation::kCubicSpline;
+    for (std::size_t i = 0; i < own->values.size(); ++i) {
+      const bool isPoint = !cubic || i % 3 == 1;
+      const glm::dvec3 there = theirPlace(0.0f, &own->values[i], isPoint ? 1.0 : 0.0);
+      const glm::dvec3 here = isPoint ? start + scaled * (there - from) : scaled * there;
+      channel.values.emplace_back(glm::vec3(inParent * glm::dvec4(here, isPoint ? 1.0 : 0.0)), 0.0f);
+    }
+    return channel;
+  }
+  std::vector<float> times = turns.timesOf(nodes, false);
+  times.insert(times.end(), ourTimes.begin(), ourTimes.end());
+  std::ranges::sort(times);
+  times.erase(std::unique(times.begin(), times.end()), times.end());
+  times = refinedTimes(std::move(times));
+  budget -= static_cast<double>(times.size()) * (static_cast<double>(nodes.size()) + depthOf(above));
+  if (budget < 0.0) return {};
+  for (const float time : times) {
+    const glm::dmat4 inParent = under(time);
+    if (!isFiniteMatrix(inParent)) return {};
+    const glm::dvec3 here = start + scaled * (theirPlace(time, nullptr, 1.0) - from);
+    channel.times.push_back(time);
+    channel.values.emplace_back(glm::vec3(inParent * glm::dvec4(here, 1.0)), 0.0f);
+  }
+  return channel;
+}
+
+/// A bone that hangs elsewhere in the tree stays where it is bound to another.
+Channel Retargeter::follow(int bone, int carrier, const MadeChannels& made, double& budget) const {
+  const Bone& own = at(bodies_.to.bones, bone);
+  const Bone& by = at(bodies_.to.bones, carrier);
+  const int above = at(bodies_.to.nodes, own.node).parent;
+  std::vector<float> times = timesAbove(by.node, made);
+  const std::vector<float> others = timesAbove(above, made);
+  times.insert(times.end(), others.begin(), others.end());
+  std::ranges::sort(times);
+  times.erase(std::unique(times.begin(), times.end()), times.end());
+  Channel channel;
+  channel.node = own.node;
+  channel.path = ChannelPath::kTranslation;
+  if (times.empty()) times.push_back(0.0f);
+  times = refinedTimes(std::move(times));
+  budget -= static_cast<double>(times.size()) * (depthOf(above) + depthOf(by.node));
+  if (budget < 0.0) return {};
+  const glm::dvec4 inCarrier = glm::dmat4(by.inverseBindInWorld) * glm::dvec4(glm::dvec3(own.bindInWorld[3]), 1.0);
+  for (const float time : times) {
+    const glm::dmat4 inParent = glm::inverse(above < 0 ? glm::dmat4(1.0) : placed(above, made, time));
+    if (!isFiniteMatrix(inParent)) return {};
+    channel.times.push_back(time);
+    channel.values.emplace_back(glm::vec3(inParent * placed(by.node, made, time) * inCarrier), 0.0f);
+  }
+  return channel;
+}
+
+/// Thighs beside the hips and feet beside their legs, as where feet are targets, would stay behind.
+void Retargeter::addPartsApart(MadeChannels& made, double& budget) const {
+  constexpr std::array<std::pair<Slot, Slot>, 6> kCarried{{{Slot::kHips, Slot::kSpine},
+                                                           {Slot::kHips, Slot::kUpperLeg},
+                                                           {Slot::kHips, Slot::kHindUpper},
+                                                           {Slot::kLowerLeg, Slot::kFoot},
+                                                           {Slot::kFrontLower, Slot::kFrontFoot},
+                                                           {Slot::kHindLower, Slot::kHindFoot}}};
+  for (const auto& [by, part] : kCarried) {
+    for (const BodySide side : {BodySide::kLeft, BodySide::kRight}) {
+      if (side == BodySide::kRight && part < kFirstSidedSlot) continue;
+      const int bone = partOf(bodies_, {part, side});
+      const int carrier = partOf(bodies_, {by, by < kFirstSidedSlot ? BodySide::kLeft : side});
+      if (bone < 0 || carrier < 0 || !canTurn(carrier)) continue;
+      const auto isAbove = [&](int above, int below) {
+        while (below >= 0 && below != above) below = at(bodies_.to.bones, below).parent;
+        return below == above;
+      };
+      const LocalTransform& rest = at(bodies_.to.nodes, at(bodies_.to.bones, bone).node).rest;
+      if (isAbove(carrier, bone) || isAbove(bone, carrier) || rest.matrix) continue;
+      Channel channel = follow(bone, carrier, made, budget);
+      if (!channel.times.empty() && isTame(channel)) made.add(std::move(channel));
+    }
+  }
+}
+
+std::vector<Channel> Retargeter::channelsOf(const AnimationClip& clip, double& budget) const {
+  const ClipTurns turns(bodies_.from, clip);
+  MadeChannels made(bodies_.to.nodes.size());
+  for (std::size_t i = 0; i < bodies_.to.bones.size() && budget >= 0.0; ++i) {
+    const int bone = static_cast<int>(i);
+    if (!canTurn(bone)) continue;
+    Channel channel = turnOf(bone, turns, budget);
+    if (channel.times.empty() || !isTame(channel)) continue;
+    shorten(channel);
+    if (!isAtRest(channel)) made.add(std::move(channel));
+  }
+  Channel path = hipPath(turns, made, budget);
+  if (!path.times.empty() && isTame(path)) {
+    shorten(path);
+    if (!isAtRest(path)) made.add(std::move(path));
+  }
+  addPartsApart(made, budget);
+  return std::move(made).take();
+}
+
+}  // namespace sinew

@@ -1,0 +1,399 @@
+// core/character/body_slots.cpp: limbs first, then what carries them, then what lies between.
+#include "core/character/body_slots.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include <glm/geometric.hpp>
+
+#include "core/character/limb_chains.h"
+#include "core/character/limb_parts.h"
+#include "core/geometry/at.h"
+
+namespace sinew {
+namespace {
+
+constexpr float kReachesGround = 0.55f;  ///< A limb does that ends below this part of its root's height.
+constexpr float kNearHips = 0.2f;        ///< Of H: how far a bone called hips may be from what carries the legs.
+constexpr float kElbowCut = 0.4f;        ///< Where one bone for humerus and radius has its elbow.
+constexpr Slot kArm[] = {Slot::kShoulder, Slot::kUpperArm, Slot::kLowerArm, Slot::kHand};
+constexpr Slot kLeg[] = {Slot::kUpperLeg, Slot::kLowerLeg, Slot::kFoot, Slot::kToes};
+constexpr Slot kFrontLeg[] = {Slot::kShoulder, Slot::kFrontUpper, Slot::kFrontLower, Slot::kFrontFoot};
+constexpr Slot kHindLeg[] = {Slot::kHindUpper, Slot::kHindLower, Slot::kHindFoot};
+constexpr glm::vec3 kUp(0.0f, 1.0f, 0.0f);
+
+struct Limbs {
+  std::optional<LimbChain> legs;  ///< Hind legs of quadrupeds.
+  std::optional<LimbChain> arms;
+  bool quadruped = false;
+};
+
+glm::vec3 rootOf(const SlotSearch& search, const LimbChain& chain) { return at(search.joints, chain.bones.front()); }
+
+bool reachesGround(const SlotSearch& search, const LimbChain& chain) {
+  return chain.lowest - search.ground < kReachesGround * (rootOf(search, chain).y - search.ground);
+}
+
+bool isLegByName(const LimbChain& chain) { return chain.word == LimbWord::kLeg || chain.word == LimbWord::kHindLeg; }
+bool isArmByName(const LimbChain& chain) { return chain.word == LimbWord::kArm || chain.word == LimbWord::kFrontLeg; }
+
+float legScore(const SlotSearch& search, const LimbChain& chain) {
+  float score = chain.length / search.height - (chain.lowest - search.ground) / search.height;
+  if (isLegByName(chain)) score += 10.0f;
+  if (isArmByName(chain)) score -= 10.0f;
+  if (chain.bones.size() < 2) score -= 5.0f;
+  return score;
+}
+
+float armScore(const SlotSearch& search, const LimbChain& chain) {
+  float score = (rootOf(search, chain).y - search.ground + chain.length) / search.height;
+  if (isArmByName(chain)) score += 10.0f;
+  if (isLegByName(chain)) score -= 10.0f;
+  return score;
+}
+
+template <class Score>
+int bestOf(const std::vector<LimbChain>& chains, Score score, int besides = -1) {
+  int best = -1;
+  for (int i = 0; i < static_cast<int>(chains.size()); ++i) {
+    if (i != besides && (best < 0 || score(at(chains, i)) > score(at(chains, best)))) best = i;
+  }
+  return best;
+}
+
+/// Of two limbs that both reach the ground and say nothing, the one that is carried from nearer to the root is behind.
+bool isBehind(const SlotSearch& search, const LimbChain& one, const LimbChain& other) {
+  return one.attach != other.attach && one.attach >= 0 && search.isAbove(one.attach, other.attach);
+}
+
+Limbs findLimbs(const SlotSearch& search) {
+  Limbs limbs;
+  const std::vector<LimbChain> chains = leftLimbs(search);
+  const auto unnamedLow = std::ranges::count_if(chains, [&](const LimbChain& chain) {
+    return chain.word == LimbWord::kNone && chain.length > 0.2f * search.height && reachesGround(search, chain);
+  });
+  if (unnamedLow > 2) return limbs;  // An insect, or a table.
+  int legs = bestOf(chains, [&](const LimbChain& chain) { return legScore(search, chain); });
+  if (legs < 0) return limbs;
+  const auto isLeg = [&](int i) {
+    return isLegByName(at(chains, i)) || (!isArmByName(at(chains, i)) && reachesGround(search, at(chains, i)));
+  };
+  int arms = bestOf(
+      chains, [&](const LimbChain& chain) { return armScore(search, chain); }, isLeg(legs) ? legs : -1);
+  if (!isLeg(legs)) legs = -1;
+  if (arms >= 0 && isLegByName(at(chains, arms))) arms = -1;
+  // Without a name an arm has at least two bones, and begins above the legs or before them.
+  if (arms >= 0 && !isArmByName(at(chains, arms)) && at(chains, arms).bones.size() < 2) arms = -1;
+  if (legs >= 0 && arms >= 0) {
+    const LimbChain& a = at(chains, arms);
+    const LimbChain& l = at(chains, legs);
+    const glm::vec3 apart = rootOf(search, a) - rootOf(search, l);
+    const glm::vec3 level = apart - apart.y * kUp - glm::dot(apart, search.left) * search.left;
+    const bool trunkIsLevel = glm::length(level) > std::abs(apart.y);
+    limbs.quadruped = trunkIsLevel && reachesGround(search, a) && reachesGround(search, l);
+    const bool unnamed = a.word == LimbWord::kNone && l.word == LimbWord::kNone;
+    if (limbs.quadruped && unnamed && isBehind(search, a, l)) std::swap(arms, legs);
+    if (!limbs.quadruped && unnamed && apart.y < 0.1f * search.height) arms = -1;
+  }
+  if (legs >= 0) limbs.legs = at(chains, legs);
+  if (arms >= 0) limbs.arms = at(chains, arms);
+  return limbs;
+}
+
+// Parts in the middle -----------------------------------------------------------------------------------------------
+
+/// Finds the parts of one skeleton.
+class SlotFinder {
+ public:
+  explicit SlotFinder(const SlotSearch& search) : search_(search), limbs_(findLimbs(search)) {}
+
+  BodySlots find() {
+    found_.left = search_.left;
+    found_.forward = glm::normalize(glm::cross(search_.left, kUp));
+    if (!limbs_.legs && !limbs_.arms) return found_;
+    found_.kind = limbs_.quadruped ? BodyKind::kQuadruped : BodyKind::kHumanoid;
+    if (limbs_.legs) layLimb(*limbs_.legs, limbs_.quadruped ? std::span<const Slot>(kHindLeg) : kLeg);
+    if (limbs_.arms) layLimb(*limbs_.arms, limbs_.quadruped ? std::span<const Slot>(kFrontLeg) : kArm);
+    if (limbs_.quadruped) cutFrontLeg();
+    findLooseFeet();
+    findHips();
+    findTrunk();
+    findHead();
+    findTail();
+    return found_;
+  }
+
+ private:
+  [[nodiscard]] const BoneName& name(int bone) const { return at(search_.names, bone); }
+  [[nodiscard]] const glm::vec3& joint(int bone) const { return at(search_.joints, bone); }
+
+  /// No bone is two parts.
+  [[nodiscard]] bool isTaken(int bone) const {
+    return std::ranges::find(found_.bones, bone, &SlotBone::bone) != found_.bones.end();
+  }
+  void set(Slot slot, int bone, SlotConfidence confidence) {
+    if (!isTaken(bone)) found_[{slot, BodySide::kLeft}] = {bone, confidence};
+  }
+
+  /// A part on the left and its twin on the right.
+  void setPair(Slot slot, const SlotBone& left) {
+    if (left.bone >= 0 && isTaken(left.bone)) return;
+    found_[{slot, BodySide::kLeft}] = left;
+    const int twin = left.bone < 0 ? -1 : at(search_.twinOf, left.bone);
+    if (twin < 0 || twin == left.bone || isTaken(twin)) return;
+    SlotBone right = left;
+    right.bone = twin;
+    found_[{slot, BodySide::kRight}] = right;
+  }
+
+  void layLimb(const LimbChain& chain, std::span<const Slot> parts) {
+    const std::vector<SlotBone> bones = partsOfLimb(search_, chain, parts);
+    for (std::size_t i = 0; i < parts.size(); ++i) setPair(parts[i], bones[i]);
+  }
+
+  void cutFrontLeg();
+  void findLooseFeet();
+  void findHips();
+  void findTrunk();
+  void findHead();
+  void findTail();
+  [[nodiscard]] std::vector<int> pathBetween(int from, int to) const;
+  [[nodiscard]] int upwards(int bone) const;
+  [[nodiscard]] bool isMiddle(int bone) const { return at(search_.active, bone) && search_.sideOf(bone) == 0; }
+
+  const SlotSearch& search_;
+  Limbs limbs_;
+  BodySlots found_;
+};
+
+/// Rigs for games have one bone for humerus and radius: it ends at the carpus, half way down, and no name says arm.
+void SlotFinder::cutFrontLeg() {
+  const SlotBone upper = found_[{Slot::kFrontUpper}];
+  const SlotBone lower = found_[{Slot::kFrontLower}];
+  if (upper.bone < 0 || lower.bone < 0) return;
+  const float top = joint(upper.bone).y - search_.ground;
+  const float end = joint(lower.bone).y - search_.ground;
+  const bool saysArm = nameFits(name(upper.bone), Slot::kFrontUpper) > 1;
+  if (saysArm || !(end < 0.6f * top)) return;
+  for (const BodySide side : {BodySide::kLeft, BodySide::kRight}) {
+    SlotBone& humerus = found_[{Slot::kFrontUpper, side}];
+    SlotBone& radius = found_[{Slot::kFrontLower, side}];
+    if (humerus.bone < 0 || radius.bone < 0) continue;
+    found_[{Slot::kFrontFoot, side}] = {radius.bone, SlotConfidence::kPlaced};
+    radius = {humerus.bone, SlotConfidence::kPlaced, kElbowCut, 1.0f};
+    humerus.to = kElbowCut;
+  }
+}
+
+/// Feet that follow a target of their own hang from the root: they are found by name, below the limb's end.
+void SlotFinder::findLooseFeet() {
+  const auto find = [&](Slot foot, Slot above, LimbWord other) {
+    const int upper = found_.boneOf(above);
+    if (found_.boneOf(foot) >= 0 || upper < 0) return;
+    int best = -1;
+    for (int i = 0; i < static_cast<int>(search_.joints.size()); ++i) {
+      const LimbWord word = limbWord(name(i));
+      if (!at(search_.active, i) || search_.sideOf(i) <= 0 || search_.isAbove(upper, i) || name(i).helper) continue;
+      if (word == LimbWord::kNone || word == LimbWord::kArm || word == other) continue;
+      const glm::vec3 away = joint(i) - joint(upper);
+      const float aside = glm::length(glm::vec3(away.x, 0.0f, away.z));
+      if (!(away.y < -0.05f * search_.height) || aside > 0.15f * search_.height) continue;
+      if (!isTaken(i) && (best < 0 || joint(i).y > joint(best).y)) best = i;
+    }
+    if (best >= 0) setPair(foot, {best, SlotConfidence::kNamed});
+  };
+  if (limbs_.quadruped) {
+    find(Slot::kHindFoot, Slot::kHindLower, LimbWord::kFrontLeg);
+    find(Slot::kFrontFoot, Slot::kFrontLower, LimbWord::kHindLeg);
+  } else {
+    find(Slot::kFoot, Slot::kLowerLeg, LimbWord::kFrontLeg);
+  }
+}
+
+void SlotFinder::findHips() {
+  if (!limbs_.legs) {
+    for (int i = 0; i < static_cast<int>(search_.joints.size()); ++i) {
+      if (isMiddle(i) && nameFits(name(i), Slot::kHips) >= 2 && found_.boneOf(Slot::kHips) < 0) {
+        set(Slot::kHips, i, SlotConfidence::kNamed);
+      }
+    }
+    return;
+  }
+  const int twin = at(search_.twinOf, limbs_.legs->bones.front());
+  const int other = twin >= 0 ? search_.parentOf(twin) : limbs_.legs->attach;
+  const int carrier = search_.commonAncestor(limbs_.legs->attach, other);
+  if (carrier < 0) return;
+  const int arms = limbs_.arms ? limbs_.arms->attach : -1;
+  const glm::vec3 height = joint(limbs_.legs->bones.front());
+  int best = carrier;
+  float bestScore = 2.0f + static_cast<float>(nameFits(name(carrier), Slot::kHips));
+  for (int i = 0; i < static_cast<int>(search_.joints.size()); ++i) {
+    const bool onTheWay = search_.isAbove(i, carrier) || (search_.isAbove(carrier, i) && search_.isAbove(i, arms));
+    if (i == carrier || !isMiddle(i) || !onTheWay) continue;
+    if (std::abs(joint(i).y - height.y) > kNearHips * search_.height) continue;
+    const auto score = static_cast<float>(nameFits(name(i), Slot::kHips));
+    if (score > bestScore) {
+      best = i;
+      bestScore = score;
+    }
+  }
+  // What moves the whole body alone is no hips: the mesh's root may carry legs and spine side by side.
+  const int fit = nameFits(name(best), Slot::kHips);
+  if (fit <= 0 && search_.parentOf(best) < 0 && joint(best).y - search_.ground < 0.5f * (height.y - search_.ground))
+    return;
+  set(Slot::kHips, best,
+      best != carrier ? SlotConfidence::kNamed
+      : fit > 0       ? SlotConfidence::kSure
+                      : SlotConfidence::kPlaced);
+}
+
+std::vector<int> SlotFinder::pathBetween(int from, int to) const {
+  const int top = search_.commonAncestor(from, to);
+  if (top < 0) return {};
+  std::vector<int> down;
+  for (int i = to; i != top; i = search_.parentOf(i)) down.push_back(i);
+  return {down.rbegin(), down.rend()};
+}
+
+/// The center child that leads to the head.
+int SlotFinder::upwards(int bone) const {
+  int best = -1;
+  float bestScore = 0.0f;
+  for (const int child : at(search_.skeleton.bones, bone).children) {
+    const bool named = nameFits(name(child), Slot::kNeck) > 0 || nameFits(name(child), Slot::kHead) > 0;
+    if (!isMiddle(child) || (name(child).helper && !named) || nameFits(name(child), Slot::kTail) > 0) continue;
+    const glm::vec3 step = joint(child) - joint(bone);
+    const float rises = glm::dot(step, kUp) + (limbs_.quadruped ? std::abs(glm::dot(step, found_.forward)) : 0.0f);
+    const float score = rises / search_.height + (named ? 10.0f : 0.0f);
+    if ((named || rises > 0.0f) && (best < 0 || score > bestScore)) {
+      best = child;
+      bestScore = score;
+    }
+  }
+  return best;
+}
+
+void SlotFinder::findTrunk() {
+  const int hips = found_.boneOf(Slot::kHips);
+  if (limbs_.arms && limbs_.arms->attach >= 0 && hips >= 0) {
+    for (const int bone : pathBetween(hips, limbs_.arms->attach)) {
+      if (nameFits(name(bone), Slot::kNeck) <= 0 && !name(bone).helper) found_.trunk.push_back(bone);
+    }
+  } else if (hips >= 0) {
+    for (int i = upwards(hips); i >= 0 && found_.trunk.size() < 64; i = upwards(i)) {
+      if (nameFits(name(i), Slot::kNeck) > 0 || nameFits(name(i), Slot::kHead) > 0) break;
+      found_.trunk.push_back(i);
+    }
+  }
+  // Front legs may hang from the middle of a back that goes on.
+  const auto isTrunk = [&](int bone) {
+    return limbs_.quadruped && (nameFits(name(bone), Slot::kSpine) > 0 || nameFits(name(bone), Slot::kUpperChest) > 0);
+  };
+  for (int i = found_.trunk.empty() ? -1 : upwards(found_.trunk.back()); i >= 0 && isTrunk(i); i = upwards(i)) {
+    found_.trunk.push_back(i);
+  }
+  const std::vector<int>& trunk = found_.trunk;
+  const auto put = [&](Slot slot, int bone) {
+    set(slot, bone, nameFits(name(bone), slot) > 0 ? SlotConfidence::kSure : SlotConfidence::kPlaced);
+  };
+  if (trunk.empty()) return;
+  if (trunk.size() == 1) return put(nameFits(name(trunk[0]), Slot::kChest) > 2 ? Slot::kChest : Slot::kSpine, trunk[0]);
+  put(Slot::kSpine, trunk.front());
+  if (trunk.size() == 2) return put(Slot::kChest, trunk[1]);
+  put(Slot::kChest, trunk[trunk.size() / 2]);
+  put(Slot::kUpperChest, trunk.back());
+}
+
+void SlotFinder::findHead() {
+  int from = found_.trunk.empty() ? (limbs_.arms ? limbs_.arms->attach : -1) : found_.trunk.back();
+  if (from < 0) from = found_.boneOf(Slot::kHips);
+  if (from < 0) return;
+  std::vector<int> way;
+  int head = -1;
+  for (int i = upwards(from); i >= 0 && way.size() < 64 && head < 0; i = upwards(i)) {
+    if (nameFits(name(i), Slot::kHead) > 0) head = i;
+    way.push_back(i);
+  }
+  if (way.empty()) return;
+  if (head < 0) {
+    // Without names the last bone of at least two is the head.
+    if (way.size() < 2 || nameFits(name(way.back()), Slot::kNeck) > 0) {
+      if (nameFits(name(way.front()), Slot::kNeck) <= 0) return;
+      found_.neck = way;
+      return set(Slot::kNeck, way.front(), SlotConfidence::kSure);
+    }
+    set(Slot::kHead, way.back(), SlotConfidence::kPlaced);
+  } else {
+    set(Slot::kHead, head, SlotConfidence::kSure);
+  }
+  way.pop_back();
+  found_.neck = way;
+  if (way.empty()) return;
+  const bool named = nameFits(name(way.front()), Slot::kNeck) > 0;
+  set(Slot::kNeck, way.front(), named ? SlotConfidence::kSure : SlotConfidence::kPlaced);
+}
+
+void SlotFinder::findTail() {
+  for (int i = 0; i < static_cast<int>(search_.joints.size()); ++i) {
+    if (!isMiddle(i) || name(i).helper || nameFits(name(i), Slot::kTail) <= 0) continue;
+    const bool hangsThere = found_.boneOf(Slot::kHips) < 0 || glm::dot(joint(i) - joint(found_.boneOf(Slot::kHips)),
+                                                                       found_.forward) < 0.1f * search_.height;
+    return set(Slot::kTail, i, hangsThere ? SlotConfidence::kSure : SlotConfidence::kNamed);
+  }
+}
+
+/// How surely the body faces where `slots` say, by feet and, on four legs, by the way from hips to head.
+float facing(const SlotSearch& search, const BodySlots& slots) {
+  const auto way = [&](Slot from, Slot to) {
+    const int a = slots.boneOf(from);
+    const int b = slots.boneOf(to);
+    return a < 0 || b < 0 ? 0.0f : glm::dot(at(search.joints, b) - at(search.joints, a), slots.forward);
+  };
+  if (slots.kind == BodyKind::kQuadruped) return way(Slot::kHindUpper, Slot::kFrontUpper);
+  return way(Slot::kFoot, Slot::kToes);
+}
+
+}  // namespace
+
+BodySlots findBodySlots(const Skeleton& skeleton, const SlotHints& hints) {
+  SlotSearch search = makeSearch(skeleton, hints);
+  if (skeleton.bones.empty()) return {};
+  BodySlots slots = SlotFinder(search).find();
+  const bool sidesAreNamed =
+      std::ranges::any_of(search.names, [](const BoneName& name) { return name.side.has_value(); });
+  if (sidesAreNamed || facing(search, slots) >= 0.0f) return slots;
+  search.left = -search.left;
+  search.middle = -search.middle;
+  return SlotFinder(search).find();
+}
+
+const char* nameOf(SlotConfidence confidence) {
+  switch (confidence) {
+    case SlotConfidence::kMissing:
+      return "missing";
+    case SlotConfidence::kPlaced:
+      return "placed";
+    case SlotConfidence::kNamed:
+      return "named";
+    case SlotConfidence::kSure:
+      return "sure";
+    case SlotConfidence::kGiven:
+      return "given";
+  }
+  return "missing";
+}
+
+const char* nameOf(BodyKind kind) {
+  switch (kind) {
+    case BodyKind::kUnknown:
+      return "unknown";
+    case BodyKind::kHumanoid:
+      return "humanoid";
+    case BodyKind::kQuadruped:
+      return "quadruped";
+  }
+  return "unknown";
+}
+
+}  // namespace sinew

@@ -1,0 +1,66 @@
+// core/character/body_slots.h: which bone is which part of a body.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "core/character/body_slot.h"
+#include "sinew/character/skeleton.h"
+#include "sinew/geometry/geometry.h"
+
+namespace sinew {
+
+enum class BodyKind { kUnknown, kHumanoid, kQuadruped };
+
+/// How a bone came to its slot.
+enum class SlotConfidence {
+  kMissing,
+  kPlaced,  ///< By where it lies in the tree alone.
+  kNamed,   ///< By its name alone.
+  kSure,    ///< By both.
+  kGiven,   ///< The rig says so.
+};
+
+/// What a skeleton alone does not tell.
+struct SlotHints {
+  std::vector<int> twinOf;                  ///< [bones] as MirrorPlan::twinOf (core/rig/mirror.h).
+  glm::vec3 planeNormal{1.0f, 0.0f, 0.0f};  ///< Of the mirror plane, unit, bind pose.
+  std::vector<bool> carriesSkin;            ///< [bones] skin follows it; empty: all do.
+  float height = 0.0f;                      ///< H, character units; 0: the extent of the joints.
+};
+
+/// A part of a body: a bone, or a piece of one where one bone is two parts.
+struct SlotBone {
+  int bone = -1;
+  SlotConfidence confidence = SlotConfidence::kMissing;
+  float from = 0.0f;  ///< Part of the way from its joint to the next part's.
+  float to = 1.0f;
+
+  friend bool operator==(const SlotBone&, const SlotBone&) = default;
+};
+
+struct BodySlots {
+  BodyKind kind = BodyKind::kUnknown;
+  std::array<SlotBone, 35> bones;  ///< In the order of allBodySlots().
+  std::vector<int> trunk;          ///< From the first bone above the hips to the one that carries the arms.
+  std::vector<int> neck;           ///< Between trunk and head.
+  glm::vec3 left{1.0f, 0.0f, 0.0f};
+  glm::vec3 forward{0.0f, 0.0f, 1.0f};
+
+  [[nodiscard]] const SlotBone& operator[](BodySlot slot) const { return bones[indexOf(slot)]; }
+  [[nodiscard]] SlotBone& operator[](BodySlot slot) { return bones[indexOf(slot)]; }
+  [[nodiscard]] int boneOf(Slot slot, BodySide side = BodySide::kLeft) const { return (*this)[{slot, side}].bone; }
+};
+
+/// By names and by where bones lie in the bind pose: legs are the mirrored chains that end lowest, hips what carries
+/// both, arms the other pair, trunk and neck what lies between and above. A quadruped is a body whose trunk lies level
+/// and whose front limbs reach the ground too. What is not clear stays missing. docs/presets.md.
+[[nodiscard]] BodySlots findBodySlots(const Skeleton& skeleton, const SlotHints& hints);
+
+/// "sure", "named", "placed", "missing", "given"
+[[nodiscard]] const char* nameOf(SlotConfidence confidence);
+/// "humanoid", "quadruped", "unknown"
+[[nodiscard]] const char* nameOf(BodyKind kind);
+
+}  // namespace sinew

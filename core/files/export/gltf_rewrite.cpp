@@ -1,0 +1,302 @@
+// core/files/export/gltf_rewrite.cpp: references counted, views joined into one buffer, containers.
+#include "core/files/export/gltf_rewrite.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <set>
+
+#include "core/files/gltf/image_bytes.h"
+#include "core/geometry/at.h"
+
+namespace sinew::exporting {
+namespace {
+
+constexpr std::uint64_t kMostBytes = std::numeric_limits<std::uint32_t>::max();
+/// Bytes of a view that nothing refers to: fewer are padding and stay.
+constexpr std::uint64_t kLeastUnused = 16;
+
+/// Extensions that name no accessor and no bufferView, by how their names begin.
+constexpr std::array<std::string_view, 10> kWithoutData{
+    "KHR_materials_", "KHR_texture_", "EXT_texture_", "KHR_lights_",          "KHR_mesh_quantization", "VRM",
+    "KHR_xmp",        "KHR_node_",    "MSFT_lod",     "KHR_animation_pointer"};
+
+bool isWithoutData(const std::string& extension) {
+  return std::ranges::any_of(kWithoutData, [&](std::string_view known) { return extension.starts_with(known); });
+}
+
+/// Calls visit(Json& number) for every place that holds the index of an accessor.
+void visitAccessors(Json& root, const std::function<void(Json&)>& visit) {
+  const auto visitMember = [&](Json& object, std::string_view name) {
+    if (Json* index = memberOf(object, name)) visit(*index);
+  };
+  const auto visitAll = [&](Json* object) {
+    if (!object) return;
+    for (Json& child : object->children) visit(child);
+  };
+  const auto each = [](Json& object, std::string_view list, const std::function<void(Json&)>& use) {
+    if (Json* items = memberOf(object, list)) std::ranges::for_each(items->children, use);
+  };
+  each(root, "meshes", [&](Json& mesh) {
+    each(mesh, "primitives", [&](Json& primitive) {
+      visitAll(memberOf(primitive, "attributes"));
+      visitMember(primitive, "indices");
+      each(primitive, "targets", [&](Json& target) { visitAll(&target); });
+    });
+  });
+  each(root, "skins", [&](Json& skin) { visitMember(skin, "inverseBindMatrices"); });
+  each(root, "animations", [&](Json& animation) {
+    each(animation, "samplers", [&](Json& sampler) {
+      visitMember(sampler, "input");
+      visitMember(sampler, "output");
+    });
+  });
+}
+
+/// The same for bufferViews.
+void visitViews(Json& root, const std::function<void(Json&)>& visit) {
+  const auto visitIn = [&](Json* object) {
+    if (Json* index = object ? memberOf(*object, "bufferView") : nullptr) visit(*index);
+  };
+  if (Json* accessors = memberOf(root, "accessors")) {
+    for (Json& accessor : accessors->children) {
+      visitIn(&accessor);
+      if (Json* sparse = memberOf(accessor, "sparse")) {
+        visitIn(memberOf(*sparse, "indices"));
+        visitIn(memberOf(*sparse, "values"));
+      }
+    }
+  }
+  if (Json* images = memberOf(root, "images")) {
+    for (Json& image : images->children) visitIn(&image);
+  }
+}
+
+using Visit = void (*)(Json&, const std::function<void(Json&)>&);
+
+/// Leaves out the elements of a list that nothing visited refers to, and renumbers the references.
+void keepReferenced(Json& root, std::string_view list, Visit visitAll, const std::function<void(std::size_t)>& kept) {
+  Json* items = memberOf(root, list);
+  if (!items) return;
+  std::vector<bool> used(items->children.size(), false);
+  const auto inList = [&](const Json& index) {
+    const double number = index.number(-1.0);
+    return number >= 0.0 && number < static_cast<double>(used.size());
+  };
+  visitAll(root, [&](Json& index) {
+    if (inList(index)) used[static_cast<std::size_t>(index.number(0.0))] = true;
+  });
+  std::vector<long long> place(used.size(), 0);
+  std::vector<Json> remaining;
+  for (std::size_t i = 0; i < used.size(); ++i) {
+    place[i] = static_cast<long long>(remaining.size());
+    if (!used[i]) continue;
+    remaining.push_back(std::move(items->children[i]));
+    kept(i);
+  }
+  items->children = std::move(remaining);
+  visitAll(root, [&](Json& index) {
+    if (!inList(index)) return;
+    std::string key = std::move(index.key);
+    index = place[static_cast<std::size_t>(index.number(0.0))];
+    index.key = std::move(key);
+  });
+}
+
+/// "" for a kind that is not known.
+std::string mimeTypeOf(gltf::Bytes bytes) {
+  if (startsWith(bytes, "\x89PNG")) return "image/png";
+  if (startsWith(bytes, "\xff\xd8\xff")) return "image/jpeg";
+  if (isWebp(bytes)) return "image/webp";
+  if (startsWith(bytes, "\xabKTX 20")) return "image/ktx2";
+  return {};
+}
+
+void appendNumber(std::string& out, std::size_t value) {
+  for (int i = 0; i < 4; ++i) out += static_cast<char>(value >> (8 * i) & 0xff);
+}
+
+void align(std::string& bytes, char with) { bytes.append((4 - bytes.size() % 4) % 4, with); }
+
+std::string percentEncode(const std::string& name) {
+  static constexpr std::string_view kHex = "0123456789ABCDEF";
+  std::string result;
+  for (const char c : name) {
+    const auto byte = static_cast<unsigned char>(c);
+    const bool plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
+                       std::string_view("-._~").find(c) != std::string_view::npos;
+    if (plain) result += c;
+    else result += {'%', kHex[byte >> 4U], kHex[byte & 15U]};
+  }
+  return result;
+}
+
+}  // namespace
+
+Json* memberOf(Json& object, std::string_view name) {
+  if (object.kind != Json::Kind::kObject) return nullptr;
+  const auto found = std::ranges::find(object.children, name, &Json::key);
+  return found == object.children.end() ? nullptr : &*found;
+}
+
+Json& ensureMember(Json& object, std::string_view name, const Json& empty) {
+  if (!memberOf(object, name)) object.set(std::string(name), empty);
+  return *memberOf(object, name);
+}
+
+Json numbersOf(const glm::dvec3& values) { return Json::array({values.x, values.y, values.z}); }
+
+Json numbersOf(const std::vector<float>& values) { return Json::array({values.begin(), values.end()}); }
+
+void removeMember(Json& object, std::string_view name) {
+  std::erase_if(object.children, [&](const Json& child) { return child.key == name; });
+}
+
+Json& GltfRewrite::element(std::string_view list, int index) { return at(memberOf(root_, list)->children, index); }
+
+int GltfRewrite::append(std::string_view list, Json element) {
+  Json& items = ensureMember(root_, list, Json::array());
+  items.push(std::move(element));
+  return static_cast<int>(items.children.size()) - 1;
+}
+
+int GltfRewrite::addView(std::string_view bytes, int target) {
+  added_.emplace_back(bytes);
+  Json view = Json::object();
+  view.set("buffer", 0).set("byteOffset", 0).set("byteLength", static_cast<long long>(bytes.size()));
+  if (target != 0) view.set("target", target);
+  return append("bufferViews", std::move(view));
+}
+
+int GltfRewrite::addAccessor(const AccessorData& data) {
+  Json accessor = Json::object();
+  accessor.set("bufferView", addView(data.bytes, data.target)).set("componentType", data.componentType);
+  accessor.set("count", static_cast<long long>(data.count)).set("type", data.type);
+  if (data.bounds) accessor.set("min", numbersOf(data.bounds->low)).set("max", numbersOf(data.bounds->high));
+  return append("accessors", std::move(accessor));
+}
+
+/// Those that cannot be read stay the references they are.
+void GltfRewrite::takeImages() {
+  Json* images = memberOf(root_, "images");
+  if (!images) return;
+  for (std::size_t i = 0; i < images->children.size(); ++i) {
+    const Json* uri = images->children[i].find("uri");
+    if (!uri) continue;
+    const Result<gltf::EncodedImage> encoded = file_.encodedImage(i);
+    const std::string mimeType = encoded ? mimeTypeOf(encoded->bytes) : std::string();
+    if (mimeType.empty()) continue;
+    const std::string_view bytes(reinterpret_cast<const char*>(encoded->bytes.data()), encoded->bytes.size());
+    const int view = addView(bytes, 0);
+    Json& image = images->children[i];
+    removeMember(image, "uri");
+    image.set("bufferView", view).set("mimeType", mimeType);
+  }
+}
+
+/// [bufferViews] stretches that are used, where others are not: accessors refer to their new places. A view often holds
+/// the keys of all clips. Empty for views that stay whole.
+std::vector<UsedBytes> GltfRewrite::findUsedBytes() {
+  const std::vector<Json>& views = root_.at("bufferViews").items();
+  std::vector<UsedBytes> used(views.size());
+  std::vector<bool> isWhole(views.size(), false);
+  const auto viewOf = [](const Json& user) { return static_cast<std::size_t>(user.at("bufferView").number(0.0)); };
+  for (const Json& image : root_.at("images").items()) {
+    if (image.find("bufferView") && viewOf(image) < views.size()) isWhole[viewOf(image)] = true;
+  }
+  visitUses(root_, [&](Json& user, std::uint64_t bytes) {
+    const double begin = user.at("byteOffset").number(0.0);
+    const double length = views[viewOf(user)].at("byteLength").number(0.0);
+    if (bytes == 0 || begin + static_cast<double>(bytes) > length) isWhole[viewOf(user)] = true;
+    else used[viewOf(user)].add(static_cast<std::uint64_t>(begin), static_cast<std::uint64_t>(begin) + bytes);
+  });
+  for (std::size_t i = 0; i < views.size(); ++i) {
+    const auto length = static_cast<std::uint64_t>(views[i].at("byteLength").number(0.0));
+    used[i].close(length);
+    if (isWhole[i] || used[i].length() + kLeastUnused > length) used[i] = {};
+  }
+  visitUses(root_, [&](Json& user, std::uint64_t) {
+    const UsedBytes& own = used[viewOf(user)];
+    if (own.stretches().empty()) return;
+    const auto begin = static_cast<std::uint64_t>(user.at("byteOffset").number(0.0));
+    if (own.placeOf(begin) != begin) user.set("byteOffset", static_cast<long long>(own.placeOf(begin)));
+  });
+  return used;
+}
+
+void GltfRewrite::dropUnused() {
+  const std::size_t own = file_.model().bufferViews.size();
+  const Json& extensions = root_.at("extensionsUsed");
+  const bool known =
+      std::ranges::all_of(extensions.items(), [](const Json& name) { return isWithoutData(name.content); });
+  std::vector<std::size_t> views;
+  if (known) {
+    keepReferenced(root_, "accessors", visitAccessors, [](std::size_t) {});
+    keepReferenced(root_, "bufferViews", visitViews, [&](std::size_t view) { views.push_back(view); });
+  } else {
+    for (std::size_t view = 0; view < root_.at("bufferViews").items().size(); ++view) views.push_back(view);
+  }
+  const std::vector<UsedBytes> used = known ? findUsedBytes() : std::vector<UsedBytes>(views.size());
+  Json* list = memberOf(root_, "bufferViews");
+  for (std::size_t i = 0; i < views.size(); ++i) {
+    Json& view = list->children[i];
+    align(binary_, '\0');
+    view.set("buffer", 0).set("byteOffset", static_cast<long long>(binary_.size()));
+    std::string_view bytes;
+    if (views[i] >= own) {
+      bytes = added_[views[i] - own];
+    } else {
+      const gltf::Bytes all = file_.bufferView(views[i]);
+      const double length = view.at("byteLength").number(0.0);  // Of what nothing refers to, less.
+      bytes = {reinterpret_cast<const char*>(all.data()), std::min(all.size(), static_cast<std::size_t>(length))};
+    }
+    if (used[i].stretches().empty()) binary_ += bytes;
+    for (const auto& [begin, end] : used[i].stretches()) binary_ += bytes.substr(begin, end - begin);
+    if (!used[i].stretches().empty()) view.set("byteLength", static_cast<long long>(used[i].length()));
+    if (views[i] >= own) added_[views[i] - own] = {};
+  }
+  align(binary_, '\0');
+}
+
+PackedGltf GltfRewrite::pack() && {
+  takeImages();
+  dropUnused();
+  for (const char* list : {"accessors", "bufferViews"}) {
+    if (root_.at(list).items().empty()) removeMember(root_, list);
+  }
+  Json buffer = Json::object();
+  buffer.set("byteLength", static_cast<long long>(binary_.size()));
+  root_.set("buffers", Json::array({std::move(buffer)}));
+  return {std::move(root_), std::move(binary_)};
+}
+
+Result<std::string> glbOf(const PackedGltf& packed) {
+  std::string json = packed.root.dump();
+  align(json, ' ');
+  const std::uint64_t size = 12 + 8 + json.size() + 8 + packed.binary.size();
+  if (size > kMostBytes) {
+    return errorAt({}, "the character needs " + std::to_string(size) +
+                           " bytes, a .glb holds at most 4 GiB; choose a smaller depth");
+  }
+  std::string file = "glTF";
+  file.reserve(size);
+  appendNumber(file, 2);
+  appendNumber(file, size);
+  appendNumber(file, json.size());
+  file += "JSON";
+  file += json;
+  appendNumber(file, packed.binary.size());
+  file += std::string_view("BIN\0", 4);
+  file += packed.binary;
+  return file;
+}
+
+std::string gltfOf(const PackedGltf& packed, const std::string& binaryName) {
+  Json root = packed.root;
+  memberOf(root, "buffers")->children.front().set("uri", percentEncode(binaryName));
+  return root.dump(true) + '\n';
+}
+
+}  // namespace sinew::exporting

@@ -1,0 +1,88 @@
+// core/files/export/gltf_rewrite.h: a glTF file read as JSON and bytes, changed, and put together again.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/files/export/used_bytes.h"
+#include "core/files/gltf/file.h"
+#include "core/files/json/json.h"
+#include "sinew/geometry/geometry.h"
+
+namespace sinew::exporting {
+
+/// Member of an object that is to be changed, or null.
+[[nodiscard]] Json* memberOf(Json& object, std::string_view name);
+/// Member of an object; an empty one of that kind is made where there is none.
+[[nodiscard]] Json& ensureMember(Json& object, std::string_view name, const Json& empty);
+void removeMember(Json& object, std::string_view name);
+
+/// Every digit of the floats, which is what a reader compares with.
+[[nodiscard]] Json numbersOf(const glm::dvec3& values);
+[[nodiscard]] Json numbersOf(const std::vector<float>& values);
+
+/// Values as they will lie in the file.
+template <class Value>
+[[nodiscard]] std::string_view bytesOf(const std::vector<Value>& values) {
+  return {reinterpret_cast<const char*>(values.data()), values.size() * sizeof(Value)};
+}
+
+/// Numbers of a vertex attribute, of indices or matrices, as they will lie in the file.
+struct AccessorData {
+  std::string_view bytes;
+  int componentType = 0;  ///< TINYGLTF_COMPONENT_TYPE_*
+  std::string type;       ///< "SCALAR", "VEC3" ...
+  std::size_t count = 0;
+  int target = 0;                  ///< TINYGLTF_TARGET_*, 0 for none.
+  std::optional<Bounds> bounds{};  ///< Positions have them.
+};
+
+/// What a file consists of in the end.
+struct PackedGltf {
+  Json root;           ///< Its one buffer has a byteLength, no uri yet.
+  std::string binary;  ///< 4-byte aligned.
+};
+
+/// Accessors, bufferViews and bytes of them that nothing refers to any more are left out, and images come into the
+/// buffer as they are.
+class GltfRewrite {
+ public:
+  GltfRewrite(Json root, gltf::File& file) : root_(std::move(root)), file_(file) {}
+
+  [[nodiscard]] Json& root() { return root_; }
+  /// Element of one of the root's lists.
+  [[nodiscard]] Json& element(std::string_view list, int index);
+  /// Appends to one of the root's lists, which is made where it is absent. Returns its index.
+  int append(std::string_view list, Json element);
+  int addAccessor(const AccessorData& data);
+  /// Floats of a vertex attribute, one value a vertex.
+  template <class Value>
+  int addAttribute(const std::vector<Value>& values, const char* type, std::optional<Bounds> bounds = {}) {
+    return addAccessor({bytesOf(values), TINYGLTF_COMPONENT_TYPE_FLOAT, type, values.size(),
+                        TINYGLTF_TARGET_ARRAY_BUFFER, std::move(bounds)});
+  }
+  /// @param target  TINYGLTF_TARGET_*, 0 for none
+  int addView(std::string_view bytes, int target);
+  /// Throws gltf::Refusal where bytes that are kept cannot be read.
+  [[nodiscard]] PackedGltf pack() &&;
+
+ private:
+  void takeImages();
+  [[nodiscard]] std::vector<UsedBytes> findUsedBytes();
+  void dropUnused();
+
+  Json root_;
+  gltf::File& file_;
+  std::vector<std::string> added_;  // bytes of the views beyond the file's own
+  std::string binary_;
+};
+
+/// As a .glb. Error: over 4 GiB.
+[[nodiscard]] Result<std::string> glbOf(const PackedGltf& packed);
+/// As the text of a .gltf whose buffer lies in a file of that name beside it.
+[[nodiscard]] std::string gltfOf(const PackedGltf& packed, const std::string& binaryName);
+
+}  // namespace sinew::exporting

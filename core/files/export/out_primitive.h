@@ -1,0 +1,52 @@
+// core/files/export/out_primitive.h: the primitives of the exported file: accessors made, JSON pointed at them.
+#pragma once
+
+#include <set>
+#include <string>
+#include <vector>
+
+#include "core/files/export/gltf_rewrite.h"
+#include "core/files/export/out_skins.h"
+#include "core/files/export/refined_primitive.h"
+#include "core/files/export/source.h"
+#include "core/files/fit/four_weights.h"
+#include "sinew/surface/surface.h"
+
+namespace sinew::exporting {
+
+struct WrittenPrimitive {
+  std::size_t vertices = 0;
+  std::size_t triangles = 0;
+  std::vector<int> refined{};  ///< As RefinedPrimitive has them; empty for the file's own vertices.
+  std::vector<int> drawn{};
+};
+
+class OutPrimitives {
+ public:
+  /// @param weights  [V'], or [V] where only writeOriginal is asked for
+  OutPrimitives(Source& source, const ControlMesh& mesh, const Surface& bind, const std::vector<FourWeights>& weights,
+                OutSkins& skins);
+
+  /// Exchanges all attributes and indices of a copy of the part's JSON. Without vertices where no triangle is left.
+  WrittenPrimitive writeRefined(const gltf::SoupPart& part, GltfRewrite& rewrite, Json& primitive,
+                                std::set<std::string>& left);
+  /// Exchanges positions, normals, weights, and what is not finite; all else stays the accessors it is.
+  WrittenPrimitive writeOriginal(const gltf::SoupPart& part, GltfRewrite& rewrite, Json& primitive,
+                                 std::set<std::string>& left);
+
+ private:
+  void setWeights(int node, const std::vector<FourWeights>& weights, GltfRewrite& rewrite, Json& attributes);
+  void repair(const std::string& place, GltfRewrite& rewrite, Json& attributes, std::set<std::string>& left);
+  [[nodiscard]] std::vector<glm::vec3> fileNormals(const gltf::SoupPart& part, const Json& attributes,
+                                                   std::size_t count) const;
+  [[nodiscard]] FourWeights anyWeights(int node) const;
+  [[nodiscard]] std::vector<int> controlVertices(const gltf::SoupPart& part, std::size_t count) const;
+
+  Source& source_;
+  const ControlMesh& mesh_;
+  const Surface& bind_;
+  const std::vector<FourWeights>& weights_;
+  OutSkins& skins_;
+};
+
+}  // namespace sinew::exporting

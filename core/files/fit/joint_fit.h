@@ -1,0 +1,142 @@
+// core/files/fit/joint_fit.h: joints and weights that come near the live surface, and how near.
+#pragma once
+
+#include <array>
+#include <functional>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/files/fit/fit_sample.h"
+#include "core/files/fit/four_weights.h"
+#include "core/files/fit/helper_fit.h"
+#include "core/files/fit/helper_motion.h"
+#include "core/files/fit/line_joints.h"
+#include "core/files/fit/live_surfaces.h"
+#include "core/files/fit/played_surface.h"
+#include "core/files/fit/poses.h"
+#include "core/files/fit/stage_progress.h"
+#include "core/geometry/at.h"
+#include "sinew/character/character_pose.h"
+#include "sinew/files/skinned_export.h"
+
+namespace sinew::exporting {
+
+class ErrorMeter;
+
+/// Joints and weights that play back, by linear blend skinning, what the live surface does.
+///
+/// The surface is smoothed in the poses of the exported clips and of a range of motion. Weights are fitted to it by
+/// least squares (weight_fit.h): what muscles do near a joint is nearly linear in the bones' matrices, so most of it
+/// needs no new joint. What is left goes to joints of muscle lines, which move exactly as lines deform (line_joints.h),
+/// and to rigid ones (helper_fit.h). Of many vertices some stand for all until the joints are found (fit_sample.h);
+/// then every vertex is weighed. Morph targets are left out of all that: a program adds them before joints move a
+/// vertex, as the live surface does before muscles. Every fifth pose is kept from the fit: its error tells whether the
+/// fit holds beyond the poses it has seen. docs/export.md.
+class JointFit {
+ public:
+  /// As exportSkinned(); all but `progress` must outlive this.
+  JointFit(std::shared_ptr<const Character> character, const Character& moving, const Rig& rig,
+           const SkinnedExportSettings& settings, const ExportProgress& progress);
+
+  /// Error: the rig does not fit the character.
+  Result<void> findWeights();
+  /// Compares all poses, and finds the keys of the added joints on the way.
+  void measure(SkinnedExportReport& report);
+  /// After measure(): the clips between their keys, as a program plays them.
+  void measureBetween(SkinnedExportReport& report);
+
+  [[nodiscard]] const Surface& bind() const { return bind_; }
+  /// [vertices that are exported]
+  [[nodiscard]] const std::vector<FourWeights>& weights() const { return weights_; }
+  /// Those added: lines' first.
+  [[nodiscard]] std::vector<HelperJoint> helpers() const;
+  [[nodiscard]] const LineJoints& lines() const { return lines_; }
+  /// After measure(): one for each clip that is exported, in the character's order.
+  [[nodiscard]] const std::vector<HelperClip>& helperClips() const { return helperClips_; }
+  /// After measure(): what the file will show, without the distances.
+  [[nodiscard]] const std::shared_ptr<PlayedSurface>& played() const { return played_; }
+  /// After findWeights(); empty if none are exported.
+  [[nodiscard]] const PlayedMorphs& morphs() const { return morphs_; }
+
+ private:
+  void choosePoses();
+  void findMorphs();
+  /// Smooths the poses as the file shows them, shapes too, and calls use(i, distances to what is played).
+  template <class Use>
+  void forEachPlayed(std::span<const ExportPose> poses, Use use);
+  void layLines();
+  void fitSample(const std::vector<std::vector<int>>& candidates);
+  [[nodiscard]] std::function<bool(const ExportPose&)> someFitted(std::size_t mostOwn) const;
+  void addHelpers(const std::vector<FitPose>& poses);
+  void weighAll(std::vector<std::vector<int>> candidates);
+  void moveHelpers(const Pose& moment, bool isKeyed, const HelperMotion& motion);
+  void keep(const ExportPose& pose);
+  void noteLargest(std::span<const double> distances);
+  [[nodiscard]] ErrorFigures figuresOf(const ErrorMeter& meter) const;
+  [[nodiscard]] double measuringShare() const;
+  template <class Means, class Use>
+  void forEachPose(Means means, Use use);
+
+  [[nodiscard]] bool isOwn(const ExportPose& pose) const;
+  [[nodiscard]] double furtherShare() const;
+  [[nodiscard]] std::vector<std::array<int, 3>> trianglesOfFit() const;
+  [[nodiscard]] std::vector<glm::vec3> restOfAll() const;
+  [[nodiscard]] int firstRigid() const;
+
+  std::shared_ptr<const Character> character_;
+  const Character& moving_;
+  const Rig& rig_;
+  const SkinnedExportSettings& settings_;
+  Rig still_;  ///< Adds no weights to morph targets.
+  StageProgress progress_;
+  LiveSurfaces surfaces_;
+  Surface bind_;
+  std::size_t count_ = 0;  ///< Refined vertices that are exported: the first so many.
+  std::vector<int> clips_;
+  std::vector<ExportPose> poses_;
+  std::vector<FourWeights> weights_;
+  FitSample sample_;
+  std::vector<glm::vec3> sampleRest_;
+  std::vector<FourWeights> sampleWeights_;
+  LineJoints lines_;
+  PlayedMorphs morphs_;
+  std::vector<HelperJoint> rigid_;
+  std::vector<HelperClip> helperClips_;
+  std::shared_ptr<PlayedSurface> played_;
+  std::vector<float> largest_;  ///< [vertices that are exported] percent of the height.
+  // The pose at hand.
+  const Surface* live_ = nullptr;
+  std::vector<glm::vec3> sampleLive_;
+  std::vector<glm::dmat4> matrices_;  ///< [bindings, lines' joints, rigid helpers]
+  std::vector<Trs> lineLocals_;
+  std::vector<Trs> rigidLocals_;
+};
+
+/// Smooths the poses that are meant, without morph targets, and calls use(pose, moment) after each, the live surface
+/// and the matrices of bindings and lines' joints at hand.
+template <class Means, class Use>
+void JointFit::forEachPose(Means means, Use use) {
+  std::vector<const ExportPose*> meant;
+  for (const ExportPose& pose : poses_) {
+    if (means(pose)) meant.push_back(&pose);
+  }
+  const auto momentOf = [&](std::size_t i) {
+    return withoutMorphs(*character_, samplePose(*character_, at(moving_.clips, meant[i]->clip), meant[i]->time));
+  };
+  surfaces_.forEach(meant.size(), momentOf, [&](std::size_t i, const Pose& moment, const Surface& live) {
+    progress_.tell(static_cast<double>(i) / static_cast<double>(meant.size()));
+    live_ = &live;
+    sampleLive_.clear();
+    for (const int v : sample_.vertices) sampleLive_.push_back(at(live.positions, v));
+    bindingMatrices(character_->skeleton, moment, matrices_);
+    lines_.pose(moment, lineLocals_);
+    for (std::size_t j = 0; j < lineLocals_.size(); ++j) {
+      matrices_.push_back(helperMatrix(lines_.joints()[j], moment, lineLocals_[j]));
+    }
+    use(*meant[i], moment);
+  });
+}
+
+}  // namespace sinew::exporting

@@ -1,0 +1,125 @@
+// core/files/fit/played_surface.cpp: keys and targets between two moments, then linear blend skinning.
+#include "core/files/fit/played_surface.h"
+
+#include <algorithm>
+#include <utility>
+
+#include <glm/common.hpp>
+
+#include "core/character/morphing.h"
+#include "core/files/fit/poses.h"
+#include "core/geometry/at.h"
+#include "core/geometry/parallel.h"
+
+namespace sinew::exporting {
+namespace {
+
+constexpr std::size_t kLeastPlayedRange = 1024;  ///< Vertices that are worth a thread.
+constexpr double kBetweenPerKey = 47.0 / 30.0;
+
+/// Two keys and how far from the first.
+struct Span {
+  std::size_t from = 0;
+  std::size_t to = 0;
+  double part = 0.0;
+};
+
+/// @param times  rising, at least one
+Span spanAt(const std::vector<float>& times, float time) {
+  const auto next = std::ranges::upper_bound(times, time);
+  if (next == times.begin()) return {};
+  const auto to = static_cast<std::size_t>(next - times.begin());
+  if (next == times.end()) return {to - 1, to - 1, 0.0};
+  const double from = static_cast<double>(times[to - 1]);
+  return {to - 1, to, (static_cast<double>(time) - from) / (static_cast<double>(*next) - from)};
+}
+
+Trs mixed(const Trs& a, const Trs& b, double part) {
+  return {glm::mix(a.translation, b.translation, part), glm::slerp(a.rotation, b.rotation, part),
+          glm::mix(a.scale, b.scale, part)};
+}
+
+}  // namespace
+
+PlayedSurface::PlayedSurface(std::shared_ptr<const Character> character, std::vector<glm::vec3> restPositions,
+                             std::vector<FourWeights> weights, std::vector<HelperJoint> joints,
+                             std::vector<HelperClip> clips)
+    : character_(std::move(character)),
+      weights_(std::move(weights)),
+      joints_(std::move(joints)),
+      clips_(std::move(clips)) {
+  rest = std::move(restPositions);
+}
+
+std::vector<glm::dmat4> PlayedSurface::matricesAt(const Pose& pose, const std::string& clip, float time) const {
+  std::vector<glm::dmat4> matrices;
+  bindingMatrices(character_->skeleton, pose, matrices);
+  const auto keyed = std::ranges::find(clips_, clip, &HelperClip::clip);
+  const bool hasKeys = keyed != clips_.end() && !keyed->times.empty();
+  const Span span = hasKeys ? spanAt(keyed->times, time) : Span{};
+  for (std::size_t j = 0; j < joints_.size(); ++j) {
+    const Trs local =
+        hasKeys ? mixed(keyed->locals[j][span.from], keyed->locals[j][span.to], span.part) : joints_[j].rest;
+    matrices.push_back(helperMatrix(joints_[j], pose, local));
+  }
+  return matrices;
+}
+
+std::vector<float> PlayedSurface::morphWeightsAt(const Pose& pose, const std::string& clip, float time) const {
+  std::vector<float> weights = morphWeightsOr(*character_, pose.morphWeights);
+  const auto keys = std::ranges::find(morphs.clips, clip, &MorphKeys::clip);
+  const bool plays = keys != morphs.clips.end();
+  const Span span = plays ? spanAt(keys->times, time) : Span{};
+  for (std::size_t k = 0; k < weights.size(); ++k) {
+    if (!morphs.keyed[k]) continue;
+    const auto keyAt = [&](std::size_t key) { return static_cast<double>(keys->weights[key * weights.size() + k]); };
+    weights[k] = plays ? static_cast<float>(glm::mix(keyAt(span.from), keyAt(span.to), span.part)) : morphs.rest[k];
+  }
+  return weights;
+}
+
+std::vector<glm::vec3> PlayedSurface::morphedRest(const Pose& pose, const std::string& clip, float time) const {
+  std::vector<glm::vec3> moved = rest;
+  if (morphs.targets.empty()) return moved;
+  const std::vector<float> weights = morphWeightsAt(pose, clip, time);
+  for (std::size_t k = 0; k < weights.size(); ++k) {
+    const RefinedTarget& target = morphs.targets[k];
+    for (std::size_t i = 0; i < target.vertices.size() && weights[k] != 0.0f; ++i) {
+      at(moved, target.vertices[i]) += weights[k] * target.deltas[i];
+    }
+  }
+  return moved;
+}
+
+void PlayedSurface::place(const Pose& pose, const std::string& clip, float time, std::vector<glm::vec3>& out) const {
+  const std::vector<glm::dmat4> matrices = matricesAt(pose, clip, time);
+  const std::size_t count = targets.clip == clip && !targets.times.empty() ? targets.deltas.size() : 0;
+  std::vector<double> shares(count);
+  if (count > 0) {
+    const Span span = spanAt(targets.times, time);
+    for (std::size_t k = 0; k < count; ++k) {
+      shares[k] = glm::mix(static_cast<double>(targets.weights[span.from * count + k]),
+                           static_cast<double>(targets.weights[span.to * count + k]), span.part);
+    }
+  }
+  const std::vector<glm::vec3> moved = morphedRest(pose, clip, time);
+  out.resize(rest.size());
+  forEachIndex(rest.size(), kLeastPlayedRange, [&](std::size_t v) {
+    glm::dvec3 point(moved[v]);
+    for (std::size_t k = 0; k < count; ++k) point += shares[k] * glm::dvec3(targets.deltas[k][v]);
+    out[v] = glm::vec3(skinPoint(matrices, weights_[v], point));
+  });
+}
+
+const std::string& PlayedSurface::boneOf(int vertex) const {
+  const Skeleton& skeleton = character_->skeleton;
+  const auto binding = toIndex(at(weights_, vertex).binding[0]);
+  const std::size_t own = skeleton.bindings.size();
+  return at(skeleton.bones, binding < own ? skeleton.bindings[binding].bone : joints_[binding - own].bone).name;
+}
+
+std::vector<float> timesBetween(const AnimationClip& clip, double keysPerSecond) {
+  return clipTimes(clip, kBetweenPerKey * keysPerSecond);
+}
+
+}  // namespace sinew::exporting

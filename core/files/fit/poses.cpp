@@ -1,0 +1,48 @@
+// core/files/fit/poses.cpp: times of clips, and which of them are kept from the fit.
+#include "core/files/fit/poses.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/geometry/at.h"
+
+namespace sinew::exporting {
+namespace {
+
+constexpr int kEnough = 150;  ///< Fitted poses, before every second or third will do.
+constexpr int kMostStep = 3;  ///< 10 poses a second at least.
+
+}  // namespace
+
+std::vector<float> clipTimes(const AnimationClip& clip, double perSecond) {
+  const double frames = static_cast<double>(clip.duration) * perSecond;
+  std::vector<float> times;
+  for (int frame = 0; frame <= frames + kSameTime; ++frame) {
+    times.push_back(static_cast<float>(frame) / static_cast<float>(perSecond));
+  }
+  const bool moves = times.size() == 1 && clip.duration > 0.0f;
+  if (moves || frames - std::floor(frames + kSameTime) > kSameTime) times.push_back(clip.duration);
+  return times;
+}
+
+std::vector<ExportPose> exportPoses(const Character& character, const std::vector<int>& clips,
+                                    const std::vector<int>& further) {
+  std::vector<ExportPose> poses;
+  int fitted = 0;
+  const auto add = [&](int clip, int perSecond, std::size_t step) {
+    const std::vector<float> times = clipTimes(at(character.clips, clip), perSecond);
+    for (std::size_t frame = 0; frame < times.size(); ++frame) {
+      ExportPose pose{clip, times[frame], PoseUse::kMeasured};
+      if (frame % step == 0) pose.use = ++fitted % kHeldOutEvery == 0 ? PoseUse::kHeldOut : PoseUse::kFitted;
+      poses.push_back(pose);
+    }
+  };
+  std::size_t all = 0;
+  for (const int clip : clips) all += clipTimes(at(character.clips, clip), kMeasuredPerSecond).size();
+  const std::size_t step = std::clamp<std::size_t>(all / kEnough, 1, kMostStep);
+  for (const int clip : clips) add(clip, kMeasuredPerSecond, step);
+  for (const int clip : further) add(clip, kFurtherPerSecond, 1);
+  return poses;
+}
+
+}  // namespace sinew::exporting

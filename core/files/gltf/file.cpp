@@ -1,0 +1,218 @@
+// core/files/gltf/file.cpp: container -> guard -> tinygltf -> buffers, compressed parts and images.
+
+#include "core/files/gltf/file.h"
+
+#include "core/files/disk/atomic_file.h"
+#include "core/files/gltf/uri.h"
+#include "core/geometry/at.h"
+
+namespace sinew::gltf {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// No character comes near it; it keeps a slip of the hand from filling the memory.
+constexpr std::uintmax_t kMaxFileBytes = 1ULL << 30;
+constexpr std::uint64_t kMaxStride = 65536;
+/// Real files need about ten levels; extras may have more.
+constexpr int kMaxNesting = 200;
+
+/// Also those nothing uses: a file that names something outside its folder is not to be trusted.
+void checkUris(const Json& root) {
+  for (const char* list : {"buffers", "images"}) {
+    std::size_t i = 0;
+    for (const Json& item : root.at(list).items()) {
+      const std::string place = placeOf(list, i++) + ".uri";
+      const Json* uri = item.find("uri");
+      if (!uri || uri->kind != Json::Kind::kString || isDataUri(uri->content)) continue;
+      const Result<fs::path> path = relativePathOf(uri->content);
+      if (!path) refuse(place, path.error().reason);
+    }
+  }
+}
+
+/// An index that the guard has found sound; -1 for absent and faulty ones.
+int soundIndex(const Json& index, std::size_t size) {
+  const double value = index.number(-1.0);
+  return value >= 0.0 && value < static_cast<double>(size) ? static_cast<int>(value) : -1;
+}
+
+/// In an error: the whole path in its own letters, but for a name that hardly is one, such as a damaged data: uri.
+std::string readable(const fs::path& folder, const fs::path& relative) {
+  constexpr std::size_t kLongestName = 255;
+  return relative.native().size() <= kLongestName ? (folder / relative).string() : shortened(relative.string());
+}
+
+std::uint64_t wholeOf(const Json& value) { return static_cast<std::uint64_t>(value.number(0.0)); }
+
+}  // namespace
+
+std::vector<std::uint8_t> contentsOf(const fs::path& path) {
+  Result<std::vector<std::uint8_t>> contents = readWholeBytes(path, kMaxFileBytes);
+  if (!contents) throw Refusal{contents.error()};
+  return std::move(contents).value();
+}
+
+fs::path folderOf(const fs::path& path) { return path.has_parent_path() ? path.parent_path() : fs::path("."); }
+
+Json parseJson(std::string_view text, std::string_view leftOut, std::string_view keptIn) {
+  Result<Json> root = Json::parse(text, {.depth = kMaxNesting, .leftOut = leftOut, .keptIn = keptIn});
+  if (!root) throw Refusal{root.error()};
+  if (root->kind != Json::Kind::kObject) refuse("JSON", "a glTF file must be a JSON object");
+  return std::move(root).value();
+}
+
+File::File(const fs::path& path) : File(contentsOf(path), folderOf(path)) {}
+
+File::File(std::vector<std::uint8_t> contents, fs::path folder) : folder_(std::move(folder)) {
+  const Container container = openContainer(contents);
+  const Json root = parseJson(container.json, "extras", "meshes");
+  guarded_ = guard(root);
+  checkUris(root);
+  parse(guarded_.text);
+  guarded_.text = {};
+  adopt(root);
+  openBuffers(root.at("buffers"), std::move(contents), container);
+  checkViews();
+  const auto range = [this](std::size_t buffer, std::uint64_t offset, std::uint64_t size, const std::string& place) {
+    const Bytes bytes = bytesOf(buffer);
+    if (offset > bytes.size() || size > bytes.size() - offset) {
+      refuse(place, "bytes " + std::to_string(offset) + " to " + std::to_string(offset + size) +
+                        " reach beyond the buffer's " + std::to_string(bytes.size()));
+    }
+    return bytes.subspan(static_cast<std::size_t>(offset), static_cast<std::size_t>(size));
+  };
+  unpacked_ = unpack(root, guarded_, range, model_);
+}
+
+void File::parse(const std::string& text) {
+  tinygltf::TinyGLTF reader;
+  // The text names no file and no image; should tinygltf want one all the same, it has no way to get it.
+  reader.SetFsCallbacks({});
+  reader.SetImageLoader(nullptr, nullptr);
+  std::string errors;
+  std::string warnings;
+  if (reader.LoadASCIIFromString(&model_, &errors, &warnings, text.data(), static_cast<unsigned>(text.size()), "")) {
+    return;
+  }
+  refuse("JSON", "cannot be read: " + shortened(errors));
+}
+
+/// What the guard has kept aside: tinygltf refuses strides beyond 252 and indices without a bufferView, reads every
+/// image, and keeps no cameras or lights it does not like.
+void File::adopt(const Json& root) {
+  const std::vector<Json>& views = root.at("bufferViews").items();
+  for (std::size_t i = 0; i < model_.bufferViews.size(); ++i) {
+    const std::uint64_t stride = wholeOf(views[i].at("byteStride"));
+    if (stride > kMaxStride) refuse(placeOf("bufferViews", i) + ".byteStride", "larger than 65536");
+    model_.bufferViews[i].byteStride = static_cast<std::size_t>(stride);
+  }
+  const std::vector<Json>& meshes = root.at("meshes").items();
+  for (std::size_t m = 0; m < model_.meshes.size(); ++m) {
+    std::vector<std::string>& names = targetNames_.emplace_back();
+    for (const Json& name : meshes[m].at("extras").at("targetNames").items()) names.push_back(name.text(""));
+    const std::vector<Json>& primitives = meshes[m].at("primitives").items();
+    for (std::size_t p = 0; p < model_.meshes[m].primitives.size(); ++p) {
+      model_.meshes[m].primitives[p].indices = soundIndex(primitives[p].at("indices"), model_.accessors.size());
+    }
+  }
+  for (const Json& image : root.at("images").items()) {
+    tinygltf::Image& kept = model_.images.emplace_back();
+    kept.name = image.at("name").text("");
+    kept.uri = image.at("uri").text("");
+    kept.bufferView = soundIndex(image.at("bufferView"), model_.bufferViews.size());
+  }
+  vrm_ = readVrm(root);
+  cameras_ = root.at("cameras").items().size();
+  lights_ = root.at("extensions").at("KHR_lights_punctual").at("lights").items().size();
+}
+
+/// Not by tinygltf: it takes seven kinds of data: uris and base64 with faults, reads "+" as a space, and refuses files
+/// longer than byteLength, empty buffers, and buffers without bytes even if nothing reads from them.
+void File::openBuffers(const Json& list, std::vector<std::uint8_t> file, const Container& container) {
+  const std::size_t binaryAt = container.binary ? static_cast<std::size_t>(container.binary->data() - file.data()) : 0;
+  const std::size_t binarySize = container.binary ? container.binary->size() : 0;
+  if (!container.binary) file = {};
+  for (std::size_t i = 0; i < list.items().size(); ++i) {
+    const Json& buffer = list.items()[i];
+    const Json* uri = isFallback(buffer) ? nullptr : buffer.find("uri");
+    std::vector<std::uint8_t> bytes;
+    if (uri) {
+      Result<std::vector<std::uint8_t>> found = read(uri->content, placeOf("buffers", i) + ".uri");
+      if (!found) refuse(placeOf("buffers", i) + ".uri", found.error().reason, "needs another file");
+      bytes = std::move(found).value();
+    } else if (i == 0 && container.binary) {
+      // Moved down within the file's own memory: a second copy of the largest file would be a gigabyte.
+      file.resize(binaryAt + binarySize);
+      file.erase(file.begin(), file.begin() + static_cast<std::ptrdiff_t>(binaryAt));
+      bytes = std::move(file);
+    }
+    // One without bytes is allowed (extensions fill such buffers); an error once something reads from it.
+    hasBytes_.push_back(uri || (i == 0 && container.binary));
+    const std::uint64_t length = wholeOf(buffer.at("byteLength"));
+    if (hasBytes_.back() && bytes.size() < length) {
+      refuse(placeOf("buffers", i),
+             "promises " + std::to_string(length) + " bytes but has " + std::to_string(bytes.size()));
+    }
+    if (hasBytes_.back()) bytes.resize(static_cast<std::size_t>(length));
+    model_.buffers.emplace_back().data = std::move(bytes);
+  }
+}
+
+void File::checkViews() const {
+  for (std::size_t i = 0; i < model_.bufferViews.size(); ++i) {
+    const tinygltf::BufferView& view = model_.bufferViews[i];
+    const auto buffer = toIndex(view.buffer);
+    const std::size_t available = model_.buffers[buffer].data.size();
+    if (hasBytes_[buffer] && (view.byteOffset > available || view.byteLength > available - view.byteOffset)) {
+      refuse(placeOf("bufferViews", i), "bytes " + std::to_string(view.byteOffset) + " to " +
+                                            std::to_string(view.byteOffset + view.byteLength) +
+                                            " reach beyond the buffer's " + std::to_string(available));
+    }
+  }
+}
+
+Bytes File::bytesOf(std::size_t buffer) const {
+  if (!hasBytes_[buffer]) refuse(placeOf("buffers", buffer), "has no uri and the file holds no bytes for it");
+  return model_.buffers[buffer].data;
+}
+
+Bytes File::bufferView(std::size_t index) const {
+  if (const auto own = unpacked_.views.find(index); own != unpacked_.views.end()) return own->second;
+  const tinygltf::BufferView& view = model_.bufferViews[index];
+  return bytesOf(toIndex(view.buffer)).subspan(view.byteOffset, view.byteLength);
+}
+
+Result<EncodedImage> File::encodedImage(std::size_t index) {
+  const std::string place = placeOf("images", index);
+  expectSound(place);
+  const tinygltf::Image& image = model_.images[index];
+  if (image.bufferView >= 0) return EncodedImage{bufferView(toIndex(image.bufferView)), {}};
+  if (image.uri.empty()) return errorAt("", "has neither uri nor bufferView");
+  Result<std::vector<std::uint8_t>> bytes = read(image.uri, place + ".uri");
+  if (!bytes) return bytes.error();
+  EncodedImage result{{}, std::move(bytes).value()};
+  result.bytes = result.own;
+  return result;
+}
+
+Result<std::vector<std::uint8_t>> File::read(const std::string& uri, const std::string& place) {
+  return isDataUri(uri) ? decodeDataUri(uri) : readSibling(uri, place);
+}
+
+Result<std::vector<std::uint8_t>> File::readSibling(const std::string& uri, const std::string& place) {
+  const Result<fs::path> relative = relativePathOf(uri);
+  if (!relative) refuse(place, relative.error().reason);
+  std::error_code error;
+  const fs::path asked = folder_ / relative.value();
+  const std::optional<fs::path> found = placeInside(folder_, relative.value());
+  if (!found && fs::exists(asked, error)) refuse(place, "leads out of this file's own folder");
+  if (!found || !fs::is_regular_file(*found, error))
+    return errorAt("", "there is no file " + readable(folder_, relative.value()));
+  Result<std::vector<std::uint8_t>> bytes = readWholeBytes(*found, kMaxFileBytes - siblingBytes_);
+  if (!bytes) return errorAt("", bytes.error().reason + " (" + readable(folder_, relative.value()) + ")");
+  siblingBytes_ += bytes->size();
+  return bytes;
+}
+
+}  // namespace sinew::gltf

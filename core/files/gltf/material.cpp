@@ -1,0 +1,176 @@
+// core/files/gltf/material.cpp: glTF's metallic-roughness materials (glTF 2.0, 3.9).
+
+#include "core/files/gltf/material.h"
+
+#include <algorithm>
+
+#include "core/files/gltf/loose_values.h"
+#include "core/files/gltf/texture_reader.h"
+#include "core/geometry/at.h"
+
+namespace sinew::gltf {
+namespace {
+
+constexpr double kMaxGlow = 1e4;  // KHR_materials_emissive_strength: beyond, nothing is seen but white
+
+float unit(double number) { return static_cast<float>(std::clamp(number, 0.0, 1.0)); }
+
+/// A map that a material names, before its image is read.
+struct NamedMap {
+  TextureMap Material::*map = nullptr;
+  int texture = -1;
+  UvSource uv;
+};
+
+class MaterialReader {
+ public:
+  MaterialReader(File& file, Notes& notes, Images images)
+      : file_(file), notes_(notes), images_(images), textures_(file, notes) {}
+
+  /// Base colors first: where the images are too many, these are what is seen most.
+  Materials run() && {
+    for (std::size_t i = 0; i < file_.model().materials.size(); ++i) read(i);
+    if (images_ == Images::kRead) {
+      for (std::size_t i = 0; i < result_.materials.size(); ++i) {
+        for (const NamedMap& named : maps_[i]) readMap(named, result_.uvSources[i], result_.materials[i]);
+        settle(maps_[i], result_.materials[i]);
+      }
+    }
+    result_.textures = std::move(textures_).take();
+    return std::move(result_);
+  }
+
+ private:
+  void read(std::size_t index) {
+    const std::string place = placeOf("materials", index);
+    file_.expectSound(place);
+    const tinygltf::Material& from = file_.model().materials[index];
+    Material material;
+    std::optional<UvSource> uv;
+    std::vector<NamedMap> maps;
+    material.name = from.name.empty() ? "material " + std::to_string(index) : from.name;
+    if (const auto* glossiness = findExtension(from.extensions, "KHR_materials_pbrSpecularGlossiness")) {
+      readGlossiness(*glossiness, material, uv);
+    } else {
+      file_.expectSound(place + ".pbrMetallicRoughness");
+      readMetallic(from.pbrMetallicRoughness, material, uv, maps);
+    }
+    readEmissive(from, material, maps);
+    readRelief(from, material, maps);
+    if (findExtension(from.extensions, "KHR_materials_unlit")) {
+      material.unlit = true;
+      material.metallic = 0.0f;
+      material.roughness = 1.0f;
+      maps.clear();
+    }
+    readAlpha(from, place, material);
+    material.doubleSided = from.doubleSided;
+    if (!uv && !maps.empty()) uv = maps.front().uv;
+    result_.materials.push_back(std::move(material));
+    result_.uvSources.push_back(uv.value_or(UvSource{}));
+    maps_.push_back(std::move(maps));
+  }
+
+  void readMetallic(const tinygltf::PbrMetallicRoughness& pbr, Material& material, std::optional<UvSource>& uv,
+                    std::vector<NamedMap>& maps) {
+    for (int i = 0; i < 4; ++i) material.baseColor[i] = unit(at(pbr.baseColorFactor, i));
+    material.metallic = unit(pbr.metallicFactor);
+    material.roughness = unit(pbr.roughnessFactor);
+    if (pbr.baseColorTexture.index >= 0) {
+      uv = uvOf(pbr.baseColorTexture);
+      material.baseColorTexture = readTexture(pbr.baseColorTexture.index);
+    }
+    addMap(&Material::metallicRoughnessMap, pbr.metallicRoughnessTexture, maps);
+  }
+
+  void readGlossiness(const tinygltf::Value& glossiness, Material& material, std::optional<UvSource>& uv) {
+    std::array<double, 4> color{1.0, 1.0, 1.0, 1.0};
+    looseNumbers(glossiness, "diffuseFactor", color);
+    for (int i = 0; i < 4; ++i) material.baseColor[i] = unit(at(color, i));
+    material.metallic = 0.0f;
+    material.roughness = 1.0f - unit(looseNumber(glossiness, "glossinessFactor", 1.0));
+    if (const tinygltf::Value& texture = glossiness.Get("diffuseTexture"); texture.IsObject()) {
+      const tinygltf::Value& extensions = texture.Get("extensions");
+      const bool placed = extensions.Has("KHR_texture_transform");
+      uv = uvSourceOf(static_cast<int>(looseNumber(texture, "texCoord", 0.0)),
+                      placed ? &extensions.Get("KHR_texture_transform") : nullptr);
+      material.baseColorTexture = readTexture(texture.Get("index").GetNumberAsInt());
+    }
+    if (glossiness.Has("specularGlossinessTexture")) {
+      material.roughness = 1.0f;
+      notes_.add("specular-glossiness textures are ignored: gloss is the same all over");
+    }
+  }
+
+  static void readEmissive(const tinygltf::Material& from, Material& material, std::vector<NamedMap>& maps) {
+    double strength = 1.0;
+    if (const auto* glow = findExtension(from.extensions, "KHR_materials_emissive_strength")) {
+      strength = std::clamp(looseNumber(*glow, "emissiveStrength", 1.0), 0.0, kMaxGlow);
+    }
+    for (int i = 0; i < 3; ++i) {
+      material.emissive[i] = unit(at(from.emissiveFactor, i)) * static_cast<float>(strength);
+    }
+    addMap(&Material::emissiveMap, from.emissiveTexture, maps);
+  }
+
+  static void readRelief(const tinygltf::Material& from, Material& material, std::vector<NamedMap>& maps) {
+    constexpr double kMaxScale = 1e4;
+    material.normalScale = static_cast<float>(std::clamp(from.normalTexture.scale, -kMaxScale, kMaxScale));
+    material.occlusionStrength = unit(from.occlusionTexture.strength);
+    addMap(&Material::normalMap, from.normalTexture, maps);
+    addMap(&Material::occlusionMap, from.occlusionTexture, maps);
+  }
+
+  static void readAlpha(const tinygltf::Material& from, const std::string& place, Material& material) {
+    if (from.alphaMode == "MASK") material.alphaMode = AlphaMode::kMask;
+    else if (from.alphaMode == "BLEND") material.alphaMode = AlphaMode::kBlend;
+    else if (from.alphaMode != "OPAQUE") refuse(place + ".alphaMode", "expected OPAQUE, MASK or BLEND");
+    material.alphaCutoff = unit(from.alphaCutoff);
+  }
+
+  /// @param info  one of tinygltf's three kinds
+  template <class Info>
+  static UvSource uvOf(const Info& info) {
+    return uvSourceOf(info.texCoord, findExtension(info.extensions, "KHR_texture_transform"));
+  }
+
+  template <class Info>
+  static void addMap(TextureMap Material::*map, const Info& info, std::vector<NamedMap>& maps) {
+    if (info.index >= 0) maps.push_back({map, info.index, uvOf(info)});
+  }
+
+  int readTexture(int index) { return images_ == Images::kRead ? textures_.read(index) : -1; }
+
+  void readMap(const NamedMap& named, const UvSource& surface, Material& material) {
+    const auto place = placeFrom(surface, named.uv);
+    if (!place) {
+      notes_.add(
+          "maps with other texture coordinates than their material's first are ignored: the material is drawn without");
+      return;
+    }
+    material.*named.map = {readTexture(named.texture), *place};
+  }
+
+  /// What the factors alone are, where a map that they scale is not to be had: they would turn skin into chrome, and
+  /// all of it into a lamp.
+  static void settle(const std::vector<NamedMap>& named, Material& material) {
+    for (const NamedMap& each : named) {
+      if ((material.*each.map).texture >= 0) continue;
+      if (each.map == &Material::metallicRoughnessMap) material.metallic = 0.0f;
+      if (each.map == &Material::emissiveMap) material.emissive = glm::vec3(0.0f);
+    }
+  }
+
+  File& file_;
+  Notes& notes_;
+  Images images_;
+  TextureReader textures_;
+  std::vector<std::vector<NamedMap>> maps_;  // [materials]
+  Materials result_;
+};
+
+}  // namespace
+
+Materials readMaterials(File& file, Notes& notes, Images images) { return MaterialReader(file, notes, images).run(); }
+
+}  // namespace sinew::gltf

@@ -1,0 +1,58 @@
+// core/files/gltf/mesh.h: mesh primitives -> one triangle soup in the bind pose.
+#pragma once
+
+#include <span>
+
+#include "core/files/gltf/accessor.h"
+#include "core/files/gltf/material.h"
+#include "core/files/gltf/skin.h"
+#include "core/geometry/weld.h"
+#include "sinew/character/character.h"
+
+namespace sinew::gltf {
+
+/// Triangles and vertices of a soup that one primitive of a mesh gave, for one node that shows the mesh.
+struct SoupPart {
+  int node = 0;
+  int mesh = 0;
+  int primitive = 0;
+  std::size_t firstTriangle = 0;
+  std::size_t endTriangle = 0;
+  std::size_t firstVertex = 0;
+  std::size_t endVertex = 0;
+};
+
+/// Where a soup comes from.
+struct SoupOrigin {
+  std::vector<SoupPart> parts;            ///< In the soup's order; without those that have no triangles.
+  std::vector<std::uint32_t> fileVertex;  ///< [N] number of each vertex in its primitive.
+};
+
+/// A mesh of the file with one of its materials: what TriangleSoup::parts counts.
+struct MeshMaterial {
+  int mesh = 0;
+  int material = 0;
+
+  friend bool operator==(const MeshMaterial&, const MeshMaterial&) = default;
+};
+
+/// What a soup's parts are called: as the mesh, or as the material where the mesh has several; each name once.
+[[nodiscard]] std::vector<MeshPart> partsOf(const File& file, std::span<const MeshMaterial> parts,
+                                            std::span<const Material> materials);
+/// Numbers anew the parts that the welded mesh has, in their order, and leaves the others out.
+void keepUsedParts(ControlMesh& mesh, std::vector<MeshMaterial>& parts);
+
+/// All triangles of the scene's meshes, node by node in file order. Primitives without a material get one more,
+/// appended to `materials`. Vertices no triangle uses are left out. Refuses more than kMaxControlTriangles, indices and
+/// joints out of range, positions and weights that are not finite; points and lines are noted.
+/// @param origin  filled if not null  @param parts  likewise
+[[nodiscard]] TriangleSoup readTriangles(const File& file, const NodeTree& tree, const BoundSkeleton& bound,
+                                         Materials& materials, Accessors& accessors, Notes& notes,
+                                         SoupOrigin* origin = nullptr, std::vector<MeshMaterial>* parts = nullptr);
+
+/// H of docs/design.md: their y extent, or the largest if they are flat.
+[[nodiscard]] float heightOf(const std::vector<glm::vec3>& positions);
+/// How near vertices of a file's soup are one (mesh/weld.h).
+[[nodiscard]] float weldTolerance(const TriangleSoup& soup);
+
+}  // namespace sinew::gltf

@@ -1,0 +1,43 @@
+// core/files/gltf/unpack.h: compressed views and meshes -> plain ones, once, when a file is opened.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <optional>
+#include <set>
+#include <string_view>
+#include <vector>
+
+#include <tiny_gltf.h>
+
+#include "core/files/gltf/glb.h"
+#include "core/files/gltf/guard.h"
+
+namespace sinew::gltf {
+
+inline constexpr std::string_view kMeshopt = "EXT_meshopt_compression";
+inline constexpr std::string_view kDraco = "KHR_draco_mesh_compression";
+
+/// What stands in place of compressed parts. All that reads the file afterwards sees views and accessors alone.
+struct Unpacked {
+  std::map<std::size_t, std::vector<std::uint8_t>> views;  ///< Bytes of bufferViews; those beyond the file's are new.
+  std::map<std::size_t, float> accessors;                  ///< Those that have new views, and to what steps their
+                                                           ///< values were rounded; 0: they were not.
+  std::set<std::size_t> spent;                             ///< bufferViews that hold compressed meshes.
+};
+
+/// Whether a buffer is there for programs that cannot decompress: it is not read.
+[[nodiscard]] bool isFallback(const Json& buffer);
+
+/// Bytes of a range of a buffer; refuses, at the place, what is not there.
+using BufferRange =
+    std::function<Bytes(std::size_t buffer, std::uint64_t offset, std::uint64_t size, const std::string& place)>;
+
+/// Decodes all views that EXT_meshopt_compression has, then all meshes that KHR_draco_mesh_compression has. Sizes are
+/// compared with what the file declares, and with limits, before memory is taken.
+/// @param root   the file's JSON  @param model  gets new views, and accessors and primitives that use them
+[[nodiscard]] Unpacked unpack(const Json& root, const Guarded& guarded, const BufferRange& bytes,
+                              tinygltf::Model& model);
+
+}  // namespace sinew::gltf

@@ -1,0 +1,21 @@
+// core/files/preset_json.h: preset files: sets of muscles as marks. docs/presets.md.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "core/bodies/preset.h"
+#include "sinew/geometry/result.h"
+
+namespace sinew {
+
+/// Error: place is the JSON path, reason what was expected.
+[[nodiscard]] Result<Preset> presetFromJson(const std::string& text);
+/// Refuses files over 4 MiB.
+[[nodiscard]] Result<Preset> loadPreset(const std::filesystem::path& file);
+
+/// Numbers are the shortest that read back bit-equal.
+[[nodiscard]] std::string presetToJson(const Preset& preset);
+[[nodiscard]] Result<void> savePreset(const Preset& preset, const std::filesystem::path& file);
+
+}  // namespace sinew

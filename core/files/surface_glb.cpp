@@ -1,0 +1,210 @@
+// core/files/surface_glb.cpp: a surface as binary glTF 2.0: one node, one mesh, a primitive per material.
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <limits>
+#include <map>
+#include <ostream>
+#include <set>
+#include <span>
+#include <streambuf>
+
+#include <tiny_gltf.h>
+
+#include "core/files/glb_material.h"
+#include "core/files/json/json.h"
+#include "core/files/surface_formats.h"
+#include "core/geometry/at.h"
+
+namespace sinew {
+namespace {
+
+static_assert(std::endian::native == std::endian::little, "glTF is little endian, as the machine");
+
+constexpr std::size_t kMaxGlbBytes = std::numeric_limits<std::uint32_t>::max();
+/// In TextureWrap's order.
+constexpr std::array kWrap{TINYGLTF_TEXTURE_WRAP_REPEAT, TINYGLTF_TEXTURE_WRAP_CLAMP_TO_EDGE,
+                           TINYGLTF_TEXTURE_WRAP_MIRRORED_REPEAT};
+
+/// Takes what is written without the copies a string stream makes.
+class StringBuffer : public std::streambuf {
+ public:
+  explicit StringBuffer(std::string& to) : to_(to) {}
+
+ protected:
+  std::streamsize xsputn(const char* bytes, std::streamsize count) override {
+    to_.append(bytes, static_cast<std::size_t>(count));
+    return count;
+  }
+  int_type overflow(int_type c) override {
+    to_ += traits_type::to_char_type(c);
+    return c;
+  }
+
+ private:
+  std::string& to_;
+};
+
+template <std::size_t N>
+std::vector<double> numbers(const std::array<float, N>& values) {
+  return {values.begin(), values.end()};
+}
+
+Error tooLarge(std::size_t bytes) {
+  return errorAt({}, "the surface needs " + std::to_string(bytes) +
+                         " bytes, a .glb holds at most 4 GiB; choose a smaller depth or another format");
+}
+
+/// The file in the making. tinygltf writes names as they are and throws at what is not UTF-8.
+class GlbWriter {
+ public:
+  GlbWriter(const Surface& surface, const Character& character)
+      : surface_(surface), character_(character), materials_(usedMaterials(surface, character)) {
+    model_.buffers.emplace_back();
+  }
+
+  Result<std::string> write() {
+    model_.asset.version = "2.0";
+    model_.asset.generator = "Sinew";
+    writeMaterials();
+    writeMesh();
+    tinygltf::Node& node = model_.nodes.emplace_back();
+    node.name = validUtf8(character_.name);
+    node.mesh = 0;
+    model_.scenes.emplace_back().nodes = {0};
+    model_.defaultScene = 0;
+    return assemble();
+  }
+
+ private:
+  int addView(const void* bytes, std::size_t count, int target) {
+    std::vector<unsigned char>& data = model_.buffers[0].data;
+    data.resize((data.size() + 3) / 4 * 4);
+    tinygltf::BufferView& view = model_.bufferViews.emplace_back();
+    view.buffer = 0;
+    view.byteOffset = data.size();
+    view.byteLength = count;
+    view.target = target;
+    const auto* from = static_cast<const unsigned char*>(bytes);
+    data.insert(data.end(), from, from + count);
+    return static_cast<int>(model_.bufferViews.size()) - 1;
+  }
+
+  int addAccessor(int view, int componentType, std::size_t count, int type, const Bounds* bounds = nullptr) {
+    tinygltf::Accessor& accessor = model_.accessors.emplace_back();
+    accessor.bufferView = view;
+    accessor.componentType = componentType;
+    accessor.count = count;
+    accessor.type = type;
+    if (bounds) {
+      accessor.minValues = numbers(std::array{bounds->low.x, bounds->low.y, bounds->low.z});
+      accessor.maxValues = numbers(std::array{bounds->high.x, bounds->high.y, bounds->high.z});
+    }
+    return static_cast<int>(model_.accessors.size()) - 1;
+  }
+
+  template <class Value>
+  int addVertexData(const std::vector<Value>& values, int type, const Bounds* bounds = nullptr) {
+    const int view = addView(values.data(), values.size() * sizeof(Value), TINYGLTF_TARGET_ARRAY_BUFFER);
+    return addAccessor(view, TINYGLTF_COMPONENT_TYPE_FLOAT, values.size(), type, bounds);
+  }
+
+  void writeTexture(const Texture& texture) {
+    const ImageFile file = imageFile(texture);
+    const int number = static_cast<int>(model_.textures.size());
+    tinygltf::Image& image = model_.images.emplace_back();
+    image.name = validUtf8(texture.name);
+    image.bufferView = addView(file.bytes.data(), file.bytes.size(), 0);
+    image.mimeType = file.mimeType;
+    tinygltf::Sampler& sampler = model_.samplers.emplace_back();
+    sampler.magFilter = texture.nearest ? TINYGLTF_TEXTURE_FILTER_NEAREST : TINYGLTF_TEXTURE_FILTER_LINEAR;
+    sampler.minFilter =
+        texture.nearest ? TINYGLTF_TEXTURE_FILTER_NEAREST : TINYGLTF_TEXTURE_FILTER_LINEAR_MIPMAP_LINEAR;
+    sampler.wrapS = kWrap[static_cast<std::size_t>(texture.wrapU)];
+    sampler.wrapT = kWrap[static_cast<std::size_t>(texture.wrapV)];
+    tinygltf::Texture& joined = model_.textures.emplace_back();
+    joined.sampler = number;
+    joined.source = number;
+  }
+
+  void writeMaterials() {
+    for (const int texture : usedTextures(materials_, character_, Maps::kAll)) {
+      textureNumber_[texture] = static_cast<int>(model_.textures.size());
+      writeTexture(at(character_.textures, texture));
+    }
+    std::set<std::string> extensions;
+    for (const int material : materials_) {
+      model_.materials.push_back(gltfMaterial(at(character_.materials, material), textureNumber_, extensions));
+    }
+    model_.extensionsUsed.assign(extensions.begin(), extensions.end());
+  }
+
+  std::map<std::string, int> writeAttributes() {
+    const Refinement& refinement = *surface_.refinement;
+    std::vector<glm::vec3> positions;
+    std::vector<glm::vec3> normals;
+    forEachDrawVertex(refinement, [&](std::size_t d, std::size_t vertex) {
+      positions.push_back(surface_.positions[vertex]);
+      normals.push_back(shadingNormal(surface_, d));
+    });
+    const Bounds bounds = boundsOf(positions);
+    const int position = addVertexData(positions, TINYGLTF_TYPE_VEC3, &bounds);
+    const int normal = addVertexData(normals, TINYGLTF_TYPE_VEC3);
+    const int uv = addVertexData(refinement.drawUv, TINYGLTF_TYPE_VEC2);
+    std::map<std::string, int> attributes{{"POSITION", position}, {"NORMAL", normal}, {"TEXCOORD_0", uv}};
+    if (!refinement.drawColor.empty()) {
+      attributes["COLOR_0"] = addVertexData(refinement.drawColor, TINYGLTF_TYPE_VEC4);
+    }
+    return attributes;
+  }
+
+  void writeMesh() {
+    const auto& triangles = surface_.refinement->drawTriangles;
+    const std::map<std::string, int> attributes = writeAttributes();
+    const std::vector<MaterialRun> runs = materialRuns(surface_, character_);
+    tinygltf::Mesh& mesh = model_.meshes.emplace_back();
+    for (std::size_t m = 0; m < materials_.size(); ++m) {
+      std::vector<std::array<std::uint32_t, 3>> own;
+      for (const MaterialRun& run : runs) {
+        if (run.material != materials_[m]) continue;
+        own.insert(own.end(), triangles.begin() + static_cast<std::ptrdiff_t>(run.begin),
+                   triangles.begin() + static_cast<std::ptrdiff_t>(run.end));
+      }
+      const int view = addView(own.data(), own.size() * sizeof(own[0]), TINYGLTF_TARGET_ELEMENT_ARRAY_BUFFER);
+      tinygltf::Primitive& primitive = mesh.primitives.emplace_back();
+      primitive.attributes = attributes;
+      primitive.indices = addAccessor(view, TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT, own.size() * 3, TINYGLTF_TYPE_SCALAR);
+      primitive.material = static_cast<int>(m);
+      primitive.mode = TINYGLTF_MODE_TRIANGLES;
+    }
+  }
+
+  /// tinygltf counts in 32 bits and does not say when they run over.
+  Result<std::string> assemble() const {
+    const std::size_t bytes = model_.buffers[0].data.size();
+    if (bytes > kMaxGlbBytes) return tooLarge(bytes);
+    std::string file;
+    file.reserve(bytes + (1U << 16));
+    StringBuffer buffer(file);
+    std::ostream stream(&buffer);
+    if (!tinygltf::TinyGLTF().WriteGltfSceneToStream(&model_, stream, false, true)) {
+      return errorAt({}, "the surface cannot be written as glTF");
+    }
+    if (file.size() > kMaxGlbBytes) return tooLarge(file.size());
+    return file;
+  }
+
+  const Surface& surface_;
+  const Character& character_;
+  std::vector<int> materials_;
+  std::map<int, int> textureNumber_;  // The character's -> the file's.
+  tinygltf::Model model_;
+};
+
+}  // namespace
+
+Result<std::string> glbBytes(const Surface& surface, const Character& character) {
+  return GlbWriter(surface, character).write();
+}
+
+}  // namespace sinew

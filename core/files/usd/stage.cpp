@@ -1,0 +1,260 @@
+// core/files/usd/stage.cpp: prims in their order; what both kinds of stage share.
+#include "core/files/usd/stage.h"
+
+#include <algorithm>
+#include <limits>
+
+#include <glm/gtc/packing.hpp>
+
+#include "core/files/gltf/animation.h"
+#include "core/files/usd/blend_shapes.h"
+#include "core/files/usd/joints.h"
+#include "core/files/usd/materials.h"
+#include "core/files/usd/meshes.h"
+#include "core/geometry/at.h"
+
+namespace sinew::usd {
+namespace {
+
+using exporting::Trs;
+
+constexpr std::size_t kSampleIndent = 12;
+constexpr double kLargestHalf = 65504.0;
+
+/// What USD reads where it keeps 16 bits.
+float asHalf(double value) {
+  const auto number = static_cast<float>(std::clamp(value, -kLargestHalf, kLargestHalf));
+  return glm::unpackHalf1x16(glm::packHalf1x16(number));
+}
+
+glm::vec3 translationOf(const Trs& local) { return glm::vec3(local.translation); }
+glm::quat rotationOf(const Trs& local) { return glm::quat(local.rotation); }
+glm::vec3 scaleOf(const Trs& local) { return {asHalf(local.scale.x), asHalf(local.scale.y), asHalf(local.scale.z)}; }
+
+template <class Read>
+std::string samplesText(const std::vector<Trs>& locals, const Read& read) {
+  std::vector<decltype(read(locals.front()))> values;
+  values.reserve(locals.size());
+  for (const Trs& local : locals) values.push_back(read(local));
+  return arrayText(values);
+}
+
+class StageMaker {
+ public:
+  StageMaker(gltf::File& file, const Json& root, const std::string& stem)
+      : file_(file),
+        stem_(stem),
+        name_(identifierOf(stem, "Character")),
+        accessors_(file),
+        tree_(gltf::readNodes(file, notes_)),
+        bound_(gltf::bindSkeleton(file, tree_, accessors_, notes_)),
+        meshes_(meshesOf(file, root, tree_, bound_, accessors_, stage_.left)),
+        shapes_(file, tree_, meshes_),
+        materials_(file, root, meshes_, stem, stage_.left) {
+    for (const char* taken : {"Skeleton", "Materials", "Animations"}) names_.fresh(taken);
+    if (!root.at("cameras").items().empty()) stage_.left.insert("cameras: .usda holds the character alone");
+    if (file.lights() > 0) stage_.left.insert("lights: .usda holds the character alone");
+  }
+
+  Stage skinned() && {
+    const auto clips =
+        gltf::readClips(file_, {bound_.skeleton, bound_.skeletonNode, shapes_.ofNodes()}, accessors_, notes_);
+    if (!shapes_.restsAtZero()) stage_.left.insert("weights of morph targets where no clip plays: USD knows none");
+    joints_ = jointsOf(bound_, clips);
+    double end = 0.0;
+    for (const SampledClip& clip : joints_.clips) end = std::max(end, clip.frames.back());
+    open("SkelRoot", 0.0, end, kFramesPerSecond, {"prepend apiSchemas = [\"SkelBindingAPI\"]"});
+    std::vector<std::string> animations;
+    Siblings siblings;
+    for (const SampledClip& clip : joints_.clips) {
+      animations.push_back(siblings.fresh(identifierOf(clip.name, "Clip")));
+    }
+    writeSkeleton(animations.empty() ? std::string() : animations.front());
+    for (std::size_t m = 0; m < meshes_.size(); ++m) writeSkinned(meshes_[m]);
+    materials_.write(path(), text_);
+    if (!animations.empty()) text_.open("def Scope \"Animations\"");
+    for (std::size_t c = 0; c < animations.size(); ++c) writeClip(joints_.clips[c], clips[c], animations[c]);
+    if (!animations.empty()) text_.close();
+    return finishStage();
+  }
+
+  Stage points(const PointMoments& moments) && {
+    struct Samples {
+      std::string points;
+      std::string normals;
+      std::string extents;
+    };
+    std::vector<Samples> samples(meshes_.size());
+    std::vector<MeshPoints> now;
+    for (std::size_t moment = 0; moment < moments.frames.size(); ++moment) {
+      moments.at(moment, now);
+      checkMoment(now);
+      const std::string time = std::string(kSampleIndent, ' ') + numberText(moments.frames[moment]) + ": ";
+      for (std::size_t m = 0; m < meshes_.size(); ++m) {
+        samples[m].points += time + arrayText(now[m].points) + ",\n";
+        samples[m].extents += time + extentText(now[m].points) + ",\n";
+        if (!now[m].normals.empty()) samples[m].normals += time + arrayText(now[m].normals) + ",\n";
+      }
+    }
+    open("Xform", moments.frames.front(), moments.frames.back(), moments.framesPerSecond, {});
+    for (std::size_t m = 0; m < meshes_.size(); ++m) {
+      openMesh(meshes_[m], {});
+      const auto sampled = [&](const char* declaration, std::string& values, const std::vector<std::string>& metadata) {
+        if (values.empty()) return;
+        if (!metadata.empty()) text_.declare(declaration, metadata);
+        text_.openSamples(declaration);
+        text_.append(values);
+        text_.close();
+        values = {};
+      };
+      sampled("float3[] extent", samples[m].extents, {});
+      sampled("normal3f[] normals", samples[m].normals, perVertex());
+      sampled("point3f[] points", samples[m].points, {});
+      text_.close();
+    }
+    materials_.write(path(), text_);
+    return finishStage();
+  }
+
+ private:
+  [[nodiscard]] std::string path() const { return '/' + name_; }
+
+  void open(const std::string& type, double start, double end, double framesPerSecond,
+            const std::vector<std::string>& metadata) {
+    text_.line("#usda 1.0");
+    text_.line("(");
+    for (const std::string& line :
+         {"defaultPrim = \"" + name_ + '"', std::string("doc = \"Made by Sinew\""), "endTimeCode = " + numberText(end),
+          "framesPerSecond = " + numberText(framesPerSecond), std::string("metersPerUnit = 1"),
+          "startTimeCode = " + numberText(start), "timeCodesPerSecond = " + numberText(framesPerSecond),
+          std::string("upAxis = \"Y\"")}) {
+      text_.line("    " + line);
+    }
+    text_.line(")");
+    text_.line("");
+    std::vector<std::string> all = metadata;
+    for (const std::string& line : displayName(stem_, name_)) all.push_back(line);
+    text_.open("def " + type + " \"" + name_ + '"', all);
+  }
+
+  Stage finishStage() {
+    text_.close();
+    stage_.text = std::move(text_).take();
+    stage_.textures = std::move(materials_).takeTextures();
+    return std::move(stage_);
+  }
+
+  void writeSkeleton(const std::string& animation) {
+    text_.open("def Skeleton \"Skeleton\"", {"prepend apiSchemas = [\"SkelBindingAPI\"]"});
+    std::vector<glm::dmat4> bind;
+    std::vector<glm::dmat4> rest;
+    std::vector<std::string> names;
+    for (const Joint& joint : joints_.joints) {
+      paths_.push_back(joint.path);
+      names.push_back(joint.name);
+      bind.push_back(joint.bind);
+      rest.push_back(joint.rest.toMatrix());
+    }
+    text_.attribute("uniform matrix4d[] bindTransforms", arrayText(bind));
+    text_.attribute("uniform token[] jointNames", quotedList(names));
+    text_.attribute("uniform token[] joints", quotedList(paths_));
+    text_.attribute("uniform matrix4d[] restTransforms", arrayText(rest));
+    if (!animation.empty()) {
+      text_.attribute("rel skel:animationSource", '<' + path() + "/Animations/" + animation + '>');
+    }
+    text_.close();
+  }
+
+  /// Returns its path.
+  std::string openMesh(const Mesh& mesh, std::vector<std::string> schemas) {
+    const std::string own = names_.fresh(identifierOf(mesh.name, "Mesh"));
+    if (mesh.material >= 0) schemas.emplace_back("MaterialBindingAPI");
+    std::vector<std::string> metadata;
+    if (!schemas.empty()) metadata.push_back("prepend apiSchemas = " + quotedList(schemas));
+    for (const std::string& line : displayName(mesh.name, own)) metadata.push_back(line);
+    text_.open("def Mesh \"" + own + '"', metadata);
+    writeTopology(mesh, materials_.factorOf(mesh), materials_.isDoubleSided(mesh), text_);
+    materials_.bind(mesh, path(), text_);
+    return path() + '/' + own;
+  }
+
+  void writeSkinned(const Mesh& mesh) {
+    const std::string own = openMesh(mesh, {"SkelBindingAPI"});
+    text_.attribute("float3[] extent", extentText(mesh.points));
+    if (!mesh.normals.empty()) text_.attribute("normal3f[] normals", arrayText(mesh.normals), perVertex());
+    text_.attribute("point3f[] points", arrayText(mesh.points));
+    std::vector<int> joints;
+    joints.reserve(mesh.bindings.size());
+    for (const int binding : mesh.bindings) joints.push_back(sinew::at(joints_.ofBinding, binding));
+    std::vector<std::string> metadata = perVertex();
+    metadata.insert(metadata.begin(), "elementSize = " + std::to_string(mesh.influences));
+    text_.attribute("matrix4d primvars:skel:geomBindTransform", tupleText(mesh.meshToBind));
+    text_.attribute("int[] primvars:skel:jointIndices", arrayText(joints), metadata);
+    text_.attribute("float[] primvars:skel:jointWeights", arrayText(mesh.weights), metadata);
+    text_.attribute("rel skel:skeleton", '<' + path() + "/Skeleton>");
+    shapes_.writeMesh(mesh, own, text_);
+    text_.close();
+  }
+
+  void writeClip(const SampledClip& clip, const AnimationClip& from, const std::string& own) {
+    text_.open("def SkelAnimation \"" + own + '"', displayName(clip.name, own));
+    shapes_.writeClip(from, clip.frames, text_);
+    text_.attribute("uniform token[] joints", quotedList(paths_));
+    writeSamples("quatf[] rotations", clip, rotationOf);
+    writeSamples("half3[] scales", clip, scaleOf);
+    writeSamples("float3[] translations", clip, translationOf);
+    text_.close();
+  }
+
+  /// One value where nothing moves.
+  template <class Read>
+  void writeSamples(const std::string& declaration, const SampledClip& clip, const Read& read) {
+    std::vector<std::string> values;
+    for (const std::vector<Trs>& locals : clip.locals) values.push_back(samplesText(locals, read));
+    const bool stays = std::ranges::all_of(values, [&](const std::string& value) { return value == values.front(); });
+    if (stays) {
+      text_.attribute(declaration, values.front());
+      return;
+    }
+    text_.openSamples(declaration);
+    for (std::size_t f = 0; f < values.size(); ++f) text_.line(numberText(clip.frames[f]) + ": " + values[f] + ',');
+    text_.close();
+  }
+
+  void checkMoment(const std::vector<MeshPoints>& now) const {
+    bool fits = now.size() == meshes_.size();
+    for (std::size_t m = 0; fits && m < now.size(); ++m) {
+      const std::size_t count = meshes_[m].points.size();
+      fits = now[m].points.size() == count && (now[m].normals.empty() || now[m].normals.size() == count);
+    }
+    if (!fits) gltf::refuse("meshes", "a moment has not the file's points");
+  }
+
+  gltf::File& file_;
+  std::string stem_;
+  std::string name_;
+  Stage stage_;
+  gltf::Notes notes_;  // The import of the source has told them.
+  gltf::Accessors accessors_;
+  gltf::NodeTree tree_;
+  gltf::BoundSkeleton bound_;
+  std::vector<Mesh> meshes_;
+  BlendShapes shapes_;
+  Materials materials_;
+  Siblings names_;  // of what stands below the root prim
+  std::vector<std::string> paths_;
+  Joints joints_;
+  Text text_;
+};
+
+}  // namespace
+
+Stage skinnedStage(gltf::File& file, const Json& root, const std::string& stem) {
+  return StageMaker(file, root, stem).skinned();
+}
+
+Stage pointStage(gltf::File& file, const Json& root, const std::string& stem, const PointMoments& moments) {
+  return StageMaker(file, root, stem).points(moments);
+}
+
+}  // namespace sinew::usd

@@ -1,0 +1,74 @@
+// core/geometry/ellipsoid.cpp: placements through bone matrices.
+#include "sinew/geometry/ellipsoid.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <glm/geometric.hpp>
+#include <glm/gtc/matrix_transform.hpp>
+
+#include "core/geometry/flatness.h"
+
+namespace sinew {
+namespace {
+
+constexpr double kRound = 4e-6;  ///< Relative: rounding in a bone's matrix does not unmake a sphere.
+
+/// The radius of the ball that the axes span, or 0 if they are not alike and square to each other.
+double ballRadius(const glm::dmat3& axes) {
+  const double radius = std::cbrt(std::abs(glm::determinant(axes)));
+  const double square = radius * radius;
+  for (int i = 0; i < 3; ++i) {
+    if (std::abs(glm::dot(axes[i], axes[i]) - square) > kRound * square) return 0.0;
+    if (std::abs(glm::dot(axes[i], axes[(i + 1) % 3])) > kRound * square) return 0.0;
+  }
+  return radius;
+}
+
+}  // namespace
+
+float UnitBallMap::shapedRSquared(const glm::vec3& fromCenter) const { return shape.rSquared(toUnit * fromCenter); }
+
+glm::vec3 UnitBallMap::shapedSlope(const glm::vec3& fromCenter) const {
+  return glm::transpose(toUnit) * shape.rSquaredSlope(toUnit * fromCenter);
+}
+
+UnitBallMap unitBallMap(const Placement& inBone, float reach, const glm::mat4& boneInWorld) {
+  // In double: a bone in meters under a parent scaled by 0.01 loses digits that the field would show.
+  const glm::dmat3 bone{glm::mat3(boneInWorld)};
+  const glm::dmat3 rotation = glm::mat3_cast(glm::dquat(inBone.rotation));
+  glm::dmat3 axes = bone * rotation;
+  for (int i = 0; i < 3; ++i) axes[i] *= static_cast<double>(inBone.radii[i] * reach);
+
+  UnitBallMap map;
+  map.center = glm::vec3(boneInWorld * glm::vec4(inBone.center, 1.0f));
+  map.shape = unitShape(inBone.shape, reach);
+  if (!map.shape.isPlain) map.form = UnitForm::kShape;
+  if (isFlat(axes)) {
+    map.toUnit = glm::mat3(0.0f);
+    map.boundingRadius = 0.0f;
+    return map;
+  }
+  if (const double radius = map.isPlain() ? ballRadius(axes) : 0.0; radius > 0.0) {
+    // However it is turned, a sphere is the same: no rotation is left in its map.
+    map.form = UnitForm::kSphere;
+    map.inverseRadius = static_cast<float>(1.0 / radius);
+    map.toUnit = glm::mat3(map.inverseRadius);
+    map.boundingRadius = static_cast<float>(radius * (1.0 + kRound));
+    map.meanRadius = static_cast<float>(radius);
+    return map;
+  }
+  map.toUnit = glm::mat3(glm::inverse(axes));
+  map.meanRadius = static_cast<float>(std::cbrt(std::abs(glm::determinant(axes))));
+  map.meanRadius *= map.shape.meanRadius;
+  const double around = ballAround(map.shape, axes);
+  map.boundingRadius = static_cast<float>(around * (1.0 + 1e-6));
+  return map;
+}
+
+glm::mat4 shapeInWorld(const Placement& inBone, float scale, const glm::mat4& boneInWorld) {
+  const glm::mat4 moved = glm::translate(boneInWorld, inBone.center) * glm::mat4_cast(inBone.rotation);
+  return glm::scale(moved, inBone.radii * scale);
+}
+
+}  // namespace sinew

@@ -1,0 +1,68 @@
+// core/geometry/index_table.h: a hash table of indices whose keys lie elsewhere.
+#pragma once
+
+#include <cassert>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <vector>
+
+#include "core/geometry/split_mix.h"
+
+namespace sinew {
+
+/// Spreads the bits of `value` over the whole word and folds them into `seed`.
+[[nodiscard]] inline std::uint64_t hashCombine(std::uint64_t seed, std::uint64_t value) {
+  return splitMix64(seed + value);
+}
+
+/// Bits of a float, the same for 0 and -0.
+[[nodiscard]] inline std::uint64_t floatBits(float value) {
+  const float positive = value + 0.0f;
+  std::uint32_t bits = 0;
+  std::memcpy(&bits, &positive, sizeof bits);
+  return bits;
+}
+
+/// Open addressing with linear probing; never holds more than half its slots. Order of lookups does not depend on
+/// addresses, so the same input gives the same result everywhere.
+class IndexTable {
+ public:
+  /// @param most entries that will be inserted at most; more is the caller's mistake.
+  explicit IndexTable(std::size_t most) {
+    std::size_t slots = 16;
+    while (slots < 2 * most) slots *= 2;
+    slots_.assign(slots, kEmpty);
+  }
+
+  /// The entry with this hash for which equals(entry), or -1.
+  template <class Equals>
+  [[nodiscard]] int find(std::uint64_t hash, Equals&& equals) const {
+    for (std::size_t slot = hash & mask(); slots_[slot] != kEmpty; slot = (slot + 1) & mask()) {
+      if (equals(slots_[slot])) return slots_[slot];
+    }
+    return kEmpty;
+  }
+
+  /// The entry equal to it if there is one, else `entry`, which is put in.
+  template <class Equals>
+  int findOrInsert(std::uint64_t hash, int entry, Equals&& equals) {
+    std::size_t slot = hash & mask();
+    for (; slots_[slot] != kEmpty; slot = (slot + 1) & mask()) {
+      if (equals(slots_[slot])) return slots_[slot];
+    }
+    slots_[slot] = entry;
+    ++used_;
+    assert(2 * used_ <= slots_.size());
+    return entry;
+  }
+
+ private:
+  static constexpr int kEmpty = -1;
+  [[nodiscard]] std::size_t mask() const { return slots_.size() - 1; }
+
+  std::vector<int> slots_;
+  std::size_t used_ = 0;
+};
+
+}  // namespace sinew

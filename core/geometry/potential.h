@@ -1,0 +1,39 @@
+// core/geometry/potential.h: the quartic potential and the constants that follow from the iso value. What relies on
+// its formula beside these functions: CONTRIBUTING.md, Another potential g.
+#pragma once
+
+#include <cmath>
+
+namespace sinew {
+
+/// g(r) = (1 - r^2)^2 for r < 1, else 0 (paper 3.1), from r squared. C1; support radius 1; g(0) = 1.
+template <class Real>
+[[nodiscard]] Real potential(Real rSquared) {
+  const Real w = Real(1) - rSquared;
+  return w > Real(0) ? w * w : Real(0);
+}
+
+/// d g / d (r^2) = -2 (1 - r^2) for r < 1, else 0.
+template <class Real>
+[[nodiscard]] Real potentialSlope(Real rSquared) {
+  const Real w = Real(1) - rSquared;
+  return w > Real(0) ? Real(-2) * w : Real(0);
+}
+
+/// 1 - r^2 where g equals the iso value, sqrt T. 0 < iso < 1.
+template <class Real>
+[[nodiscard]] Real isoRoot(Real iso) {
+  return std::sqrt(iso);
+}
+
+/// r_T: where g equals the iso value, sqrt(1 - sqrt T).
+template <class Real>
+[[nodiscard]] Real isoRadius(Real iso) {
+  return std::sqrt(Real(1) - isoRoot(iso));
+}
+
+/// s: factor that puts the iso surface of a lone primitive on its visible ellipsoid, T / g(1 / reach). reach > 1.
+/// docs/field.md.
+[[nodiscard]] inline float strengthFor(float iso, float reach) { return iso / potential(1.0f / (reach * reach)); }
+
+}  // namespace sinew

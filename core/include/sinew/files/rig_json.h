@@ -1,0 +1,31 @@
+// core/include/sinew/files/rig_json.h: the rig file, *.rig.json (docs/formats.md).
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "sinew/geometry/result.h"
+#include "sinew/rig/rig.h"
+
+namespace sinew {
+
+/// Rig -> text: keys in the order of docs/formats.md, shortest decimals that read back bit-equal, unknown keys after
+/// the known ones.
+[[nodiscard]] std::string rigToJson(const Rig& rig);
+
+/// Text -> validated rig. Error: place is the JSON path (or the byte, if it is no JSON), reason what was expected.
+[[nodiscard]] Result<Rig> rigFromJson(const std::string& text);
+
+/// File -> validated rig; refuses files over 64 MiB.
+[[nodiscard]] Result<Rig> loadRig(const std::filesystem::path& file);
+
+/// Writes atomically (io/atomic_file.h): on an Error the old file is as it was.
+[[nodiscard]] Result<void> saveRig(const Rig& rig, const std::filesystem::path& file);
+
+/// Where the rig's character lies, given where the rig file lies.
+[[nodiscard]] std::filesystem::path characterPath(const Rig& rig, const std::filesystem::path& rigFile);
+/// The reverse, for saving: `character` relative to the rig file's folder if that is possible.
+[[nodiscard]] std::string relativeCharacterPath(const std::filesystem::path& character,
+                                                const std::filesystem::path& rigFile);
+
+}  // namespace sinew

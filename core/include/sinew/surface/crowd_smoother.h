@@ -1,0 +1,37 @@
+// core/include/sinew/surface/crowd_smoother.h: many poses of one character and rig at once, on all cores.
+#pragma once
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "sinew/geometry/result.h"
+#include "sinew/surface/smoother.h"
+
+namespace sinew {
+
+/// As a Smoother, for many poses: instances of a crowd, or moments of a clip. What is prepared exists once for each
+/// thread, not for each pose. Surfaces share one Refinement, and are bit for bit what a Smoother makes, whatever the
+/// number of threads (sinew/geometry/threads.h).
+class CrowdSmoother {
+ public:
+  explicit CrowdSmoother(std::shared_ptr<const Character> character);
+  ~CrowdSmoother();
+  CrowdSmoother(CrowdSmoother&&) noexcept;
+  CrowdSmoother& operator=(CrowdSmoother&&) noexcept;
+
+  /// As Smoother::prepare.
+  [[nodiscard]] Result<void> prepare(const Rig& rig, std::span<const int> hidden = {}, const Region& region = {});
+
+  /// Fills out[i] for poses[i]. prepare() must have succeeded once. Reuses the output's memory. Several threads may
+  /// call it at once, each with its own output; none while prepare() runs.
+  /// False: some poses are refused (sinew/character/pose_check.h says which and why); their surfaces stay as they are.
+  /// @param out  as many as poses
+  bool smooth(std::span<const Pose> poses, std::span<Surface> out);
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace sinew

@@ -1,0 +1,101 @@
+// core/include/sinew/surface/refinement.h: the refined mesh: shared vertices, levels, wedges. docs/design.md.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "sinew/geometry/control_mesh.h"
+
+namespace sinew {
+
+/// Refined vertices along a control edge as drawn between two wedges at its ends: level-1 drawn vertices from `first`
+/// on.
+struct DrawnRun {
+  int edge = 0;
+  std::array<int, 2> wedges{};  ///< At the edge's smaller and larger vertex.
+  int first = 0;                ///< Drawn vertex of step 1.
+};
+
+/// How finely each edge and triangle of a control mesh is split: 1..kMaxDepth. An edge's level is its own, so that the
+/// triangles at it meet vertex by vertex, whatever their inner levels are.
+struct RefinementLevels {
+  std::vector<std::uint8_t> edges;      ///< [E] segments along each edge.
+  std::vector<std::uint8_t> triangles;  ///< [T] of the points inside: as in the n^2 split of this level.
+
+  friend bool operator==(const RefinementLevels&, const RefinementLevels&) = default;
+};
+
+/// Topology of a refined control mesh. Refined vertices are shared: first the control vertices [0, V), then those of
+/// edge after edge from its smaller to its larger vertex, then those inside triangle after triangle. A triangle whose
+/// levels all are n is split n^2; its inner vertices come row by row. Depends on nothing but the mesh in its bind pose
+/// and the levels. docs/design.md, Refinement.
+struct Refinement {
+  int depth = 1;                              ///< n where all levels are equal, else the largest.
+  bool isUniform = true;                      ///< All levels are equal: the N-adic refinement.
+  int controlVertices = 0;                    ///< V
+  int controlEdges = 0;                       ///< E
+  int vertexCount = 0;                        ///< V'
+  std::vector<int> edgeBegin;                 ///< [E + 1] first refined vertex between an edge's ends.
+  std::vector<int> insideBegin;               ///< [T + 1] first refined vertex inside a control triangle.
+  std::vector<int> triangleBegin;             ///< [T + 1] first refined triangle of a control triangle.
+  std::vector<glm::dvec2> inside;             ///< [V' - insideBegin[0]] barycentric (1-x-y, x, y) of inner vertices.
+  std::vector<std::array<int, 3>> triangles;  ///< [T'] refined vertices, control triangle by control triangle.
+  std::vector<int> controlOf;                 ///< [T'] control triangle of each refined one.
+  std::vector<int> trianglesAt;               ///< [V'] refined triangles at each vertex.
+  std::vector<int> edgeOrder;                 ///< Edges with vertices between their ends, the most first.
+  std::vector<int> insideOrder;               ///< Control triangles with vertices inside, the most first.
+
+  // As drawn and exported: refined vertices split per wedge.
+  std::vector<int> drawVertex;       ///< [D] refined vertex of each drawn vertex; the W wedges first.
+  std::vector<glm::vec2> drawUv;     ///< [D] barycentric in the parent's wedges (paper 5).
+  std::vector<glm::vec4> drawColor;  ///< [D] likewise, linear RGBA; empty where the mesh has no colors.
+  std::vector<std::array<std::uint32_t, 3>> drawTriangles;  ///< [T'] into the drawn vertices, same order as triangles.
+  std::vector<DrawnRun> drawRuns;                           ///< In order of `first`; none for edges of level 1.
+  std::vector<int> drawInside;  ///< [T] first drawn vertex inside; the others follow, as refined ones do.
+
+  [[nodiscard]] int edgeVertices(int edge) const { return of(edgeBegin, edge + 1) - of(edgeBegin, edge); }
+  [[nodiscard]] int edgeLevel(int edge) const { return edgeVertices(edge) + 1; }
+  [[nodiscard]] int edgeVertex(int edge, int step) const {  ///< step 1..level-1 from the edge's smaller vertex.
+    return of(edgeBegin, edge) + step - 1;
+  }
+  [[nodiscard]] int insideVertices(int triangle) const {
+    return of(insideBegin, triangle + 1) - of(insideBegin, triangle);
+  }
+  [[nodiscard]] const glm::dvec2& insideAt(int vertex) const {
+    return inside[static_cast<std::size_t>(vertex - insideBegin.front())];
+  }
+  [[nodiscard]] int refinedTriangles(int triangle) const {
+    return of(triangleBegin, triangle + 1) - of(triangleBegin, triangle);
+  }
+
+ private:
+  [[nodiscard]] static int of(const std::vector<int>& list, int index) { return list[static_cast<std::size_t>(index)]; }
+};
+
+/// Calls visit(drawn, refined) for every drawn vertex and the refined vertex it shows.
+template <class Visit>
+void forEachDrawVertex(const Refinement& refinement, Visit visit) {
+  for (std::size_t drawn = 0; drawn < refinement.drawVertex.size(); ++drawn) {
+    visit(drawn, static_cast<std::size_t>(refinement.drawVertex[drawn]));
+  }
+}
+
+/// Every edge and triangle the same.  @param depth 1..kMaxDepth.
+[[nodiscard]] RefinementLevels uniformLevels(const ControlMesh& mesh, int depth);
+
+/// Every edge and triangle n.  @param depth 1..kMaxDepth.
+[[nodiscard]] Refinement refine(const ControlMesh& mesh, int depth);
+
+/// @param levels  of this mesh's edges and triangles, each 1..kMaxDepth.
+[[nodiscard]] Refinement refine(const ControlMesh& mesh, const RefinementLevels& levels);
+
+/// Refined vertices of the N-adic refinement without making them: what the memory limit is checked against.
+[[nodiscard]] std::int64_t refinedVertexCount(const ControlMesh& mesh, int depth);
+
+/// Barycentric coordinates, in a control triangle, of a refined vertex of it.
+[[nodiscard]] glm::dvec3 controlCoordinates(const ControlMesh& mesh, const Refinement& refinement, int triangle,
+                                            int vertex);
+
+}  // namespace sinew

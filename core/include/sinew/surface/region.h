@@ -1,0 +1,22 @@
+// core/include/sinew/surface/region.h: which control triangles are smoothed in detail where not the whole body is.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "sinew/character/character.h"
+
+namespace sinew {
+
+/// [T] 1: in detail. Empty: the whole body. docs/games.md, A part of the body.
+using Region = std::vector<std::uint8_t>;
+
+/// The skin of these bones and of all that hang on them: triangles of which a corner follows them by half at least.
+/// @param bones  indices into Skeleton::bones
+[[nodiscard]] Region regionOfBones(const Character& character, std::span<const int> bones);
+
+/// @param parts  indices into Character::parts
+[[nodiscard]] Region regionOfParts(const Character& character, std::span<const int> parts);
+
+}  // namespace sinew

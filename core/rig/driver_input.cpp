@@ -1,0 +1,110 @@
+// core/rig/driver_input.cpp: names -> indices, poses -> numbers.
+#include "core/rig/driver_input.h"
+
+#include <cmath>
+
+#include <glm/geometric.hpp>
+
+#include "core/character/pose_override.h"
+#include "core/geometry/at.h"
+#include "core/rig/joint_turns.h"
+
+namespace sinew {
+namespace {
+
+bool findPoints(const DriverInput& input, const Character& character, FoundInput& found) {
+  const std::optional<BonePoint> from = findPoint(input.from, character.skeleton);
+  const std::optional<BonePoint> to = findPoint(input.to, character.skeleton);
+  if (!from || !to) return false;
+  found.from = *from;
+  found.to = *to;
+  found.distanceInBind = glm::distance(found.from.inBind, found.to.inBind);
+  return found.distanceInBind >= static_cast<double>(kShortestLine * character.height);
+}
+
+bool findJoint(const DriverInput& input, const Skeleton& skeleton, FoundInput& found) {
+  const std::optional<int> bone = skeleton.findBone(input.bone);
+  if (!bone) return false;
+  found.bone = *bone;
+  found.axis = input.kind == DriverInputKind::kTwist ? boneDirection(at(skeleton.bones, *bone)) : input.axis;
+  found.rotation = input.rotation;
+  found.width = input.width;
+  return true;
+}
+
+const glm::quat& turnOf(int bone, const Skeleton& skeleton, const Pose& pose, InputScratch& scratch) {
+  scratch.turnOf.resize(skeleton.bones.size());
+  std::optional<glm::quat>& turn = at(scratch.turnOf, bone);
+  if (!turn) turn = heldTurn(skeleton, pose, bone);
+  return *turn;
+}
+
+float finiteOr(float value, float otherwise) { return std::isfinite(value) ? value : otherwise; }
+
+}  // namespace
+
+std::optional<FoundInput> foundInput(const DriverInput& input, const Rig& rig, const Character& character) {
+  FoundInput found;
+  found.kind = input.kind;
+  bool usable = true;
+  switch (input.kind) {
+    case DriverInputKind::kBend:
+    case DriverInputKind::kTwist:
+    case DriverInputKind::kAxis:
+    case DriverInputKind::kPose:
+      usable = findJoint(input, character.skeleton, found);
+      break;
+    case DriverInputKind::kLength:
+      found.line = findLine(rig, input.line);
+      usable = found.line >= 0 && lineRest(at(rig.lines, found.line), character).ok();
+      break;
+    case DriverInputKind::kDistance:
+      usable = findPoints(input, character, found);
+      break;
+    case DriverInputKind::kChannel:
+      for (const RigChannel& channel : rig.channels) {
+        if (channel.name == input.channel) found.tracks.push_back(channel.track);
+      }
+      break;
+  }
+  return usable ? std::optional(std::move(found)) : std::nullopt;
+}
+
+float valueOf(const FoundInput& input, const Skeleton& skeleton, const Pose& pose, std::span<const PosedLine> lines,
+              InputScratch& scratch) {
+  switch (input.kind) {
+    case DriverInputKind::kBend:
+      return finiteOr(bendOf(skeleton, pose, input.bone), 0.0f);
+    case DriverInputKind::kTwist:
+    case DriverInputKind::kAxis:
+      return finiteOr(turnAbout(turnOf(input.bone, skeleton, pose, scratch), input.axis), 0.0f);
+    case DriverInputKind::kPose:
+      return finiteOr(nearness(turnOf(input.bone, skeleton, pose, scratch), input.rotation, input.width), 0.0f);
+    case DriverInputKind::kLength: {
+      const PosedLine& line = lines[static_cast<std::size_t>(input.line)];
+      return line.usable ? line.stretch : 1.0f;
+    }
+    case DriverInputKind::kDistance:
+      return finiteOr(static_cast<float>(glm::distance(posedPoint(input.from, pose), posedPoint(input.to, pose)) /
+                                         input.distanceInBind),
+                      1.0f);
+    case DriverInputKind::kChannel:
+      break;
+  }
+  const KeyTrack* track = trackIn(input.tracks, pose.clip);
+  return track == nullptr ? 0.0f : valueAt(track->curve, pose.time);
+}
+
+std::optional<float> inputNow(const DriverInput& input, const Rig& rig, const Character& character, const Pose& pose) {
+  const std::optional<FoundInput> found = foundInput(input, rig, character);
+  if (!found) return std::nullopt;
+  InputScratch scratch;
+  std::vector<PosedLine> lines(rig.lines.size());
+  if (found->line >= 0) {
+    const Result<LineRest> rest = lineRest(at(rig.lines, found->line), character);
+    at(lines, found->line) = posedLine(rest.value(), character.skeleton, pose, pose.flexOf(found->line));
+  }
+  return valueOf(*found, character.skeleton, pose, lines, scratch);
+}
+
+}  // namespace sinew

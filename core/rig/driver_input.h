@@ -1,0 +1,46 @@
+// core/rig/driver_input.h: what drivers read, found on a character and measured in its poses.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "core/rig/line_pose.h"
+#include "sinew/character/character.h"
+#include "sinew/rig/rig.h"
+
+namespace sinew {
+
+/// An input whose bones, line and channel are found.
+struct FoundInput {
+  DriverInputKind kind = DriverInputKind::kBend;
+  int bone = -1;
+  glm::vec3 axis{1.0f, 0.0f, 0.0f};  ///< Axis of the turn frame and of a twist.
+  glm::quat rotation{1.0f, 0.0f, 0.0f, 0.0f};
+  float width = kDefaultPoseWidth;
+  int line = -1;                 ///< Index into Rig::lines.
+  std::vector<KeyTrack> tracks;  ///< Tracks of the channel.
+  BonePoint from;
+  BonePoint to;
+  double distanceInBind = 1.0;
+};
+
+/// nullopt: the character lacks a bone of it, its line cannot be used, or its points meet in the bind pose.
+[[nodiscard]] std::optional<FoundInput> foundInput(const DriverInput& input, const Rig& rig,
+                                                   const Character& character);
+
+/// Memory that is reused from pose to pose.
+struct InputScratch {
+  std::vector<std::optional<glm::quat>> turnOf;  ///< [bones] turns that were asked for in this pose.
+};
+
+/// @param lines  [Rig::lines] posed without drivers; only those that inputs read are looked at
+/// @param scratch  turnOf as it was in this pose, or empty
+[[nodiscard]] float valueOf(const FoundInput& input, const Skeleton& skeleton, const Pose& pose,
+                            std::span<const PosedLine> lines, InputScratch& scratch);
+
+/// One input in one pose: for those who show it. nullopt as foundInput.
+[[nodiscard]] std::optional<float> inputNow(const DriverInput& input, const Rig& rig, const Character& character,
+                                            const Pose& pose);
+
+}  // namespace sinew

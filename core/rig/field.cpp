@@ -1,0 +1,102 @@
+// core/rig/field.cpp: sums and maxima of potentials.
+#include "core/rig/field.h"
+
+#include <algorithm>
+
+#include <glm/geometric.hpp>
+
+#include "core/geometry/at.h"
+#include "core/geometry/potential.h"
+
+namespace sinew {
+namespace {
+
+/// Value and gradient of one candidate, weight and sign included.
+FieldSample sampleCandidate(const PosedPrimitive& primitive, float weight, const glm::vec3& point) {
+  const UnitBallMap& ball = primitive.influence;
+  const float rSquared = ball.rSquared(point);
+  if (!(rSquared < 1.0f) || ball.boundingRadius == 0.0f) return {};
+  const float factor = primitive.strength * weight;
+  return {factor * potential(rSquared), factor * potentialSlope(rSquared) * ball.rSquaredSlope(point)};
+}
+
+void add(FieldSample& sum, const FieldSample& part) {
+  sum.value += part.value;
+  sum.gradient += part.gradient;
+}
+
+/// The highest sum above 0. Where another one ties with it, the mean of their gradients.
+FieldSample highest(std::span<const FieldSample> sums) {
+  FieldSample best;
+  for (const FieldSample& sum : sums) {
+    if (sum.value > best.value) best = sum;
+  }
+  FieldSample other;  // Its value: by how much it ties, of kTie.
+  float most = 0.0f;
+  for (const FieldSample& sum : sums) {
+    const float near = std::min(kTie - (best.value - sum.value), sum.value);
+    if (!(near > 0.0f)) continue;
+    const glm::vec3 apart = sum.gradient - best.gradient;
+    const float pull = near * near * glm::dot(apart, apart);
+    if (!(pull > most)) continue;
+    most = pull;
+    other = {near, sum.gradient};
+  }
+  const float share = other.value / kTie;
+  best.gradient = (best.gradient + share * other.gradient) / (1.0f + share);
+  return best;
+}
+
+}  // namespace
+
+PosedPrimitive posedPrimitive(const FieldPrimitive& primitive, const glm::mat4& carrier) {
+  const UnitBallMap influence = unitBallMap(primitive.placement, primitive.reach, carrier);
+  return {influence, primitive.strength, influence.meanRadius / primitive.reach};
+}
+
+void poseField(std::span<const FieldPrimitive> primitives, std::span<const glm::mat4> boneInWorld,
+               std::vector<PosedPrimitive>& out) {
+  out.resize(primitives.size());
+  for (std::size_t i = 0; i < primitives.size(); ++i) {
+    out[i] = posedPrimitive(primitives[i], at(boneInWorld, primitives[i].bone));
+  }
+}
+
+FieldSample sampleField(std::span<const PosedPrimitive> primitives, std::span<const Candidate> candidates,
+                        const CliqueLists& cliques, const glm::vec3& point, FieldScratch& scratch) {
+  FieldSample carved;
+  FieldSample linked;
+  std::vector<FieldSample>& ofSlot = scratch.ofSlot;
+  ofSlot.clear();
+  for (const Candidate& candidate : candidates) {
+    const PosedPrimitive& primitive = at(primitives, candidate.primitive);
+    const FieldSample part = sampleCandidate(primitive, candidate.weight, point);
+    if (primitive.strength < 0.0f) {
+      add(carved, part);
+    } else if (cliques.empty()) {
+      add(linked, part);
+    } else {
+      const auto slot = static_cast<std::size_t>(candidate.slot);
+      if (ofSlot.size() <= slot) ofSlot.resize(slot + 1);
+      add(ofSlot[slot], part);
+    }
+  }
+  std::vector<FieldSample>& ofClique = scratch.ofClique;
+  ofClique.assign(cliques.size(), {});
+  for (std::size_t k = 0; k < cliques.size(); ++k) {
+    for (const int slot : cliques[k]) {
+      if (static_cast<std::size_t>(slot) < ofSlot.size()) add(ofClique[k], at(ofSlot, slot));
+    }
+  }
+  FieldSample out = cliques.empty() ? linked : highest(ofClique);
+  add(out, carved);
+  return out;
+}
+
+FieldSample sampleField(std::span<const PosedPrimitive> primitives, std::span<const Candidate> candidates,
+                        const CliqueLists& cliques, const glm::vec3& point) {
+  FieldScratch scratch;
+  return sampleField(primitives, candidates, cliques, point, scratch);
+}
+
+}  // namespace sinew

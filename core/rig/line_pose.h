@@ -1,0 +1,49 @@
+// core/rig/line_pose.h: muscle lines in a pose: how long, how hard, and what they make of their bellies.
+//
+// A muscle line is a virtual bone: its deformation takes the bind pose's world to the posed one, as a bone's motion
+// does, but stretches with the line and thickens as the line shortens. It is affine, so that an ellipsoid on it stays
+// one. Formulas: docs/lines.md.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "core/rig/bone_motion.h"
+#include "core/rig/line_rest.h"
+#include "sinew/character/pose.h"
+
+namespace sinew {
+
+struct PosedLine {
+  glm::mat4 deformation{0.0f};  ///< World of the bind pose -> world now. Zeros: nothing on the line is to be seen.
+  glm::vec3 origin{0.0f};       ///< World, as all that follows.
+  glm::vec3 via{0.0f};          ///< The middle of the line where it has none.
+  glm::vec3 insertion{0.0f};
+  glm::vec3 height{0.0f, 0.0f, 1.0f};  ///< Unit: z of the line's frame.
+  float stretch = 1.0f;                ///< lambda: length / rest length.
+  float bellyStretch = 1.0f;           ///< lambda_b: the same of what is not tendon.
+  float activation = 0.0f;             ///< 0..1
+  glm::vec3 aside{0.0f};               ///< World: what the via point adds to the deformation's shift (via_bend.h).
+  bool usable = false;                 ///< False: missing or flattened bones; the rest is not to be read.
+};
+
+/// Memory that is reused from pose to pose.
+struct LineScratch {
+  std::vector<std::optional<BoneMotion>> motions;  ///< [bones] those that lines ride.
+};
+
+/// All lines of a rig in a pose; flexed by Pose::flex. Allocates nothing once `scratch` and `out` have grown.
+/// @param lines  [Rig::lines] on the same skeleton; nullopt where there is no line, which is not usable.
+void poseLines(std::span<const std::optional<LineRest>> lines, const Skeleton& skeleton, const Pose& pose,
+               LineScratch& scratch, std::vector<PosedLine>& out);
+
+/// One line, for those who need no more; the same numbers. @param flex  Pose::flexOf it
+[[nodiscard]] PosedLine posedLine(const LineRest& rest, const Skeleton& skeleton, const Pose& pose, float flex = 0.0f);
+
+/// What a primitive rides: its bone's space in the bind pose -> world now.
+/// @param line  of the primitive, or -1
+[[nodiscard]] glm::mat4 carrierInWorld(int bone, int line, const Skeleton& skeleton, const Pose& pose,
+                                       std::span<const PosedLine> lines);
+
+}  // namespace sinew

@@ -1,0 +1,148 @@
+// core/rig/line_rest.cpp: finds the anchors and sets up the frame of the bind pose.
+#include "core/rig/line_rest.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <glm/geometric.hpp>
+
+#include "core/character/bone_segments.h"
+#include "core/geometry/at.h"
+#include "core/rig/contraction.h"
+
+namespace sinew {
+namespace {
+
+glm::dvec3 nearestSkin(const ControlMesh& mesh, const glm::dvec3& point) {
+  double nearest = std::numeric_limits<double>::infinity();
+  glm::dvec3 result = point;
+  for (const glm::vec3& position : mesh.positions) {
+    const double distance = glm::distance(glm::dvec3(position), point);
+    if (distance >= nearest) continue;
+    nearest = distance;
+    result = glm::dvec3(position);
+  }
+  return result;
+}
+
+/// What is left of v without its part along a unit vector.
+glm::dvec3 partAcross(const glm::dvec3& v, const glm::dvec3& unit) { return v - glm::dot(v, unit) * unit; }
+
+/// Any direction across another; the same for the same.
+glm::dvec3 anyAcross(const glm::dvec3& unit) {
+  const glm::dvec3 axis = std::abs(unit.z) < 0.9 ? glm::dvec3(0.0, 0.0, 1.0) : glm::dvec3(1.0, 0.0, 0.0);
+  return glm::normalize(partAcross(axis, unit));
+}
+
+void setFrame(LineRest& rest, const Character& character) {
+  const double least = static_cast<double>(kShortestLine * character.height);
+  const glm::dvec3 middle = 0.5 * (rest.origin.inBind + rest.insertion.inBind);
+  const Bone& origin = at(character.skeleton.bones, rest.origin.bone);
+  const glm::dvec3 bone(bindSegment(origin).nearest(glm::vec3(middle)));
+  glm::dvec3 height = partAcross(middle - bone, rest.direction);
+  if (glm::length(height) < least) height = partAcross(nearestSkin(character.mesh, middle) - middle, rest.direction);
+  const glm::dvec3 z = glm::length(height) < least ? anyAcross(rest.direction) : glm::normalize(height);
+  rest.frame = {glm::cross(rest.direction, z), rest.direction, z};
+  rest.height = std::max(0.0, glm::dot(middle - bone, z));
+}
+
+/// How much farther out than the via point the middle of the belly goes, for a via point at y, -1 and 1 being the
+/// belly's ends: as a parabola through it, 1 / (1 - y^2), over the middle 0.6; towards the ends, where no parabola
+/// holds, the factor fades to 1, and stays that. C1, at most 1.94.
+double viaFactor(double y) {
+  constexpr double kParabola = 0.6;
+  const double away = std::min(1.0, std::abs(y));
+  if (away < kParabola) return 1.0 / (1.0 - y * y);
+  const double t = (1.0 - away) / (1.0 - kParabola);
+  // t^3 (10 - 15 t + 6 t^2) y^2 / (1 - y^2), without its 0 / 0.
+  const double fade = t * t * (10.0 - t * (15.0 - 6.0 * t));
+  return 1.0 + fade * away * away / ((1.0 - kParabola) * (1.0 + away));
+}
+
+}  // namespace
+
+LineAnchor anchorOn(const Skeleton& skeleton, int bone, const glm::vec3& inBind) {
+  return {
+      skeleton.fileName(bone), glm::vec3(at(skeleton.bones, bone).inverseBindInWorld * glm::vec4(inBind, 1.0f)), {}};
+}
+
+std::optional<BonePoint> findPoint(const LineAnchor& anchor, const Skeleton& skeleton) {
+  const std::optional<int> bone = skeleton.findBone(anchor.bone);
+  if (!bone) return std::nullopt;
+  const glm::dvec3 point(anchor.point);
+  return BonePoint{*bone, point,
+                   glm::dvec3(glm::dmat4(at(skeleton.bones, *bone).bindInWorld) * glm::dvec4(point, 1.0))};
+}
+
+glm::dvec3 posedPoint(const BonePoint& point, const Pose& pose) {
+  const glm::mat4& bone = at(pose.boneInWorld, point.bone);
+  return glm::dmat3(glm::mat3(bone)) * point.inBone + glm::dvec3(bone[3]);
+}
+
+glm::dvec3 viaShift(const glm::dvec3& origin, const glm::dvec3& direction, const glm::dvec3& via, double tendon,
+                    double belly) {
+  constexpr double kMaxShift = 0.5;  // Share of the belly's length.
+  const glm::dvec3 there = via - origin;
+  const double foot = glm::dot(there, direction);
+  const glm::dvec3 beside = there - foot * direction;
+  const double half = 0.5 * belly;
+  const glm::dvec3 shift = viaFactor((foot - tendon - half) / half) * beside;
+  const double length = glm::length(shift), limit = kMaxShift * belly;
+  return length > limit ? (limit / length) * shift : shift;
+}
+
+Result<LineRest> lineRest(const MuscleLine& line, const Character& character) {
+  const std::string subject = "muscle line \"" + line.name + '"';
+  LineRest rest;
+  const auto take = [&](const LineAnchor& anchor, const char* what, BonePoint& point) -> Result<void> {
+    const std::optional<BonePoint> found = findPoint(anchor, character.skeleton);
+    if (!found) return about(subject, errorAt("", "this character has no bone \"" + anchor.bone + '"', what));
+    point = *found;
+    return {};
+  };
+  if (auto origin = take(line.origin, "origin", rest.origin); !origin) return origin.error();
+  if (auto insertion = take(line.insertion, "insertion", rest.insertion); !insertion) return insertion.error();
+  if (line.via) {
+    if (auto via = take(*line.via, "via point", rest.via.emplace()); !via) return via.error();
+  }
+  const double straight = glm::distance(rest.origin.inBind, rest.insertion.inBind);
+  if (!(straight >= static_cast<double>(kShortestLine * character.height))) {
+    return errorAt("", "its ends are at the same place in the bind pose", subject);
+  }
+  rest.length = straight;
+  if (rest.via) {
+    rest.length =
+        glm::distance(rest.origin.inBind, rest.via->inBind) + glm::distance(rest.via->inBind, rest.insertion.inBind);
+  }
+  rest.direction = (rest.insertion.inBind - rest.origin.inBind) / straight;
+  setFrame(rest, character);
+  settle(rest, line.settings);
+  return rest;
+}
+
+void settle(LineRest& rest, const LineSettings& settings) {
+  rest.settings = settings;
+  rest.bellyStretch = bellyStretch(1.0 / static_cast<double>(settings.rest), settings);
+  rest.girth = girthRest(settings);
+  rest.depth = static_cast<double>(settings.pivot) * rest.height;
+  const double tendon = static_cast<double>(settings.tendons.x * settings.rest) * rest.length;
+  rest.start = rest.origin.inBind + tendon * rest.direction - rest.depth * rest.frame[2];
+  if (!rest.via) return;
+  const double restLength = static_cast<double>(settings.rest) * rest.length;
+  const glm::dvec2 tendons(settings.tendons);
+  rest.viaShift = viaShift(rest.origin.inBind, rest.direction, rest.via->inBind, tendons.x * restLength,
+                           rest.bellyStretch * (1.0 - tendons.x - tendons.y) * restLength);
+}
+
+std::vector<std::optional<LineRest>> lineRests(const Rig& rig, const Character& character) {
+  std::vector<std::optional<LineRest>> rests;
+  rests.reserve(rig.lines.size());
+  for (const MuscleLine& line : rig.lines) {
+    Result<LineRest> rest = lineRest(line, character);
+    rests.push_back(rest ? std::optional(std::move(rest).value()) : std::nullopt);
+  }
+  return rests;
+}
+
+}  // namespace sinew

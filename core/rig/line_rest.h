@@ -1,0 +1,67 @@
+// core/rig/line_rest.h: a muscle line in the bind pose: what its poses are measured against. Made once per edit.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <vector>
+
+#include <glm/mat3x3.hpp>
+
+#include "core/rig/contraction.h"
+#include "sinew/character/character.h"
+#include "sinew/character/pose.h"
+#include "sinew/geometry/result.h"
+#include "sinew/rig/rig.h"
+
+namespace sinew {
+
+/// A point that rides a bone, found in a skeleton.
+struct BonePoint {
+  int bone = -1;
+  glm::dvec3 inBone{0.0};
+  glm::dvec3 inBind{0.0};  ///< World.
+};
+
+/// nullopt: the skeleton lacks the bone.
+[[nodiscard]] std::optional<BonePoint> findPoint(const LineAnchor& anchor, const Skeleton& skeleton);
+/// A point of the bind pose, world, that rides a bone from now on.
+[[nodiscard]] LineAnchor anchorOn(const Skeleton& skeleton, int bone, const glm::vec3& inBind);
+/// World.
+[[nodiscard]] glm::dvec3 posedPoint(const BonePoint& point, const Pose& pose);
+
+/// Lengths in character units, world of the bind pose.
+struct LineRest {
+  LineSettings settings;
+  BonePoint origin;
+  BonePoint insertion;
+  std::optional<BonePoint> via;
+  double length = 0.0;                  ///< Over the via point.
+  double bellyStretch = 1.0;            ///< lambda_b in the bind pose.
+  glm::dvec3 direction{0.0, 1.0, 0.0};  ///< Unit, from the origin straight to the insertion.
+  glm::dmat3 frame{1.0};                ///< Columns, world: width; along, the direction; height, away from the bone.
+  GirthRest girth;
+  glm::dvec3 viaShift{0.0};  ///< How far the belly's middle is moved out of the straight line towards the via point.
+  double height = 0.0;       ///< From the bone under the line up to its middle, at least 0.
+  double depth = 0.0;        ///< From the line down to what its girth grows from, times `pivot`.
+  glm::dvec3 start{0.0};     ///< What the belly's deformation keeps: under its end at the origin.
+};
+
+/// How far the middle of a belly lies beside the straight line: over the belly's middle as far as a parabola from
+/// belly end to belly end through the via point; towards its ends less, in the end as far as the
+/// via point lies. World.
+/// @param tendon, belly  lengths along the straight line, from the origin
+[[nodiscard]] glm::dvec3 viaShift(const glm::dvec3& origin, const glm::dvec3& direction, const glm::dvec3& via,
+                                  double tendon, double belly);
+
+/// Shortest line, of H.
+inline constexpr float kShortestLine = 1e-3f;
+
+/// The same line with other settings: all that follows from them, bit for bit as lineRest would make it.
+void settle(LineRest& rest, const LineSettings& settings);
+
+/// Each of the rig's lines on a character, nullopt where a bone is missing or the line is too short.
+[[nodiscard]] std::vector<std::optional<LineRest>> lineRests(const Rig& rig, const Character& character);
+/// Error: a bone is missing, or the line is too short; subject is the line.
+[[nodiscard]] Result<LineRest> lineRest(const MuscleLine& line, const Character& character);
+
+}  // namespace sinew

@@ -1,0 +1,212 @@
+// core/rig/merge.cpp: names made free, references followed by index.
+#include "core/rig/merge.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "core/character/side_names.h"
+#include "core/geometry/at.h"
+#include "core/rig/animated_edit.h"
+#include "core/rig/line_edit.h"
+#include "core/rig/line_twins.h"
+#include "core/rig/references.h"
+#include "core/rig/reparent.h"
+#include "core/rig/twins.h"
+#include "core/rig/validation.h"
+#include "sinew/rig/rig_edit.h"
+
+namespace sinew {
+namespace {
+
+Error lacksBone(const std::string& bone) { return errorAt("", "this character has no bone \"" + bone + '"'); }
+
+/// Groups of `from` that the rig lacks, and the links that join one of these to another.
+Result<void> addGroups(Rig& rig, const Rig& from) {
+  const auto former = static_cast<int>(rig.groups.size());
+  for (const Group& group : from.groups) {
+    if (findGroup(rig, group.name) < 0) rig.groups.push_back({group.name, {}});
+  }
+  for (const auto& link : from.links) {
+    if (findGroup(rig, link[0]) >= former || findGroup(rig, link[1]) >= former) rig.links.push_back(link);
+  }
+  return static_cast<int>(rig.groups.size()) > former ? validateLinks(rig) : Result<void>();
+}
+
+/// Channels that the rig lacks, with all their tracks.
+void addChannels(Rig& rig, const Rig& from) {
+  const std::size_t former = rig.channels.size();
+  for (const RigChannel& channel : from.channels) {
+    const std::span own(rig.channels.data(), former);
+    if (std::ranges::find(own, channel.name, &RigChannel::name) == own.end()) rig.channels.push_back(channel);
+  }
+}
+
+class Merge {
+ public:
+  Merge(Rig into, const Rig& from, const Skeleton& skeleton, const MirrorPlan* mirror)
+      : from_(from), skeleton_(skeleton), mirror_(mirror), formerLines_(static_cast<int>(into.lines.size())) {
+    merged_.rig = std::move(into);
+    merged_.primitives.assign(from.primitives.size(), -1);
+    merged_.lines.assign(from.lines.size(), -1);
+  }
+
+  Result<Merged> run() {
+    if (auto grouped = addGroups(rig(), from_); !grouped) return grouped.error();
+    addChannels(rig(), from_);
+    for (int i = 0; i < static_cast<int>(from_.primitives.size()); ++i) {
+      if (auto added = addWithLine(i); !added) merged_.refusals.push_back({i, added.error()});
+    }
+    linkLines();
+    relinkDrivers(merged_.lines, rig().lines);
+    relinkDrivers(merged_.primitives, rig().primitives);
+    return std::move(merged_);
+  }
+
+ private:
+  Rig& rig() { return merged_.rig; }
+
+  /// A line that is added for a primitive which is then refused goes again.
+  Result<void> addWithLine(int index) {
+    const int line = findLine(from_, at(from_.primitives, index).line);
+    const bool isNew = line >= 0 && at(merged_.lines, line) < 0;
+    if (!skeleton_.findBone(at(from_.primitives, index).bone)) return lacksBone(at(from_.primitives, index).bone);
+    if (isNew) {
+      if (auto added = addLine(line); !added) return added;
+    }
+    auto added = addPrimitive(index, line);
+    if (!added && isNew) {
+      rig().lines.pop_back();
+      at(merged_.lines, line) = -1;
+    }
+    return added;
+  }
+
+  Result<void> addLine(int index) {
+    MuscleLine line = at(from_.lines, index);
+    for (const LineAnchor* anchor : {&line.origin, &line.insertion, line.via ? &*line.via : nullptr}) {
+      if (anchor != nullptr && !skeleton_.findBone(anchor->bone)) return lacksBone(anchor->bone);
+    }
+    if (mirror_) {
+      Result<MuscleLine> image = mirroredLine(*mirror_, line);
+      if (!image) return image.error();
+      line = std::move(image).value();
+    }
+    line.mirror.clear();
+    line.identity = {};
+    auto added = append(rig(), std::move(line));
+    if (added) at(merged_.lines, index) = static_cast<int>(rig().lines.size()) - 1;
+    return added;
+  }
+
+  Result<void> addPrimitive(int index, int line) {
+    Primitive primitive = at(from_.primitives, index);
+    if (mirror_) {
+      Result<Primitive> image = mirroredPrimitive(*mirror_, primitive);
+      if (!image) return image.error();
+      primitive = std::move(image).value();
+    }
+    const int twin = twinOf(from_, index);
+    const int twinNow = twin < 0 ? -1 : at(merged_.primitives, twin);
+    primitive.mirror = twinNow < 0 ? "" : at(rig().primitives, twinNow).name;
+    if (twinNow >= 0 && mirroredName(at(from_.primitives, twin).name) == at(from_.primitives, index).name) {
+      primitive.name = twinName(rig(), primitive.mirror);
+    }
+    primitive.line = line < 0 ? "" : at(rig().lines, at(merged_.lines, line)).name;
+    primitive.identity = {};
+    auto added = append(rig(), std::move(primitive));
+    if (added) at(merged_.primitives, index) = static_cast<int>(rig().primitives.size()) - 1;
+    return added;
+  }
+
+  void linkLines() {
+    for (std::size_t i = 0; i < from_.lines.size(); ++i) {
+      const int twin = findLine(from_, from_.lines[i].mirror);
+      if (twin <= static_cast<int>(i) || merged_.lines[i] < 0 || at(merged_.lines, twin) < 0) continue;
+      rig() = setLineMirror(std::move(rig()), merged_.lines[i], at(merged_.lines, twin));
+    }
+  }
+
+  /// What a line that `from` names is called here: as it came, else as it was there before; null: it is not.
+  const std::string* lineNow(const std::string& name) {
+    const int line = findLine(from_, name);
+    const int came = line < 0 ? -1 : at(merged_.lines, line);
+    const int own = came >= 0 ? came : findLine(rig(), name);
+    return own >= 0 && (came >= 0 || own < formerLines_) ? &at(rig().lines, own).name : nullptr;
+  }
+
+  template <class Item>
+  void relinkDrivers(const std::vector<int>& came, std::vector<Item>& items) {
+    for (const int index : came) {
+      if (index < 0) continue;
+      Item& item = at(items, index);
+      keepDrivers(item.animated, [&](const DriverInput& input) {
+        if (input.kind != DriverInputKind::kLength || lineNow(input.line)) return true;
+        merged_.lostDrivers.push_back({item.name, input.line});
+        return false;
+      });
+      eachReference(item.animated, [&](Named kind, std::string& name) {
+        const std::string* now = kind == Named::kLine ? lineNow(name) : nullptr;
+        if (now) name = *now;
+      });
+    }
+  }
+
+  const Rig& from_;
+  const Skeleton& skeleton_;
+  const MirrorPlan* mirror_;
+  int formerLines_;
+  Merged merged_;
+};
+
+// To another bone --------------------------------------------------------------------------------------------------
+
+/// Which side of the plane a bone begins on; 0: it is absent.
+int sideOfBone(const MirrorPlan& plan, const Skeleton& skeleton, const std::string& bone) {
+  const std::optional<int> index = skeleton.findBone(bone);
+  if (!index) return 0;
+  return distanceTo(plan.plane, glm::dvec3(at(skeleton.bones, *index).bindInWorld[3])) < 0.0 ? -1 : 1;
+}
+
+/// Indices of the primitives without twins, and of twins of the one on the side of `bone`, else the first by name.
+std::vector<int> leaders(const Rig& rig, const Skeleton& skeleton, const std::string& bone, const MirrorPlan* plan) {
+  const auto isThere = [&](int index) {
+    return plan && sideOfBone(*plan, skeleton, at(rig.primitives, index).bone) == sideOfBone(*plan, skeleton, bone);
+  };
+  std::vector<int> indices;
+  for (int i = 0; i < static_cast<int>(rig.primitives.size()); ++i) {
+    const int twin = twinOf(rig, i);
+    if (twin >= 0 && at(rig.primitives, twin).name < at(rig.primitives, i).name) continue;
+    indices.push_back(twin >= 0 && !isThere(i) && isThere(twin) ? twin : i);
+  }
+  return indices;
+}
+
+}  // namespace
+
+Result<Merged> mergeRigs(Rig into, const Rig& from, const Skeleton& skeleton, const MirrorPlan* mirror) {
+  return Merge(std::move(into), from, skeleton, mirror).run();
+}
+
+std::optional<Rig> moveToBone(const Rig& rig, const Skeleton& skeleton, int bone, const MirrorPlan* plan) {
+  const std::vector<int> moving = leaders(rig, skeleton, skeleton.fileName(bone), plan);
+  if (moving.empty()) return std::nullopt;
+  const std::string& from = at(rig.primitives, moving.front()).bone;
+  const auto movable = [&](int i) { return at(rig.primitives, i).bone == from && at(rig.primitives, i).line.empty(); };
+  if (!std::ranges::all_of(moving, movable) || skeleton.findBone(from) == bone) return std::nullopt;
+  Rig moved = rig;
+  moved.primitives.clear();
+  for (const int index : moving) {
+    Primitive& primitive = moved.primitives.emplace_back(scaleToBone(at(rig.primitives, index), skeleton, bone));
+    const std::string twin = std::exchange(primitive.mirror, {});
+    if (twin.empty() || !plan) continue;
+    Result<Primitive> image = mirroredPrimitive(*plan, primitive);
+    if (!image) continue;
+    primitive.mirror = twin;
+    image.value().name = twin;
+    image.value().mirror = primitive.name;
+    moved.primitives.push_back(std::move(image).value());
+  }
+  return moved;
+}
+
+}  // namespace sinew

@@ -1,0 +1,249 @@
+// core/rig/mirror_plan.cpp: finding the plane of a character and the counterpart of each bone.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <unordered_map>
+
+#include <glm/geometric.hpp>
+
+#include "core/geometry/at.h"
+#include "core/rig/mirror.h"
+#include "core/rig/mirror_pairing.h"
+
+namespace sinew {
+namespace {
+
+// All lengths are fractions of H.
+constexpr double kGridCell = 0.02;
+constexpr std::size_t kSamples = 2000;
+constexpr double kMisfitCap = 0.06;      // A vertex without counterpart counts as much as one this far away.
+constexpr double kSymmetric = 0.025;     // Mean misfit of skin and bones below which a character is symmetric.
+constexpr double kNoticeable = 0.0015;   // A plane must fit better by this to be preferred to a simpler one.
+constexpr double kShortestPair = 0.005;  // Paired bones nearer than this say nothing of the plane.
+constexpr double kNearAxis = 0.9962;     // Cosine of 5 degrees.
+
+glm::dvec3 originOf(const Bone& bone) { return glm::dvec3(bone.bindInWorld[3]); }
+
+/// Vertices by cells, to find those near a point.
+class VertexGrid {
+ public:
+  VertexGrid(const std::vector<glm::vec3>& points, double cell) : points_(points), cell_(cell) {
+    for (std::size_t i = 0; i < points.size(); ++i) cells_[keyOf(cellOf(points[i]))].push_back(static_cast<int>(i));
+  }
+
+  /// Distance to the nearest vertex, or `cap` if there is none within.
+  [[nodiscard]] double nearest(const glm::dvec3& point, double cap) const {
+    const std::array<long long, 3> center = cellOf(point);
+    const auto shells = static_cast<long long>(std::ceil(cap / cell_));
+    double best = cap;
+    // A vertex in shell n is at least n - 1 cells away.
+    for (long long shell = 0; shell <= shells && best > cell_ * static_cast<double>(shell - 1); ++shell) {
+      for (long long x = -shell; x <= shell; ++x) {
+        for (long long y = -shell; y <= shell; ++y) {
+          const bool isSide = std::max(std::abs(x), std::abs(y)) == shell;
+          for (long long z = -shell; z <= shell; z += isSide ? 1 : 2 * shell) {
+            best = std::min(best, nearestInCell({center[0] + x, center[1] + y, center[2] + z}, point));
+          }
+        }
+      }
+    }
+    return best;
+  }
+
+ private:
+  [[nodiscard]] double nearestInCell(const std::array<long long, 3>& cell, const glm::dvec3& point) const {
+    double best = std::numeric_limits<double>::infinity();
+    const auto found = cells_.find(keyOf(cell));
+    if (found == cells_.end()) return best;
+    for (const int i : found->second) best = std::min(best, glm::distance(glm::dvec3(at(points_, i)), point));
+    return best;
+  }
+  [[nodiscard]] std::array<long long, 3> cellOf(const glm::dvec3& point) const {
+    return {std::llround(point.x / cell_), std::llround(point.y / cell_), std::llround(point.z / cell_)};
+  }
+  static std::uint64_t keyOf(const std::array<long long, 3>& cell) {
+    std::uint64_t key = 0;
+    for (const long long part : cell) key = (key << 21) ^ (static_cast<std::uint64_t>(part) & 0x1FFFFFu);
+    return key;
+  }
+
+  const std::vector<glm::vec3>& points_;
+  double cell_;
+  std::unordered_map<std::uint64_t, std::vector<int>> cells_;
+};
+
+struct Finder {
+  const Character& character;
+  double height;
+  std::vector<std::array<int, 2>> named;
+  VertexGrid grid;
+
+  explicit Finder(const Character& of)
+      : character(of),
+        height(static_cast<double>(of.height)),
+        named(pairsByName(of.skeleton)),
+        grid(of.mesh.positions, kGridCell * static_cast<double>(of.height)) {}
+
+  [[nodiscard]] const Bone& bone(int index) const { return at(character.skeleton.bones, index); }
+};
+
+// Candidates ------------------------------------------------------------------------------------------------------
+
+/// The direction that the named pairs lie apart in, if they agree on one.
+std::optional<glm::dvec3> acrossNamedPairs(const Finder& finder) {
+  glm::dvec3 sum(0.0);
+  double lengths = 0.0;
+  for (const auto& [left, right] : finder.named) {
+    const glm::dvec3 apart = originOf(finder.bone(left)) - originOf(finder.bone(right));
+    if (!(glm::length(apart) > kShortestPair * finder.height)) continue;
+    sum += apart;
+    lengths += glm::length(apart);
+  }
+  if (!(glm::length(sum) > 0.7 * lengths) || lengths == 0.0) return std::nullopt;
+  return glm::normalize(sum);
+}
+
+/// Normals, the simplest first. With named pairs only what lies along them; an axis goes before what is nearly one.
+std::vector<glm::dvec3> normals(const Finder& finder) {
+  constexpr std::array<glm::dvec3, 3> axes = {glm::dvec3(1, 0, 0), glm::dvec3(0, 0, 1), glm::dvec3(0, 1, 0)};
+  const std::optional<glm::dvec3> across = acrossNamedPairs(finder);
+  if (!across) return {axes.begin(), axes.end()};
+  std::vector<glm::dvec3> result;
+  for (const glm::dvec3& axis : axes) {
+    if (std::abs(glm::dot(axis, *across)) > kNearAxis) result.push_back(axis);
+  }
+  result.push_back(*across);
+  return result;
+}
+
+double middleOf(std::vector<double> values) {
+  if (values.empty()) return 0.0;
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::ranges::nth_element(values, middle);
+  return *middle;
+}
+
+/// Offsets for a normal, the simplest first: through the origin, the root, half way between named pairs, and the middle
+/// of the skin.
+std::vector<double> offsets(const Finder& finder, const glm::dvec3& normal) {
+  std::vector<double> result{0.0};
+  if (!finder.character.skeleton.bones.empty()) result.push_back(glm::dot(normal, originOf(finder.bone(0))));
+  std::vector<double> middles;
+  for (const auto& [left, right] : finder.named) {
+    middles.push_back(0.5 * glm::dot(normal, originOf(finder.bone(left)) + originOf(finder.bone(right))));
+  }
+  if (!middles.empty()) result.push_back(middleOf(middles));
+  double low = std::numeric_limits<double>::infinity();
+  double high = -low;
+  for (const glm::vec3& position : finder.character.mesh.positions) {
+    low = std::min(low, glm::dot(normal, glm::dvec3(position)));
+    high = std::max(high, glm::dot(normal, glm::dvec3(position)));
+  }
+  if (high >= low) result.push_back(0.5 * (low + high));
+  return result;
+}
+
+// Their fit -------------------------------------------------------------------------------------------------------
+
+/// @param most  as soon as the sum reaches it, the plane has lost, and what there is so far is returned.
+double skinMisfit(const Finder& finder, const MirrorPlane& plane, double most) {
+  const std::vector<glm::vec3>& positions = finder.character.mesh.positions;
+  if (positions.empty()) return 0.0;
+  const std::size_t stride = (positions.size() + kSamples - 1) / kSamples;
+  const auto count = static_cast<int>((positions.size() + stride - 1) / stride);
+  double sum = 0.0;
+  for (std::size_t i = 0; i < positions.size(); i += stride) {
+    sum += finder.grid.nearest(reflected(plane, glm::dvec3(positions[i])), kMisfitCap * finder.height);
+    if (sum / count / finder.height >= most) break;
+  }
+  return sum / count / finder.height;
+}
+
+/// How far bones stand from where their counterparts say: the named ones, or else the nearest of all.
+double boneMisfit(const Finder& finder, const MirrorPlane& plane) {
+  const std::vector<Bone>& bones = finder.character.skeleton.bones;
+  const double cap = kMisfitCap * finder.height;
+  double sum = 0.0;
+  int count = 0;
+  for (const auto& [left, right] : finder.named) {
+    const glm::dvec3 image = reflected(plane, originOf(finder.bone(left)));
+    sum += std::min(cap, glm::distance(image, originOf(finder.bone(right))));
+    ++count;
+  }
+  if (count == 0) {
+    for (const Bone& bone : bones) {
+      const glm::dvec3 image = reflected(plane, originOf(bone));
+      double nearest = cap;
+      for (const Bone& other : bones) nearest = std::min(nearest, glm::distance(image, originOf(other)));
+      sum += nearest;
+      ++count;
+    }
+  }
+  return count > 0 ? sum / count / finder.height : 0.0;
+}
+
+struct Found {
+  MirrorPlane plane;
+  double misfit = std::numeric_limits<double>::infinity();
+};
+
+/// Tries a few planes: each likely normal with each likely offset. The misfit of one is the mean distance of skin
+/// samples and bones from their mirror images' counterparts; a distance counts up to a cap, so that a bag on one
+/// shoulder does not decide. The simplest plane comes first and stays unless another fits noticeably better: in a plane
+/// through the origin across an axis, mirrored numbers are the originals with other signs. docs/symmetry.md, The plane
+/// and the pairs.
+Found bestPlane(const Finder& finder) {
+  Found best;
+  for (const glm::dvec3& normal : normals(finder)) {
+    std::vector<double> tried;
+    for (const double offset : offsets(finder, normal)) {
+      if (std::ranges::find(tried, offset) != tried.end()) continue;
+      tried.push_back(offset);
+      const MirrorPlane plane{normal, offset};
+      const double most = best.misfit - kNoticeable;
+      const double misfit = skinMisfit(finder, plane, most) + boneMisfit(finder, plane);
+      if (misfit < most) best = {plane, misfit};
+    }
+  }
+  return best;
+}
+
+MirrorPlan emptyPlan(const Skeleton& skeleton, float height) {
+  MirrorPlan plan;
+  plan.twinOf.assign(skeleton.bones.size(), -1);
+  plan.pairedBy.assign(skeleton.bones.size(), PairedBy::kNothing);
+  plan.mirrors.assign(skeleton.bones.size(), std::nullopt);
+  plan.skeleton = skeleton;
+  plan.characterHeight = height;
+  return plan;
+}
+
+}  // namespace
+
+MirrorPlan pairBones(const Skeleton& skeleton, const MirrorPlane& plane, float characterHeight) {
+  MirrorPlan plan = emptyPlan(skeleton, characterHeight);
+  plan.plane = plane;
+  pairAll(plan, pairsByName(skeleton));
+  for (std::size_t i = 0; i < plan.twinOf.size(); ++i) {
+    if (plan.twinOf[i] < 0) continue;
+    const Bone& twin = at(skeleton.bones, plan.twinOf[i]);
+    plan.mirrors[i] = boneMirror(skeleton.bones[i].bindInWorld, twin.bindInWorld, plane);
+  }
+  // A flattened bone mirrors nothing, and so its counterpart neither.
+  for (std::size_t i = 0; i < plan.twinOf.size(); ++i) {
+    if (plan.twinOf[i] < 0 || plan.mirrors[i]) continue;
+    plan.twinOf[i] = -1;
+    plan.pairedBy[i] = PairedBy::kNothing;
+  }
+  return plan;
+}
+
+MirrorPlan makeMirrorPlan(const Character& character) {
+  const Finder finder(character);
+  const Found found = bestPlane(finder);
+  if (found.misfit > kSymmetric && finder.named.empty()) return emptyPlan(character.skeleton, character.height);
+  return pairBones(character.skeleton, found.plane, character.height);
+}
+
+}  // namespace sinew

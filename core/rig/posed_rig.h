@@ -1,0 +1,80 @@
+// core/rig/posed_rig.h: a rig on a character in one pose: numbers, lines, and where every muscle is.
+//
+// Made once per pose and read by all that shows or measures a rig: the surface, shells, gizmo, picking, inspector,
+// state log and exports. What is made once per edit is the RigPoser.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "core/rig/driven_numbers.h"
+#include "core/rig/rig_numbers.h"
+#include "core/rig/via_bend.h"
+#include "sinew/character/character.h"
+
+namespace sinew {
+
+/// One muscle in a pose.
+struct PosedMuscle {
+  bool usable = false;      ///< False: its bone or its line's are missing or flattened; nothing of it is to be seen.
+  int line = -1;            ///< Index into Rig::lines; -1: it rides its bone.
+  bool isBent = false;      ///< By its line's via point: body differs from what carrier makes of the placement.
+  glm::mat4 carrier{0.0f};  ///< Its bone's space in the bind pose -> world now, moved whole by the line's via point.
+  BentMuscle body;          ///< As the field has it.
+};
+
+struct PosedRig {
+  RigNumbers numbers;
+  std::vector<PosedLine> lines;      ///< [Rig::lines]
+  std::vector<PosedMuscle> muscles;  ///< [Rig::primitives]
+  std::vector<float> morphWeights;   ///< [Character::morphTargets] the pose's with what the rig adds.
+
+  // Memory kept from pose to pose; not to be read.
+  DriverScratch drivers;
+  LineScratch posing;
+  std::vector<std::optional<LineRest>> rests;
+};
+
+/// Poses one rig on one skeleton. Immutable: several threads may share it, each with a PosedRig of its own. The same
+/// pose gives the same PosedRig, whatever it held before.
+class RigPoser {
+ public:
+  /// @param character  its skeleton must outlive this
+  RigPoser(const Rig& rig, const Character& character);
+
+  /// Allocates nothing once `out` has grown.
+  void pose(const Pose& pose, PosedRig& out) const;
+  [[nodiscard]] PosedRig pose(const Pose& pose) const;
+
+  /// Without keys and drivers.
+  [[nodiscard]] const RigNumbers& drawn() const { return drawn_; }
+  /// Whether keys or drivers change numbers of primitives.
+  [[nodiscard]] bool drivesMuscles() const { return drivesMuscles_; }
+
+ private:
+  /// What carries a primitive; -1: it is not there.
+  struct Ride {
+    int bone = -1;
+    int line = -1;
+  };
+  struct MorphShare {
+    int target = 0;
+    int morph = 0;  ///< Index into Rig::morphs.
+    float share = 1.0f;
+  };
+  void poseLines(const Pose& pose, PosedRig& out) const;
+  [[nodiscard]] PosedMuscle posedMuscle(const Ride& ride, const Placement& placement, const Pose& pose,
+                                        const PosedRig& in) const;
+
+  const Skeleton* skeleton_;
+  RigNumbers drawn_;
+  DrivenNumbers driven_;
+  bool drivesMuscles_;
+  bool drivesLines_;
+  std::vector<std::optional<LineRest>> rests_;  ///< [Rig::lines]
+  std::vector<Ride> rides_;                     ///< [Rig::primitives]
+  std::vector<float> morphWeights_;             ///< [Character::morphTargets] as in the file.
+  std::vector<MorphShare> morphShares_;         ///< What numbers of the rig add to which targets.
+};
+
+}  // namespace sinew

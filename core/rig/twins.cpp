@@ -1,0 +1,350 @@
+// core/rig/twins.cpp: what one of a linked pair does, the other does on its side.
+#include "core/rig/twins.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <string_view>
+#include <unordered_map>
+#include <utility>
+
+#include "core/character/side_names.h"
+#include "core/geometry/at.h"
+#include "core/geometry/shape_numbers.h"
+#include "core/rig/animated_twins.h"
+#include "core/rig/identity.h"
+#include "core/rig/line_edit.h"
+#include "core/rig/line_twins.h"
+#include "core/rig/validation.h"
+#include "sinew/rig/rig_edit.h"
+
+namespace sinew {
+namespace {
+
+constexpr float kOwnTwin = 1e-4f;  // Fraction of H.
+
+using Index = std::unordered_map<std::string_view, const Primitive*>;
+
+Index byName(const Rig& rig) {
+  Index index;
+  index.reserve(rig.primitives.size());
+  for (const Primitive& primitive : rig.primitives) index.emplace(primitive.name, &primitive);
+  return index;
+}
+
+const Primitive* find(const Index& index, const std::string& name) {
+  const auto found = index.find(name);
+  return found == index.end() ? nullptr : found->second;
+}
+
+bool samePlace(const Primitive& a, const Primitive& b) { return a.bone == b.bone && a.placement == b.placement; }
+
+/// One of a pair, through the edit.
+struct Half {
+  Primitive& now;
+  const Primitive* shown;    ///< Not null.
+  const Primitive* atStart;  ///< Null: it was not there.
+};
+
+/// 1: a leads, -1: b leads, 0: neither changed.
+template <class Same>
+int leader(const Half& a, const Half& b, Same same) {
+  const bool aChanged = !same(*a.shown, a.now);
+  const bool bChanged = !same(*b.shown, b.now);
+  if (aChanged != bChanged) return aChanged ? 1 : -1;
+  if (!aChanged) return 0;
+  if (!a.atStart || !b.atStart) return 1;
+  return same(*a.atStart, a.now) && !same(*b.atStart, b.now) ? -1 : 1;
+}
+
+bool nearlySame(const Shape& a, const Shape& b) {
+  return std::ranges::all_of(shapeNumbers(),
+                             [&](const ShapeNumber& number) { return std::abs(number.of(a) - number.of(b)) <= 1e-5f; });
+}
+
+/// Two placements that differ by what rounding and the sign of a quaternion may do.
+bool nearlySame(const Placement& a, const Placement& b) {
+  const float size = glm::length(a.radii);
+  const float turn = std::abs(glm::dot(glm::normalize(a.rotation), glm::normalize(b.rotation)));
+  return glm::length(a.center - b.center) <= 1e-5f * (size + glm::length(a.center)) && turn >= 1.0f - 1e-6f &&
+         glm::length(a.radii - b.radii) <= 1e-5f * size && nearlySame(a.shape, b.shape);
+}
+
+/// Bone and placement of the follower. What the image of the leader did not change stays to the bit.
+/// @param both  both were edited: rounding between them is left.
+void followPlace(const Half& leads, Primitive& follower, bool both, const MirrorPlan& plan) {
+  const Result<Primitive> image = mirroredPrimitive(plan, leads.now);
+  if (!image) return;
+  Placement placement = image->placement;
+  if (both && follower.bone == image->bone && nearlySame(follower.placement, placement)) return;
+  const Result<Primitive> before = mirroredPrimitive(plan, *leads.shown);
+  if (before && before->bone == image->bone && follower.bone == image->bone) {
+    if (leads.shown->placement.center == leads.now.placement.center) placement.center = follower.placement.center;
+    if (leads.shown->placement.radii == leads.now.placement.radii && before->placement.radii == placement.radii) {
+      placement.radii = follower.placement.radii;
+    }
+    if (leads.shown->placement.rotation == leads.now.placement.rotation &&
+        before->placement.rotation == placement.rotation) {
+      placement.rotation = follower.placement.rotation;
+    }
+    if (leads.shown->placement.shape == leads.now.placement.shape && before->placement.shape == placement.shape) {
+      placement.shape = follower.placement.shape;
+    }
+  }
+  if (!validatePlacement(placement, "")) return;
+  follower.bone = image->bone;
+  follower.placement = placement;
+}
+
+void keepPair(const Rig& edited, const Half& a, const Half& b, const MirrorPlan& plan) {
+  if (const int leads = leader(a, b, samePlace); leads != 0) {
+    const bool both = !samePlace(*a.shown, a.now) && !samePlace(*b.shown, b.now);
+    leads > 0 ? followPlace(a, b.now, both, plan) : followPlace(b, a.now, both, plan);
+  }
+  const auto copyField = [&](auto field) {
+    const auto same = [&](const Primitive& x, const Primitive& y) { return x.*field == y.*field; };
+    const int leads = leader(a, b, same);
+    if (leads > 0) b.now.*field = a.now.*field;
+    if (leads < 0) a.now.*field = b.now.*field;
+  };
+  copyField(&Primitive::reach);
+  copyField(&Primitive::amount);
+  // Each by itself: the belly of one may be too much for the other's reach.
+  for (const Half* half : {&a, &b}) {
+    half->now.placement.shape = legalShape(half->now.placement.shape, half->now.reach);
+  }
+  copyField(&Primitive::sign);
+  copyField(&Primitive::group);
+  const auto sameLine = [](const Primitive& x, const Primitive& y) { return x.line == y.line; };
+  const int lineLeads = leader(a, b, sameLine);
+  if (lineLeads > 0) b.now.line = twinLineName(edited, a.now.line);
+  if (lineLeads < 0) a.now.line = twinLineName(edited, b.now.line);
+  const auto sameAnimation = [](const Primitive& x, const Primitive& y) { return x.animated == y.animated; };
+  if (const int leads = leader(a, b, sameAnimation); leads != 0) {
+    Primitive& to = leads > 0 ? b.now : a.now;
+    to.animated = mirroredAnimation(plan, leads > 0 ? a.now : b.now);
+    readTwinLines(edited, to.animated);
+  }
+  const auto sameTerritory = [](const Primitive& x, const Primitive& y) { return x.territory == y.territory; };
+  if (const int leads = leader(a, b, sameTerritory); leads != 0) {
+    const Primitive& from = leads > 0 ? a.now : b.now;
+    Primitive& to = leads > 0 ? b.now : a.now;
+    to.territory = from.territory;
+    if (!to.territory) return;
+    for (std::string& bone : *to.territory) {
+      if (Result<std::string> twin = twinBone(plan, bone)) bone = std::move(twin).value();
+    }
+  }
+}
+
+/// The image of `leader` under another's name and link.
+Result<Primitive> imageAs(const MirrorPlan& plan, const Primitive& leader, const Primitive& follower) {
+  Result<Primitive> image = mirroredPrimitive(plan, leader);
+  if (!image) return image;
+  image.value().name = follower.name;
+  image.value().mirror = follower.mirror;
+  image.value().unknownKeys = follower.unknownKeys;
+  return image;
+}
+
+/// "belly" -> "belly L": free, as is the name of its other side if there is a way.
+std::string nameWithSide(const Rig& rig, const Primitive& primitive, const MirrorPlan& plan) {
+  const bool left = sideOf(plan, primitive) == Side::kLeft;
+  std::string name = freePrimitiveName(rig, primitive.name + (left ? " L" : " R"));
+  for (int number = 2; number <= kMaxPrimitives; ++number) {
+    const std::optional<std::string> other = mirroredName(name);
+    if (!other || findPrimitive(rig, *other) < 0) break;
+    const std::string next = primitive.name + (left ? " L " : " R ") + std::to_string(number);
+    if (findPrimitive(rig, next) < 0) name = next;
+  }
+  return name;
+}
+
+/// Whether the side that the plane's normal points to is the left one.
+bool leftIsPositive(const MirrorPlan& plan) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < plan.skeleton.bones.size(); ++i) {
+    const Bone& bone = plan.skeleton.bones[i];
+    const std::optional<Side> side = sideNamed(bone.name);
+    if (!side || plan.twinOf[i] < 0 || plan.twinOf[i] == static_cast<int>(i)) continue;
+    const double distance = distanceTo(plan.plane, glm::dvec3(bone.bindInWorld[3]));
+    sum += *side == Side::kLeft ? distance : -distance;
+  }
+  return sum != 0.0 ? sum > 0.0 : plan.plane.normal.x >= 0.0;
+}
+
+}  // namespace
+
+Side sideOf(const MirrorPlan& plan, const Primitive& primitive) {
+  const std::optional<int> bone = plan.skeleton.findBone(primitive.bone);
+  if (!bone) return Side::kLeft;
+  const glm::dmat4 bind(at(plan.skeleton.bones, *bone).bindInWorld);
+  const double distance = distanceTo(plan.plane, glm::dvec3(bind * glm::dvec4(primitive.placement.center, 1.0f)));
+  return (distance >= 0.0) == leftIsPositive(plan) ? Side::kLeft : Side::kRight;
+}
+
+Rig keepTwins(const Rig& rigAtStart, const Rig& rigShown, Rig edited, const MirrorPlan& plan) {
+  // A new name is no change: what it names is looked for, and compared, under the name that it has now.
+  const std::optional<Rig> startRenamed = withNamesOf(rigAtStart, edited);
+  const std::optional<Rig> shownRenamed = withNamesOf(rigShown, edited);
+  const Rig& atStart = startRenamed ? *startRenamed : rigAtStart;
+  const Rig& shown = shownRenamed ? *shownRenamed : rigShown;
+  keepLineTwins(atStart, shown, edited, plan);
+  const bool anyLinked = std::ranges::any_of(edited.primitives, [](const Primitive& p) { return !p.mirror.empty(); });
+  if (!anyLinked) return edited;
+  const Index then = byName(atStart);
+  const Index before = byName(shown);
+  std::unordered_map<std::string, std::size_t> now;
+  for (std::size_t i = 0; i < edited.primitives.size(); ++i) now.emplace(edited.primitives[i].name, i);
+  for (std::size_t i = 0; i < edited.primitives.size(); ++i) {
+    Primitive& primitive = edited.primitives[i];
+    const auto twin = primitive.mirror.empty() ? now.end() : now.find(primitive.mirror);
+    if (twin == now.end() || twin->second <= i) continue;
+    Primitive& other = edited.primitives[twin->second];
+    const Half a{primitive, find(before, primitive.name), find(then, primitive.name)};
+    const Half b{other, find(before, other.name), find(then, other.name)};
+    const bool linkedBefore = a.shown && b.shown && a.shown->mirror == other.name && b.shown->mirror == primitive.name;
+    if (linkedBefore && other.mirror == primitive.name) keepPair(edited, a, b, plan);
+  }
+  return edited;
+}
+
+int twinOf(const Rig& rig, int index) {
+  const std::string& mirror = at(rig.primitives, index).mirror;
+  return mirror.empty() ? -1 : findPrimitive(rig, mirror);
+}
+
+std::vector<int> withTwins(const Rig& rig, std::span<const int> indices) {
+  std::vector<int> all(indices.begin(), indices.end());
+  for (const int index : indices) {
+    if (const int twin = twinOf(rig, index); twin >= 0) all.push_back(twin);
+  }
+  std::ranges::sort(all);
+  all.erase(std::unique(all.begin(), all.end()), all.end());
+  return all;
+}
+
+Result<Rig> addPair(Rig rig, Primitive primitive, const MirrorPlan& plan) {
+  const auto index = static_cast<int>(rig.primitives.size());
+  if (const auto added = append(rig, std::move(primitive)); !added) return added.error();
+  if (liesInPlane(plan, at(rig.primitives, index), kOwnTwin)) return rig;
+  return mirrorToOtherSide(std::move(rig), index, plan);
+}
+
+Result<Rig> mirrorToOtherSide(Rig rig, int index, const MirrorPlan& plan) {
+  if (const int twin = twinOf(rig, index); twin >= 0) return linkTwins(std::move(rig), index, twin, plan);
+  const Primitive& original = at(rig.primitives, index);
+  if (liesInPlane(plan, original, kOwnTwin)) {
+    return errorAt("", '"' + original.name + "\" lies in the middle: it is its own mirror image");
+  }
+  Result<Primitive> image = mirroredPrimitive(plan, original);
+  if (!image) return image.error();
+  const std::string sided = nameWithSide(rig, original, plan);
+  if (image->name == original.name && mirroredName(sided)) {
+    Result<Rig> renamed = renamePrimitive(std::move(rig), index, sided);
+    return renamed ? mirrorToOtherSide(std::move(renamed).value(), index, plan) : renamed;
+  }
+  image.value().mirror = original.name;
+  const std::string ownLine = original.line;
+  Result<TwinLine> line = withTwinLine(std::move(rig), ownLine, plan);
+  if (!line) return line.error();
+  image.value().line = line->name;
+  readTwinLines(line->rig, image.value().animated);
+  return addPrimitive(std::move(line).value().rig, std::move(image).value());
+}
+
+Result<Rig> linkTwins(Rig rig, int leader, int follower, const MirrorPlan& plan) {
+  assert(leader != follower);
+  const std::string ownLine = at(rig.primitives, leader).line;
+  Result<TwinLine> line = withTwinLine(std::move(rig), ownLine, plan);
+  if (!line) return line.error();
+  Rig linked = setMirror(std::move(line.value().rig), leader, follower);
+  Primitive& second = at(linked.primitives, follower);
+  Result<Primitive> image = imageAs(plan, at(linked.primitives, leader), second);
+  if (!image) return image.error();
+  if (const auto valid = validatePrimitive(image.value(), "primitives"); !valid) return valid.error();
+  const std::string former = std::exchange(second, std::move(image).value()).line;
+  second.line = line->name;
+  readTwinLines(linked, second.animated);
+  return withoutIdleLines(std::move(linked), {former});
+}
+
+namespace {
+
+/// The lines of flipped primitives, each turned over in its own name.
+Result<Rig> withFlippedLines(Rig rig, std::span<const int> indices, const MirrorPlan& plan) {
+  std::vector<int> done{-1};
+  for (const int index : indices) {
+    const int line = findLine(rig, at(rig.primitives, index).line);
+    if (std::ranges::find(done, line) != done.end()) continue;
+    done.push_back(line);
+    Result<MuscleLine> image = mirroredLine(plan, at(rig.lines, line));
+    if (!image) return about("muscle line \"" + at(rig.lines, line).name + '"', image.error());
+    Result<Rig> turned = editLine(std::move(rig), line, [&](MuscleLine& own) {
+      own.origin = image->origin;
+      own.insertion = image->insertion;
+      own.via = image->via;
+      own.animated = image->animated;
+    });
+    if (!turned) return turned;
+    rig = std::move(turned).value();
+  }
+  return rig;
+}
+
+}  // namespace
+
+Result<Rig> flipPrimitives(Rig rig, std::span<const int> indices, const MirrorPlan& plan) {
+  const std::vector<int> flipped = withTwins(rig, indices);
+  for (const int index : flipped) {
+    Primitive& primitive = at(rig.primitives, index);
+    Result<Primitive> image = imageAs(plan, primitive, primitive);
+    if (!image) return image.error();
+    if (const auto valid = validatePrimitive(image.value(), "primitives"); !valid) return valid.error();
+    primitive = std::move(image).value();
+  }
+  return withFlippedLines(std::move(rig), flipped, plan);
+}
+
+Rig duplicatePairs(Rig rig, std::span<const int> indices) {
+  std::vector<int> sources(indices.begin(), indices.end());
+  std::ranges::sort(sources);
+  sources.erase(std::unique(sources.begin(), sources.end()), sources.end());
+  const std::size_t room = static_cast<std::size_t>(kMaxPrimitives) - rig.primitives.size();
+  if (sources.size() > room) sources.resize(room);
+  std::unordered_map<int, int> copyOf;  // Indices.
+  for (const int source : sources) {
+    Primitive copy = at(rig.primitives, source);
+    const int twin = twinOf(rig, source);
+    const auto twinsCopy = copyOf.find(twin);
+    // The second of a pair is named after the first one's copy.
+    copy.name = twinsCopy != copyOf.end() && mirroredName(copy.mirror) == copy.name
+                    ? twinName(rig, at(rig.primitives, twinsCopy->second).name)
+                    : freePrimitiveName(rig, copy.name);
+    copy.mirror.clear();
+    const auto index = static_cast<int>(rig.primitives.size());
+    if (twinsCopy != copyOf.end()) {
+      Primitive& other = at(rig.primitives, twinsCopy->second);
+      copy.mirror = other.name;
+      other.mirror = copy.name;
+    }
+    copyOf.emplace(source, index);
+    rig.primitives.push_back(std::move(copy));
+  }
+  return rig;
+}
+
+Result<Rig> renameWithTwin(Rig rig, int index, const std::string& name) {
+  const int twin = twinOf(rig, index);
+  Result<Rig> renamed = renamePrimitive(std::move(rig), index, name);
+  if (!renamed || twin < 0) return renamed;
+  const std::optional<std::string> other = mirroredName(name);
+  if (!other || findPrimitive(renamed.value(), *other) >= 0) return renamed;
+  return renamePrimitive(std::move(renamed).value(), twin, *other);
+}
+
+std::string twinName(const Rig& rig, const std::string& name) {
+  return freePrimitiveName(rig, mirroredName(name).value_or(name));
+}
+
+}  // namespace sinew

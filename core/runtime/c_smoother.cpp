@@ -1,0 +1,208 @@
+// core/runtime/c_smoother.cpp: the C interface of smoothers and of what they write.
+#include <algorithm>
+#include <cstring>
+#include <optional>
+
+#include "core/geometry/at.h"
+#include "core/runtime/c_handles.h"
+#include "sinew/character/pose_check.h"
+#include "sinew/surface/region.h"
+
+namespace sinew::capi {
+namespace {
+
+std::optional<BufferVertices> verticesOf(sinew_vertices vertices) {
+  if (vertices == SINEW_DRAWN) return BufferVertices::kDrawn;
+  if (vertices == SINEW_REFINED) return BufferVertices::kRefined;
+  return std::nullopt;
+}
+
+/// The rig with the detail that was asked for.
+Result<Rig> detailed(Rig rig, const sinew_detail* detail) {
+  if (detail == nullptr || (detail->depth == 0 && detail->tolerance == 0.0f)) return rig;
+  if (detail->depth != 0 && detail->tolerance != 0.0f) return errorAt("detail", "give depth or tolerance, not both");
+  if (detail->depth != 0) {
+    rig.smoothing.detail = DetailKind::kUniform;
+    rig.smoothing.depth = detail->depth;
+  } else {
+    rig.smoothing.detail = DetailKind::kAdaptive;
+    rig.smoothing.tolerance = detail->tolerance;
+  }
+  return rig;
+}
+
+Result<Region> regionOf(const Character& character, const sinew_detail* detail) {
+  if (detail == nullptr || detail->bone_count == 0) return Region();
+  if (detail->bones == nullptr) return errorAt("detail", "bones: null");
+  const std::span bones(detail->bones, detail->bone_count);
+  for (const int bone : bones) {
+    if (bone < 0 || toIndex(bone) >= character.skeleton.bones.size()) {
+      return errorAt("detail", "bones: there is no bone " + std::to_string(bone));
+    }
+  }
+  return regionOfBones(character, bones);
+}
+
+/// Prepares it; its first surface is the bind pose's, so that there always is one.
+sinew_code finish(std::unique_ptr<sinew_smoother> made, const sinew_detail* detail, sinew_smoother** out) {
+  const auto rig = detailed(made->of.rig, detail);
+  if (!rig) return fail(SINEW_BAD_ARGUMENT, rig.error());
+  const Character& character = *made->of.character;
+  const auto region = regionOf(character, detail);
+  if (!region) return fail(SINEW_BAD_ARGUMENT, region.error());
+  if (const auto prepared = made->smoother.prepare(rig.value(), {}, region.value()); !prepared) {
+    return fail(SINEW_BAD_RIG, prepared.error());
+  }
+  made->smoother.smooth(bindPose(character.skeleton), made->surface);
+  made->ranges = indexRanges(*made->surface.refinement, character.mesh);
+  *out = made.release();
+  return SINEW_OK;
+}
+
+Result<VertexLayout> layoutOf(const sinew_layout& from) {
+  const auto vertices = verticesOf(from.vertices);
+  if (!vertices) return errorAt("layout", "vertices: SINEW_DRAWN or SINEW_REFINED");
+  if (from.position_format != SINEW_FLOAT3 && from.position_format != SINEW_HALF4) {
+    return errorAt("layout", "position_format: SINEW_FLOAT3 or SINEW_HALF4");
+  }
+  if (from.normal_format != SINEW_FLOAT3 && from.normal_format != SINEW_SNORM10) {
+    return errorAt("layout", "normal_format: SINEW_FLOAT3 or SINEW_SNORM10");
+  }
+  VertexLayout layout;
+  layout.stride = from.stride;
+  layout.position = from.position_offset;
+  layout.normal = from.normal_offset;
+  layout.positions = from.position_format == SINEW_HALF4 ? PositionFormat::kHalf : PositionFormat::kFloat;
+  layout.normals = from.normal_format == SINEW_SNORM10 ? NormalFormat::kSnorm10 : NormalFormat::kFloat;
+  layout.vertices = *vertices;
+  layout.origin = {from.origin[0], from.origin[1], from.origin[2]};
+  return layout;
+}
+
+/// The caller's pose as one of C++, in memory that is kept.
+Result<void> takePose(const Character& character, const sinew_pose& from, Pose& to) {
+  if (from.bones == nullptr) return errorAt("pose", "bones: null");
+  const std::size_t bones = std::min(from.bone_count, character.skeleton.bones.size());
+  to.boneInWorld.resize(bones);
+  std::memcpy(static_cast<void*>(to.boneInWorld.data()), from.bones, bones * sizeof(glm::mat4));
+  if (from.morph_weights == nullptr) to.morphWeights.clear();
+  else if (from.morph_count != character.morphTargets.size()) {
+    return errorAt("pose", "expected weights of " + std::to_string(character.morphTargets.size()) +
+                               " morph targets, got " + std::to_string(from.morph_count));
+  } else to.morphWeights.assign(from.morph_weights, from.morph_weights + from.morph_count);
+  to.flex = from.flex;
+  to.clip.clear();
+  to.time = 0.0f;
+  if (from.has_clip == 0) return {};
+  if (from.clip < 0 || toIndex(from.clip) >= character.clips.size()) return errorAt("pose", "clip: out of range");
+  to.clip = at(character.clips, from.clip).name;
+  to.time = from.clip_seconds;
+  return {};
+}
+
+sinew_code codeOf(const Result<void>& done) { return done ? SINEW_OK : fail(SINEW_BAD_ARGUMENT, done.error()); }
+
+const Refinement& refinementOf(const sinew_smoother& smoother) { return *smoother.surface.refinement; }
+
+}  // namespace
+}  // namespace sinew::capi
+
+using namespace sinew;
+using namespace sinew::capi;
+
+extern "C" {
+
+sinew_code sinew_smoother_create(const sinew_character* character, const sinew_detail* detail, sinew_smoother** out) {
+  if (out == nullptr) return fail(SINEW_BAD_ARGUMENT, "out: null");
+  *out = nullptr;
+  if (character == nullptr) return fail(SINEW_BAD_ARGUMENT, "character: null");
+  return guarded([&] {
+    return finish(std::make_unique<sinew_smoother>(sinew_smoother{*character, Smoother(character->character), {}}),
+                  detail, out);
+  });
+}
+
+sinew_code sinew_smoother_share(const sinew_smoother* from, const sinew_detail* detail, sinew_smoother** out) {
+  if (out == nullptr) return fail(SINEW_BAD_ARGUMENT, "out: null");
+  *out = nullptr;
+  if (from == nullptr) return fail(SINEW_BAD_ARGUMENT, "from: null");
+  return guarded([&] {
+    return finish(std::make_unique<sinew_smoother>(sinew_smoother{from->of, from->smoother.twin(), {}}), detail, out);
+  });
+}
+
+void sinew_smoother_destroy(sinew_smoother* smoother) { delete smoother; }
+
+sinew_code sinew_smooth(sinew_smoother* smoother, const sinew_pose* pose) {
+  if (smoother == nullptr || pose == nullptr) return fail(SINEW_BAD_ARGUMENT, "smoother or pose: null");
+  return guarded([&] {
+    const Character& character = *smoother->of.character;
+    if (const auto taken = takePose(character, *pose, smoother->pose); !taken) {
+      return fail(SINEW_BAD_POSE, taken.error());
+    }
+    if (smoother->smoother.smooth(smoother->pose, smoother->surface)) return SINEW_OK;
+    return fail(SINEW_BAD_POSE, checkPose(character, smoother->pose).error());
+  });
+}
+
+size_t sinew_vertex_count(const sinew_smoother* smoother, sinew_vertices vertices) {
+  const auto which = verticesOf(vertices);
+  return smoother == nullptr || !which ? 0 : vertexCount(refinementOf(*smoother), *which);
+}
+
+size_t sinew_index_count(const sinew_smoother* smoother) {
+  return smoother == nullptr ? 0 : indexCount(refinementOf(*smoother));
+}
+
+sinew_code sinew_write_vertices(const sinew_smoother* smoother, const sinew_layout* layout, void* out, size_t bytes) {
+  if (smoother == nullptr || layout == nullptr || out == nullptr) {
+    return fail(SINEW_BAD_ARGUMENT, "smoother, layout or out: null");
+  }
+  return guarded([&] {
+    const auto known = layoutOf(*layout);
+    if (!known) return fail(SINEW_BAD_ARGUMENT, known.error());
+    return codeOf(writeVertices(smoother->surface, known.value(), {static_cast<std::byte*>(out), bytes}));
+  });
+}
+
+sinew_code sinew_write_uvs(const sinew_smoother* smoother, size_t stride, size_t offset, void* out, size_t bytes) {
+  if (smoother == nullptr || out == nullptr) return fail(SINEW_BAD_ARGUMENT, "smoother or out: null");
+  return guarded([&] {
+    return codeOf(writeUvs(refinementOf(*smoother), stride, offset, {static_cast<std::byte*>(out), bytes}));
+  });
+}
+
+sinew_code sinew_write_indices(const sinew_smoother* smoother, sinew_vertices vertices, int index_bytes, void* out,
+                               size_t bytes) {
+  if (smoother == nullptr || out == nullptr) return fail(SINEW_BAD_ARGUMENT, "smoother or out: null");
+  const auto which = verticesOf(vertices);
+  if (!which) return fail(SINEW_BAD_ARGUMENT, "vertices: SINEW_DRAWN or SINEW_REFINED");
+  return guarded([&] {
+    const Refinement& refinement = refinementOf(*smoother);
+    const ControlMesh& mesh = smoother->of.character->mesh;
+    if (index_bytes == 2) {
+      return codeOf(writeIndices(refinement, mesh, *which, std::span(static_cast<std::uint16_t*>(out), bytes / 2)));
+    }
+    if (index_bytes == 4) {
+      return codeOf(writeIndices(refinement, mesh, *which, std::span(static_cast<std::uint32_t*>(out), bytes / 4)));
+    }
+    return fail(SINEW_BAD_ARGUMENT, "index_bytes: 2 or 4");
+  });
+}
+
+sinew_code sinew_material_indices(const sinew_smoother* smoother, int material, size_t* first, size_t* count) {
+  if (smoother == nullptr || first == nullptr || count == nullptr) {
+    return fail(SINEW_BAD_ARGUMENT, "smoother, first or count: null");
+  }
+  *first = *count = 0;
+  if (material < 0 || toIndex(material) >= smoother->of.character->materials.size()) {
+    return fail(SINEW_BAD_ARGUMENT, "material: out of range");
+  }
+  const auto found = std::ranges::find(smoother->ranges, material, &IndexRange::material);
+  if (found == smoother->ranges.end()) return SINEW_OK;
+  *first = found->first;
+  *count = found->count;
+  return SINEW_OK;
+}
+
+}  // extern "C"

@@ -1,0 +1,47 @@
+// core/surface/finish/cloth_lift.h: cloth moves with the skin under it and does not sink in. docs/layers.md.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "core/surface/finish/cloth_binding.h"
+#include "sinew/surface/surface.h"
+
+namespace sinew {
+
+/// What a lift reads beside the surface.
+struct ClothView {
+  const VertexRings& rings;
+  const MeshLayers& layers;
+  const ClothBinding& binding;
+  std::span<const glm::vec3> patchPositions;  ///< [V'] world; cloth and skin before muscles.
+  std::span<const glm::vec3> patchNormals;    ///< [V'] unit.
+  float height = 1.0f;                        ///< H
+};
+
+/// Moves cloth, on a surface whose skin is done: a vertex goes as its foot does, the point of the skin's patch that is
+/// nearest in the bind pose, so that it keeps its gap along the skin's normal; where the skin has moved, the gap is at
+/// least 0.1 % of H, unless the file has the cloth below the skin. Then corners of cloth make room for vertices of skin
+/// that would come through between them. What is far off the skin moves less, as far as that leaves the gap. At last,
+/// vertices that are below another wall of a fold than their own are moved out of it.
+class ClothLift {
+ public:
+  /// Positions, normals and displacement of cloth. @return false: nothing has moved
+  bool apply(const ClothView& view, Surface& surface);
+
+ private:
+  void follow(const ClothView& view, Surface& surface);
+  void makeRoom(const ClothView& view, Surface& surface);
+  [[nodiscard]] bool findBelow(const ClothView& view, const SkinWalls& walls, const Surface& surface);
+  void clearWalls(const ClothView& view, Surface& surface);
+
+  std::vector<glm::vec3> up_;         ///< [cloth] the skin's normal at the foot.
+  std::vector<float> raise_;          ///< [cloth]
+  std::vector<float> lack_;           ///< [under] how much the cloth over it is too low.
+  std::vector<int> over_;             ///< [under] the triangle over it, where lack_ is not 0.
+  std::vector<WallNode> walls_;       ///< Of the skin,
+  std::vector<WallNode> patchWalls_;  ///< and of its patch.
+  std::vector<float> gap_;            ///< [cloth] distance of the foot; 0 below it.
+};
+
+}  // namespace sinew

@@ -1,0 +1,92 @@
+// core/surface/finish/fold_spread.cpp: projection on area constraints, all triangles at once (Jacobi).
+#include "core/surface/finish/fold_spread.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "core/geometry/parallel_list.h"
+
+namespace sinew {
+namespace {
+
+constexpr float kWholeLack = 0.1f;   ///< Lack of q from which on it asks with its whole weight ...
+constexpr float kWholeStep = 0.01f;  ///< ... and moves of its corners, over its edges.
+constexpr float kRelaxation = 1.5f;  ///< Factor on the mean move; above 1: converges faster.
+
+}  // namespace
+
+void FoldSpread::ask(int triangle, FoldMesh& mesh) {
+  const Fold fold = mesh.foldOf(triangle, kLeastArea);
+  if (fold.weight == 0.0f) return;
+  mesh.add(triangle);
+  const auto [face, whole] = mesh.faceOfPatch(triangle);
+  const std::array<int, 3>& corners = mesh.cornersOf(triangle);
+  const float area = std::sqrt(whole);
+  const glm::vec3 normal = face / area;
+  std::array<glm::vec3, 3> gradients;
+  float squared = 0.0f;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const glm::vec3 opposite = mesh.vertex(corners[(i + 2) % 3]).position - mesh.vertex(corners[(i + 1) % 3]).position;
+    gradients[i] = glm::cross(normal, opposite);
+    squared += glm::dot(gradients[i], gradients[i]);
+  }
+  // Where the triangle has shrunk to a line along the normal its gradients vanish: the moves stay small.
+  const float step = (kLeastArea - fold.area) * area / std::max(squared, area);
+  // Of a sliver q changes fast: what it asks for must not at once count as much as what its neighbors do.
+  const float weight = fold.weight * std::min({1.0f, (kLeastArea - fold.area) / kWholeLack, step / kWholeStep});
+  for (std::size_t i = 0; i < 3; ++i) {
+    FoldVertex& corner = mesh.vertex(corners[i]);
+    if (corner.weight == 0.0f) asked_.push_back(corners[i]);
+    corner.weight += weight;
+    corner.way += weight * step * gradients[i];
+  }
+}
+
+void FoldSpread::findFolded(FoldMesh& mesh) {
+  constexpr std::size_t kFew = 2048;  // For one thread.
+  folded_.resize(toIndex(mesh.triangleCount()));
+  const auto list = [&](std::size_t begin, std::size_t end, int* folded) {
+    std::size_t count = 0;
+    for (std::size_t t = begin; t < end; ++t) {
+      folded[count] = static_cast<int>(t);
+      count += mesh.foldOf(static_cast<int>(t), kLeastArea).weight != 0.0f ? 1 : 0;
+    }
+    return count;
+  };
+  folded_.resize(listInBlocks(folded_.size(), kFew, folded_.data(), list));
+}
+
+void FoldSpread::moveAsked(FoldMesh& mesh) {
+  moved_.clear();
+  for (const int v : asked_) {
+    FoldVertex& vertex = mesh.vertex(v);
+    const glm::vec3 way = kRelaxation / std::max(1.0f, vertex.weight) * vertex.way;
+    vertex.weight = 0.0f;
+    vertex.way = glm::vec3(0.0f);
+    if (vertex.most == 0.0f) continue;
+    mesh.move(v, vertex.position + way);
+    moved_.push_back(v);
+  }
+  asked_.clear();
+}
+
+/// Solves q >= 0.3 for every triangle as a constraint on its area, by the projection step of position based dynamics
+/// (Mueller et al. 2007): each corner moves along the gradient of the area, by the constraint's lack over the sum of
+/// the squared gradients. A corner takes the weighted mean of what all its triangles ask for (Jacobi), so
+/// that the order of triangles does not matter. docs/design.md, Folds.
+void FoldSpread::apply(FoldMesh& mesh) {
+  findFolded(mesh);
+  for (const int t : folded_) ask(t, mesh);
+  mesh.grow();
+  moveAsked(mesh);
+  for (int round = 1; round < kMostRounds && !moved_.empty(); ++round) {
+    // Where no corner has moved nothing has changed.
+    mesh.forEachAt(moved_, [&](int triangle) { ask(triangle, mesh); });
+    mesh.grow();
+    moveAsked(mesh);
+  }
+  moved_.clear();
+}
+
+}  // namespace sinew

@@ -1,0 +1,169 @@
+// core/surface/patches/level_fit.cpp: distances from chords and planes, angles between normals.
+#include "core/surface/patches/level_fit.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+#include <glm/geometric.hpp>
+
+#include "sinew/rig/rig.h"
+
+namespace sinew {
+namespace {
+
+/// Neighboring samples whose normals differ by more lie across a crease, which no level makes smooth.
+constexpr float kCreaseCosine = 0.94f;  ///< 20 degrees.
+
+std::size_t indexOf(int i) { return static_cast<std::size_t>(i); }
+
+bool turnsTooFar(const glm::vec3& interpolated, const glm::vec3& normal, const LevelTolerance& tolerance) {
+  const float length = glm::length(interpolated);
+  return !(glm::dot(interpolated, normal) >= tolerance.normalCosine * length);
+}
+
+float distanceToChord(const glm::vec3& p, const glm::vec3& a, const glm::vec3& b) {
+  const glm::vec3 along = b - a;
+  const float squared = glm::dot(along, along);
+  const float t = squared > 0.0f ? std::clamp(glm::dot(p - a, along) / squared, 0.0f, 1.0f) : 0.0f;
+  return glm::distance(p, a + t * along);
+}
+
+bool edgeFits(const FineSamples& s, int fine, int level, const LevelTolerance& tolerance) {
+  const int step = fine / level;
+  for (int i = 0; i < fine; ++i) {
+    const int from = i / step * step;
+    if (i == from) continue;
+    const std::size_t a = indexOf(from);
+    const std::size_t b = indexOf(from + step);
+    const std::size_t at = indexOf(i);
+    if (distanceToChord(s.positions[at], s.positions[a], s.positions[b]) > tolerance.distance) return false;
+    const float share = static_cast<float>(i - from) / static_cast<float>(step);
+    const glm::vec3 between = (1.0f - share) * s.normals[a] + share * s.normals[b];
+    if (!turnsTooFar(between, s.normals[at], tolerance)) continue;
+    const bool smooth = glm::dot(s.normals[at - 1], s.normals[at]) > kCreaseCosine &&
+                        glm::dot(s.normals[at], s.normals[at + 1]) > kCreaseCosine;
+    if (smooth) return false;
+  }
+  return true;
+}
+
+/// Whether distanceFromPiece() is at most that. Mostly the first of the two measures says so.
+bool isWithin(float most, const glm::vec3& sample, const std::array<glm::vec3, 3>& corners,
+              const std::array<float, 3>& shares) {
+  const glm::vec3 own = shares[0] * corners[0] + shares[1] * corners[1] + shares[2] * corners[2];
+  return !(glm::distance(sample, own) > most) || !(distanceFromPiece(sample, corners, shares) > most);
+}
+
+/// A triangle's samples: their numbers, by row and place in it.
+std::size_t indexOf(int fine, int j, int k) { return indexOf(j * (fine + 1) - j * (j - 1) / 2 + k); }
+
+/// A sample in the small triangle of a level's split that it belongs to.
+struct Place {
+  int j = 0;
+  int k = 0;
+  std::size_t at = 0;
+  std::array<std::size_t, 3> corners{};
+  std::array<float, 3> shares{};  ///< Barycentric.
+};
+
+Place placeIn(int fine, int step, int j, int k) {
+  const int row = std::min(j / step, (fine / step) - 1) * step;
+  const int place = std::min(k / step, (fine - row) / step - 1) * step;
+  const int fj = j - row;
+  const int fk = k - place;
+  const bool up = fj + fk <= step;
+  const auto index = [&](int down, int right) { return indexOf(fine, row + down, place + right); };
+  const auto s = static_cast<float>(step);
+  const float x = static_cast<float>(up ? fj : step - fj) / s;
+  const float y = static_cast<float>(up ? fk : step - fk) / s;
+  return {j,
+          k,
+          indexOf(fine, j, k),
+          up ? std::array{index(0, 0), index(step, 0), index(0, step)}
+             : std::array{index(step, step), index(0, step), index(step, 0)},
+          {1.0f - x - y, x, y}};
+}
+
+/// Of all samples but the corners of the split.
+std::vector<Place> placesOf(int fine, int level) {
+  const int step = fine / level;
+  std::vector<Place> out;
+  for (int j = 0; j <= fine; ++j) {
+    for (int k = 0; k <= fine - j; ++k) {
+      if (j % step != 0 || k % step != 0) out.push_back(placeIn(fine, step, j, k));
+    }
+  }
+  return out;
+}
+
+/// Found once: tens of thousands of triangles ask in every pose.
+const std::vector<Place>& knownPlaces(int fine, int level) {
+  static const auto kKnown = [] {
+    std::array<std::array<std::vector<Place>, kMaxDepth + 1>, kMaxDepth + 1> known;
+    for (int n = 1; n <= kMaxDepth; ++n) {
+      for (int divisor = 1; divisor < n; ++divisor) {
+        if (n % divisor == 0) known[indexOf(n)][indexOf(divisor)] = placesOf(n, divisor);
+      }
+    }
+    return known;
+  }();
+  return kKnown[indexOf(fine)][indexOf(level)];
+}
+
+bool isSmoothAt(const FineSamples& samples, int fine, int j, int k) {
+  const glm::vec3& own = samples.normals[indexOf(fine, j, k)];
+  constexpr std::array<std::array<int, 2>, 6> kAround{{{1, 0}, {0, 1}, {-1, 1}, {-1, 0}, {0, -1}, {1, -1}}};
+  return std::ranges::all_of(kAround, [&](const std::array<int, 2>& way) {
+    const int row = j + way[0];
+    const int place = k + way[1];
+    if (row < 0 || place < 0 || row + place > fine) return true;
+    return glm::dot(own, samples.normals[indexOf(fine, row, place)]) > kCreaseCosine;
+  });
+}
+
+bool triangleFits(const FineSamples& s, int fine, int level, const LevelTolerance& tolerance) {
+  return std::ranges::all_of(knownPlaces(fine, level), [&](const Place& own) {
+    const auto& [a, b, c] = own.corners;
+    if (!isWithin(tolerance.distance, s.positions[own.at], {s.positions[a], s.positions[b], s.positions[c]},
+                  own.shares)) {
+      return false;
+    }
+    const glm::vec3 between =
+        own.shares[0] * s.normals[a] + own.shares[1] * s.normals[b] + own.shares[2] * s.normals[c];
+    return !turnsTooFar(between, s.normals[own.at], tolerance) || !isSmoothAt(s, fine, own.j, own.k);
+  });
+}
+
+/// The least divisor of `fine` from `from` on that fits; `fine` itself always does.
+template <class Fits>
+int leastDivisor(int fine, int from, Fits fits) {
+  for (int level = from; level < fine; ++level) {
+    if (fine % level == 0 && fits(level)) return level;
+  }
+  return fine;
+}
+
+}  // namespace
+
+float distanceFromPiece(const glm::vec3& sample, const std::array<glm::vec3, 3>& corners,
+                        const std::array<float, 3>& shares) {
+  const auto& [a, b, c] = corners;
+  const float apart = glm::distance(sample, shares[0] * a + shares[1] * b + shares[2] * c);
+  const glm::vec3 face = glm::cross(b - a, c - a);
+  const float area = glm::length(face);
+  return area > 0.0f ? std::min(apart, std::abs(glm::dot(sample - a, face)) / area) : apart;
+}
+
+int edgeLevel(const FineSamples& samples, int from, const LevelTolerance& tolerance) {
+  const int fine = static_cast<int>(samples.positions.size()) - 1;
+  return leastDivisor(fine, from, [&](int level) { return edgeFits(samples, fine, level, tolerance); });
+}
+
+int triangleLevel(const FineSamples& samples, int fine, int from, const LevelTolerance& tolerance) {
+  return leastDivisor(fine, from, [&](int level) { return triangleFits(samples, fine, level, tolerance); });
+}
+
+}  // namespace sinew

@@ -1,0 +1,242 @@
+// core/surface/patches/refinement.cpp: control triangles split with shared vertices.
+#include "sinew/surface/refinement.h"
+
+#include <algorithm>
+#include <cassert>
+#include <functional>
+#include <span>
+
+#include "core/geometry/at.h"
+#include "core/geometry/index_table.h"
+#include "core/surface/patches/sample_points.h"
+#include "core/surface/patches/split_triangle.h"
+#include "sinew/rig/rig.h"
+
+namespace sinew {
+namespace {
+
+/// Those with vertices. @param begin  of each one's vertices.
+std::vector<int> mostFirst(std::span<const int> begin) {
+  const auto count = [&](int i) { return at(begin, i + 1) - at(begin, i); };
+  std::vector<int> order;
+  for (int i = 0; i + 1 < static_cast<int>(begin.size()); ++i) {
+    if (count(i) > 0) order.push_back(i);
+  }
+  std::ranges::stable_sort(order, std::ranges::greater(), count);
+  return order;
+}
+
+/// Vertices on an edge belong to the edge and are numbered in its own direction, so that the triangles at it share them
+/// and cracks cannot open. Vertices as drawn have texture coordinates and colors besides: they are shared along an edge
+/// only where both triangles have the same two wedges. docs/design.md, Refinement.
+class Builder {
+ public:
+  Builder(const ControlMesh& mesh, const RefinementLevels& levels)
+      : mesh_(mesh), levels_(levels), colored_(hasColors(mesh)), runs_(3 * mesh.triangles.size()) {
+    assert(levels.edges.size() == mesh.edges.size() && levels.triangles.size() == mesh.triangles.size());
+  }
+
+  Refinement build() {
+    out_.controlVertices = static_cast<int>(mesh_.positions.size());
+    out_.controlEdges = static_cast<int>(mesh_.edges.size());
+    numberEdges();
+    out_.insideBegin.push_back(out_.edgeBegin.back());
+    out_.triangleBegin.push_back(0);
+    for (const Wedge& wedge : mesh_.wedges) addDrawn(wedge.vertex, wedge.uv, wedge.color);
+    for (std::size_t t = 0; t < mesh_.triangles.size(); ++t) splitTriangle(static_cast<int>(t));
+    out_.vertexCount = out_.insideBegin.back();
+    countTriangles();
+    out_.edgeOrder = mostFirst(out_.edgeBegin);
+    out_.insideOrder = mostFirst(out_.insideBegin);
+    return std::move(out_);
+  }
+
+ private:
+  void numberEdges() {
+    out_.depth = 1;
+    int first = out_.controlVertices;
+    for (const std::uint8_t level : levels_.edges) {
+      assert(level >= 1 && level <= kMaxDepth);
+      out_.depth = std::max<int>(out_.depth, level);
+      out_.edgeBegin.push_back(first);
+      first += level - 1;
+    }
+    out_.edgeBegin.push_back(first);
+    for (const std::uint8_t level : levels_.triangles) out_.depth = std::max<int>(out_.depth, level);
+    const auto isDeepest = [&](std::uint8_t level) { return level == out_.depth; };
+    out_.isUniform = std::ranges::all_of(levels_.edges, isDeepest) && std::ranges::all_of(levels_.triangles, isDeepest);
+  }
+
+  int addDrawn(int refinedVertex, const glm::vec2& uv, const glm::vec4& color) {
+    out_.drawVertex.push_back(refinedVertex);
+    out_.drawUv.push_back(uv);
+    // Shares of 1 need not sum to 1 in floats, and glTF allows no color above 1.
+    if (colored_) out_.drawColor.push_back(glm::clamp(color, 0.0f, 1.0f));
+    return static_cast<int>(out_.drawVertex.size()) - 1;
+  }
+
+  /// Fills points_ and drawPoints_, numbered as SplitTriangle numbers them.
+  void splitTriangle(int t) {
+    const ControlTriangle& triangle = at(mesh_.triangles, t);
+    points_.assign(triangle.vertices.begin(), triangle.vertices.end());
+    drawPoints_.assign(triangle.wedges.begin(), triangle.wedges.end());
+    SplitLevels levels;
+    levels.inside = at(levels_.triangles, t);
+    for (std::size_t side = 0; side < 3; ++side) {
+      levels.sides[side] = at(levels_.edges, triangle.edges[side]);
+      placeSide(triangle, side);
+    }
+    const auto corner = [&](std::size_t c) { return at(mesh_.positions, triangle.vertices[c]); };
+    // Whole meshes have one level: nothing changes from triangle to triangle.
+    if (!levels.isUniform() || splitUniformly_ != levels.inside) {
+      split_.split(levels, {corner(0), corner(1), corner(2)});
+      splitUniformly_ = levels.isUniform() ? levels.inside : 0;
+    }
+    placeInside(triangle);
+    for (const std::array<int, 3>& small : split_.triangles()) {
+      const auto drawn = [&](int point) { return static_cast<std::uint32_t>(at(drawPoints_, point)); };
+      out_.triangles.push_back({at(points_, small[0]), at(points_, small[1]), at(points_, small[2])});
+      out_.drawTriangles.push_back({drawn(small[0]), drawn(small[1]), drawn(small[2])});
+      out_.controlOf.push_back(t);
+    }
+    out_.triangleBegin.push_back(static_cast<int>(out_.triangles.size()));
+  }
+
+  void placeSide(const ControlTriangle& triangle, std::size_t side) {
+    const int edge = triangle.edges[side];
+    const int level = out_.edgeLevel(edge);
+    if (level == 1) return;
+    const std::size_t to = (side + 1) % 3;
+    const bool forward = at(mesh_.edges, edge).vertices[0] == triangle.vertices[side];
+    const int base = forward ? edgeRun(edge, {triangle.wedges[side], triangle.wedges[to]})
+                             : edgeRun(edge, {triangle.wedges[to], triangle.wedges[side]});
+    for (int step = 1; step < level; ++step) {
+      const int stepOnEdge = forward ? step : level - step;
+      points_.push_back(out_.edgeVertex(edge, stepOnEdge));
+      drawPoints_.push_back(base + stepOnEdge - 1);
+    }
+  }
+
+  /// First drawn vertex of the edge between these two wedges; made when first asked for.
+  int edgeRun(int edge, const std::array<int, 2>& wedges) {
+    const std::uint64_t hash =
+        hashCombine(static_cast<std::uint64_t>(wedges[0]), static_cast<std::uint64_t>(wedges[1]));
+    const int next = static_cast<int>(out_.drawRuns.size());
+    const int run =
+        runs_.findOrInsert(hash, next, [&](int other) { return at(out_.drawRuns, other).wedges == wedges; });
+    if (run != next) return at(out_.drawRuns, run).first;
+    const int first = static_cast<int>(out_.drawVertex.size());
+    const Wedge& wedge0 = at(mesh_.wedges, wedges[0]);
+    const Wedge& wedge1 = at(mesh_.wedges, wedges[1]);
+    const int level = out_.edgeLevel(edge);
+    for (int step = 1; step < level; ++step) {
+      const float w = static_cast<float>(step) / static_cast<float>(level);
+      addDrawn(out_.edgeVertex(edge, step), wedge0.uv * (1.0f - w) + wedge1.uv * w,
+               wedge0.color * (1.0f - w) + wedge1.color * w);
+    }
+    out_.drawRuns.push_back({edge, wedges, first});
+    return first;
+  }
+
+  void placeInside(const ControlTriangle& triangle) {
+    const Wedge& wedge0 = at(mesh_.wedges, triangle.wedges[0]);
+    const Wedge& wedge1 = at(mesh_.wedges, triangle.wedges[1]);
+    const Wedge& wedge2 = at(mesh_.wedges, triangle.wedges[2]);
+    out_.drawInside.push_back(static_cast<int>(out_.drawVertex.size()));
+    int vertex = out_.insideBegin.back();
+    for (const glm::dvec2& place : split_.inside()) {
+      const auto v = static_cast<float>(place.x);
+      const auto w = static_cast<float>(place.y);
+      out_.inside.push_back(place);
+      points_.push_back(vertex);
+      drawPoints_.push_back(addDrawn(vertex++, wedge0.uv * (1.0f - v - w) + wedge1.uv * v + wedge2.uv * w,
+                                     wedge0.color * (1.0f - v - w) + wedge1.color * v + wedge2.color * w));
+    }
+    out_.insideBegin.push_back(vertex);
+  }
+
+  void countTriangles() {
+    out_.trianglesAt.assign(toIndex(out_.vertexCount), 0);
+    for (const std::array<int, 3>& triangle : out_.triangles) {
+      for (const int vertex : triangle) ++at(out_.trianglesAt, vertex);
+    }
+  }
+
+  const ControlMesh& mesh_;
+  const RefinementLevels& levels_;
+  bool colored_ = false;
+  Refinement out_;
+  IndexTable runs_;  ///< Finds drawRuns by their wedges, which name the edge too.
+  SplitTriangle split_;
+  int splitUniformly_ = 0;       ///< What split_ holds is the n^2 split of this n; 0: it is another.
+  std::vector<int> points_;      ///< Refined vertices of the triangle at hand.
+  std::vector<int> drawPoints_;  ///< Its drawn vertices.
+};
+
+}  // namespace
+
+RefinementLevels uniformLevels(const ControlMesh& mesh, int depth) {
+  const auto level = static_cast<std::uint8_t>(depth);
+  return {std::vector<std::uint8_t>(mesh.edges.size(), level), std::vector<std::uint8_t>(mesh.triangles.size(), level)};
+}
+
+Refinement refine(const ControlMesh& mesh, int depth) {
+  assert(depth >= 1 && depth <= kMaxDepth);
+  Refinement refinement = Builder(mesh, uniformLevels(mesh, depth)).build();
+  refinement.depth = depth;  // Of an empty mesh too.
+  return refinement;
+}
+
+Refinement samplePoints(const ControlMesh& mesh, const RefinementLevels& samples) {
+  Refinement out;
+  out.isUniform = false;
+  out.controlVertices = static_cast<int>(mesh.positions.size());
+  out.controlEdges = static_cast<int>(mesh.edges.size());
+  out.edgeBegin.push_back(out.controlVertices);
+  for (const int level : samples.edges) out.edgeBegin.push_back(out.edgeBegin.back() + std::max(level, 1) - 1);
+  out.insideBegin.push_back(out.edgeBegin.back());
+  std::array<SplitTriangle, kMaxDepth + 1> splits;
+  for (const int level : samples.triangles) {
+    SplitTriangle& split = at(splits, level);
+    if (split.triangles().empty()) split.split({{level, level, level}, level}, {});
+    out.inside.insert(out.inside.end(), split.inside().begin(), split.inside().end());
+    out.insideBegin.push_back(out.insideBegin.back() + static_cast<int>(split.inside().size()));
+  }
+  out.vertexCount = out.insideBegin.back();
+  out.edgeOrder = mostFirst(out.edgeBegin);
+  out.insideOrder = mostFirst(out.insideBegin);
+  return out;
+}
+
+Refinement refine(const ControlMesh& mesh, const RefinementLevels& levels) { return Builder(mesh, levels).build(); }
+
+std::int64_t refinedVertexCount(const ControlMesh& mesh, int depth) {
+  const std::int64_t n = depth;
+  return static_cast<std::int64_t>(mesh.positions.size()) + static_cast<std::int64_t>(mesh.edges.size()) * (n - 1) +
+         static_cast<std::int64_t>(mesh.triangles.size()) * ((n - 1) * (n - 2) / 2);
+}
+
+glm::dvec3 controlCoordinates(const ControlMesh& mesh, const Refinement& refinement, int triangle, int vertex) {
+  const std::array<int, 3>& corners = at(mesh.triangles, triangle).vertices;
+  glm::dvec3 out(0.0);
+  const auto add = [&](int controlVertex, double share) {
+    for (int c = 0; c < 3; ++c) {
+      if (at(corners, c) == controlVertex) out[c] += share;
+    }
+  };
+  if (vertex < refinement.controlVertices) {
+    add(vertex, 1.0);
+  } else if (vertex < refinement.insideBegin.front()) {
+    const auto next = std::ranges::upper_bound(refinement.edgeBegin, vertex);
+    const int edge = static_cast<int>(next - refinement.edgeBegin.begin()) - 1;
+    const double share = static_cast<double>(vertex - at(refinement.edgeBegin, edge) + 1) / refinement.edgeLevel(edge);
+    add(at(mesh.edges, edge).vertices[0], 1.0 - share);
+    add(at(mesh.edges, edge).vertices[1], share);
+  } else {
+    const glm::dvec2& place = refinement.insideAt(vertex);
+    out = {1.0 - place.x - place.y, place.x, place.y};
+  }
+  return out;
+}
+
+}  // namespace sinew

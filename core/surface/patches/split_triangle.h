@@ -1,0 +1,72 @@
+// core/surface/patches/split_triangle.h: one control triangle's points at given levels, and how they are joined.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+namespace sinew {
+
+/// Levels of one control triangle. Side i goes from corner i to corner (i + 1) % 3.
+struct SplitLevels {
+  std::array<int, 3> sides{1, 1, 1};
+  int inside = 1;
+
+  [[nodiscard]] bool isUniform() const { return sides[0] == inside && sides[1] == inside && sides[2] == inside; }
+
+  friend bool operator==(const SplitLevels&, const SplitLevels&) = default;
+};
+
+/// Points are numbered: the corners 0, 1, 2; those between the ends of side 0, 1, 2, each from corner i on; those
+/// inside. Barycentric coordinates are (1-x-y, x, y).
+///
+/// With one level n everywhere this is the n^2 split. Else the inner points lie in rows along the longest side, about
+/// as far from each other as that side's share of the inner level, and keep away from sides that are much coarser; all
+/// are joined by a Delaunay triangulation in the plane of the bind pose, so that no sliver is made. Kept for its
+/// memory.
+class SplitTriangle {
+ public:
+  /// @param corners  bind pose. A triangle without area is taken for an equilateral one.
+  void split(const SplitLevels& levels, const std::array<glm::vec3, 3>& corners);
+
+  [[nodiscard]] std::span<const glm::dvec2> inside() const { return inside_; }
+  /// Counter-clockwise, as the corners are.
+  [[nodiscard]] std::span<const std::array<int, 3>> triangles() const { return triangles_; }
+
+ private:
+  struct Face {
+    std::array<int, 3> points{};
+    std::array<int, 3> across{-1, -1, -1};  ///< Face beyond the side opposite each point; -1: none.
+  };
+
+  void splitUniformly(int n);
+  void flatten(const std::array<glm::vec3, 3>& corners);
+  void placeInside();
+  void placePoints();
+  void joinBoundary();
+  void insert(int point);
+  void link();
+  void makeDelaunay();
+  void flipIfBetter(int face, std::size_t side);
+  [[nodiscard]] double areaOf(int a, int b, int c) const;
+  [[nodiscard]] bool onOneSide(int a, int b, int c) const;
+  [[nodiscard]] bool isInCircle(int a, int b, int c, int d) const;
+  [[nodiscard]] glm::dvec2 inPlane(const glm::dvec2& barycentric) const;
+  [[nodiscard]] int firstInside() const { return levels_.sides[0] + levels_.sides[1] + levels_.sides[2]; }
+
+  SplitLevels levels_;
+  std::array<glm::dvec2, 3> corners_{};  ///< In the plane, the longest side being 1.
+  std::vector<glm::dvec2> inside_;
+  std::vector<glm::dvec2> points_;  ///< In the plane.
+  std::vector<int> sidesOf_;        ///< Bit i: the point lies on side i.
+  std::vector<int> ring_;           ///< Boundary points that no face has cut off yet.
+  std::vector<Face> faces_;
+  std::vector<std::array<int, 2>> pending_;  ///< Face and side to look at.
+  std::vector<std::array<int, 3>> triangles_;
+};
+
+}  // namespace sinew

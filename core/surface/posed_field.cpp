@@ -1,0 +1,68 @@
+// core/surface/posed_field.cpp: the muscles of a posed rig as the field needs them, and the mesh they move.
+#include "core/surface/posed_field.h"
+
+#include "core/geometry/at.h"
+#include "core/surface/place_muscles.h"
+
+namespace sinew {
+namespace {
+
+void driveNumbers(const Preparation& preparation, const PosedRig& rig, std::vector<FieldPrimitive>& out) {
+  out = preparation.primitives;
+  setNumbers(rig.numbers, preparation.iso, preparation.attached->attachment, out);
+}
+
+/// Which triangles are implicit follows from the numbers; it is read again only when they have changed.
+void readDriven(const std::shared_ptr<const Preparation>& preparation, const PosedRig& rig, PosedField& out) {
+  driveNumbers(*preparation, rig, out.driven);
+  out.bind = &preparation->bind;
+  if (rig.numbers.primitives == preparation->poser->drawn().primitives) return;
+  if (!out.readFrom || out.readWith != rig.numbers.primitives) {
+    readBindPose(*preparation, out.driven, out.scratch, out.drivenBind);
+    out.readWith = rig.numbers.primitives;
+    out.readFrom = preparation;
+  }
+  out.bind = &out.drivenBind;
+}
+
+void placePrimitives(const Preparation& preparation, std::span<const FieldPrimitive> primitives, const PosedRig& rig,
+                     std::vector<PosedPrimitive>& out) {
+  const std::vector<int>& rigIndex = preparation.attached->attachment.rigIndex;
+  out.resize(primitives.size());
+  for (std::size_t i = 0; i < primitives.size(); ++i) {
+    const PosedMuscle& muscle = at(rig.muscles, rigIndex[i]);
+    out[i] = posedPrimitive(primitives[i], muscle.carrier);
+    // A muscle that its line bends keeps the width over which it blends.
+    if (muscle.isBent) out[i].influence = unitBallMap(muscle.body.placement, primitives[i].reach, muscle.body.carrier);
+  }
+}
+
+}  // namespace
+
+void placeMuscles(const std::shared_ptr<const Preparation>& preparation, const PosedRig& rig, PosedField& out) {
+  out.rig = &rig;
+  if (out.skinnedFrom != preparation) out.control.morphed = {};
+  out.skinnedFrom = preparation;
+  if (out.readFrom != preparation) out.readFrom.reset();  // Nothing keeps a former preparation alive.
+  out.bind = &preparation->bind;
+  const bool driven = preparation->poser->drivesMuscles();
+  if (driven) readDriven(preparation, rig, out);
+  placePrimitives(*preparation, driven ? out.driven : preparation->primitives, rig, out.primitives);
+}
+
+void posePrimitives(const Preparation& preparation, const PosedRig& rig, std::vector<FieldPrimitive>& numbers,
+                    std::vector<PosedPrimitive>& out) {
+  const bool driven = preparation.poser->drivesMuscles();
+  if (driven) driveNumbers(preparation, rig, numbers);
+  placePrimitives(preparation, driven ? numbers : preparation.primitives, rig, out);
+}
+
+void poseFieldAndSkin(const std::shared_ptr<const Preparation>& preparation, const PosedRig& rig, const Pose& pose,
+                      PosedField& out) {
+  placeMuscles(preparation, rig, out);
+  skin(preparation->character(), pose, rig.morphWeights, out.control);
+  const ControlMesh* creased = preparation->refined->creased.get();
+  if (creased && out.control.morphed.isMorphed) morphFans(*creased, out.control.morphed);
+}
+
+}  // namespace sinew

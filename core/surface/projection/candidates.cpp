@@ -1,0 +1,122 @@
+// core/surface/projection/candidates.cpp: vertex candidates gathered to edges and triangles.
+#include "core/surface/projection/candidates.h"
+
+#include <algorithm>
+#include <iterator>
+#include <map>
+
+#include "core/geometry/at.h"
+
+namespace sinew {
+namespace {
+
+class Gatherer {
+ public:
+  Gatherer(const Attachment& attachment, CandidateLists& out) : attachment_(attachment), out_(out) {
+    out_.begin.push_back(0);
+    if (out_.cliqueSets.empty()) out_.cliqueSets.emplace_back();
+  }
+
+  void addCarrier(std::span<const int> corners) {
+    const std::size_t first = out_.items.size();
+    for (std::size_t corner = 0; corner < corners.size(); ++corner) {
+      const auto vertex = static_cast<std::size_t>(corners[corner]);
+      for (const Candidate& candidate : attachment_.candidatesOfVertex[vertex]) addWeight(first, corner, candidate);
+    }
+    std::ranges::sort(std::span(out_.items).subspan(first), {}, &CarrierCandidate::primitive);
+    finishCarrier(first);
+  }
+
+  /// A carrier's candidates but the hidden ones.
+  void addShown(std::span<const CarrierCandidate> candidates, int cliqueSet, const std::vector<bool>& hidden) {
+    const std::size_t first = out_.items.size();
+    std::ranges::copy_if(candidates, std::back_inserter(out_.items),
+                         [&](const CarrierCandidate& candidate) { return !at(hidden, candidate.primitive); });
+    const bool all = out_.items.size() - first == candidates.size();
+    all ? closeCarrier(cliqueSet) : finishCarrier(first);
+  }
+
+ private:
+  void finishCarrier(std::size_t first) { closeCarrier(numberSlots(std::span(out_.items).subspan(first))); }
+
+  void closeCarrier(int cliqueSet) {
+    out_.cliqueSet.push_back(cliqueSet);
+    out_.begin.push_back(static_cast<int>(out_.items.size()));
+  }
+
+  void addWeight(std::size_t first, std::size_t corner, const Candidate& candidate) {
+    const auto own = std::span(out_.items).subspan(first);
+    const auto found = std::ranges::find(own, candidate.primitive, &CarrierCandidate::primitive);
+    if (found != own.end()) {
+      found->weights[corner] = candidate.weight;
+      return;
+    }
+    CarrierCandidate added{candidate.primitive, 0, {}};
+    added.weights[corner] = candidate.weight;
+    out_.items.push_back(added);
+  }
+
+  int groupOf(const CarrierCandidate& candidate) const { return at(attachment_.primitives, candidate.primitive).group; }
+
+  /// Numbers the groups present and finds their cliques; many carriers share one set.
+  int numberSlots(std::span<CarrierCandidate> own) {
+    std::vector<int> groups;
+    for (const CarrierCandidate& candidate : own) groups.push_back(groupOf(candidate));
+    std::ranges::sort(groups);
+    groups.erase(std::unique(groups.begin(), groups.end()), groups.end());
+    for (CarrierCandidate& candidate : own) {
+      candidate.slot = static_cast<int>(std::ranges::lower_bound(groups, groupOf(candidate)) - groups.begin());
+    }
+    if (groups.size() < 2) return 0;
+    const auto known = setOfGroups_.find(groups);
+    if (known != setOfGroups_.end()) return known->second;
+    const int index = makeSet(groups);
+    setOfGroups_.emplace(std::move(groups), index);
+    return index;
+  }
+
+  int makeSet(const std::vector<int>& groups) {
+    CliqueLists cliques = cliquesAmong(attachment_.graph, groups);
+    if (cliques.size() < 2) return 0;
+    for (std::vector<int>& clique : cliques) {
+      for (int& group : clique) group = static_cast<int>(std::ranges::lower_bound(groups, group) - groups.begin());
+    }
+    out_.cliqueSets.push_back(std::move(cliques));
+    return static_cast<int>(out_.cliqueSets.size()) - 1;
+  }
+
+  const Attachment& attachment_;
+  CandidateLists& out_;
+  std::map<std::vector<int>, int> setOfGroups_;
+};
+
+}  // namespace
+
+CandidateLists makeCandidateLists(const ControlMesh& mesh, const Attachment& attachment, const MeshLayers* layers) {
+  CandidateLists lists;
+  Gatherer gatherer(attachment, lists);
+  std::size_t carrier = 0;
+  const auto add = [&](std::span<const int> corners) {
+    const bool isSkin = !layers || layers->carriers[carrier] == SkinLayer::kSkin;
+    gatherer.addCarrier(isSkin ? corners : std::span<const int>());
+    ++carrier;
+  };
+  for (int v = 0; v < static_cast<int>(mesh.positions.size()); ++v) add(std::span(&v, 1));
+  for (const Edge& edge : mesh.edges) add(edge.vertices);
+  for (const ControlTriangle& triangle : mesh.triangles) add(triangle.vertices);
+  return lists;
+}
+
+CandidateLists withoutHidden(const CandidateLists& lists, const Attachment& attachment,
+                             const std::vector<bool>& hidden) {
+  CandidateLists shown;
+  shown.items.reserve(lists.items.size());
+  shown.cliqueSets = lists.cliqueSets;
+  Gatherer gatherer(attachment, shown);
+  for (std::size_t carrier = 0; carrier < lists.cliqueSet.size(); ++carrier) {
+    gatherer.addShown(lists.of(static_cast<int>(carrier)), lists.cliqueSet[carrier], hidden);
+  }
+  return shown;
+}
+
+}  // namespace sinew

@@ -1,0 +1,200 @@
+// core/surface/projection/swell.cpp: a field of the skin itself, summed with the muscles'.
+#include "core/surface/projection/swell.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/geometry/at.h"
+#include "core/geometry/potential.h"
+#include "core/surface/projection/overhang.h"
+#include "core/surface/projection/rise_limits.h"
+#include "core/surface/roots/root_finding.h"
+
+namespace sinew {
+namespace {
+
+/// f_skin(s) = g(max(0, s/W + r_T)), s along the rise direction: T on the skin, 0 from s = h on, 1 from s = -r_T W
+/// inwards.
+struct SkinField {
+  double isoRadius;   ///< r_T
+  double width;       ///< W = h / (1 - r_T)
+  double blendWidth;  ///< h
+
+  SkinField(double rT, double h) : isoRadius(rT), width(h / (1.0 - rT)), blendWidth(h) {}
+
+  double plateau() const { return isoRadius * width; }
+
+  /// As a term of a ray that starts on the skin; outward: along the normal.
+  RayTerm term(bool outward) const {
+    RayTerm skin;
+    skin.a = 1.0 / (width * width);
+    skin.b = (outward ? isoRadius : -isoRadius) / width;
+    skin.c = isoRadius * isoRadius;
+    skin.factor = 1.0;
+    skin.enter = outward ? -plateau() : -blendWidth;
+    skin.leave = outward ? blendWidth : plateau();
+    return skin;
+  }
+
+  double slope(double s) const {
+    const double r = std::max(0.0, s / width + isoRadius);
+    return 2.0 * r * potentialSlope(r * r) / width;
+  }
+};
+
+/// Signed along the direction.
+struct Root {
+  float s;
+  float below;  ///< s, or less below what hangs over the skin.
+};
+
+/// Of the muscles at a point of the skin, by their shares of the field.
+struct MeanSizes {
+  double blendWidth;  ///< h
+  double radius;
+};
+
+/// Projects vertex after vertex.
+class Sweller {
+ public:
+  Sweller(const FieldView& field, const SwellSettings& settings, const RiseView& rise, Surface& surface,
+          VertexScratch& scratch)
+      : field_(field),
+        settings_(settings),
+        rise_(rise),
+        surface_(surface),
+        scratch_(scratch),
+        isoRadius_(isoRadius(static_cast<double>(settings.iso))) {}
+
+  void move(const CarriedVertex& vertex, std::span<const CarrierCandidate> near) {
+    gatherCandidates(vertex, near);
+    if (scratch_.candidates.empty()) return;
+    const auto index = static_cast<std::size_t>(vertex.index);
+    const glm::vec3 p = surface_.positions[index];
+    const CliqueLists& cliques = field_.lists->cliquesOf(vertex.carrier);
+    const float onSkin = sampleField(field_.primitives, scratch_.candidates, cliques, p, scratch_.field).value;
+    if (onSkin == 0.0f) return;
+    ++scratch_.counts.projected;
+    const MeanSizes sizes = meanSizesAt(p);
+    const SkinField skin(isoRadius_, sizes.blendWidth);
+    const double s = findRoot(skin, p, rise_.directions[index], onSkin > 0.0f, cliques);
+    if (s == 0.0) return;
+    place(skin, onSkin, index, {static_cast<float>(s), belowOverhangs(skin, s, sizes.radius)}, cliques);
+  }
+
+ private:
+  void gatherCandidates(const CarriedVertex& vertex, std::span<const CarrierCandidate> near) {
+    scratch_.candidates.clear();
+    for (const CarrierCandidate& candidate : near) {
+      const float weight = candidate.weightAt(vertex.barycentric);
+      if (weight > 0.0f) scratch_.candidates.push_back({candidate.primitive, weight, candidate.slot});
+    }
+  }
+
+  /// h at a point of the skin: the mean over the muscles there, each by its share of the field, of the lesser of the
+  /// rig's blend width and the muscle's mean radius. Skin that fades over more than that rises as a whole and falls
+  /// off a cliff where the muscle's influence ends.
+  MeanSizes meanSizesAt(const glm::vec3& p) const {
+    double sum = 0.0;
+    double radii = 0.0;
+    double whole = 0.0;
+    for (const Candidate& candidate : scratch_.candidates) {
+      const PosedPrimitive& primitive = at(field_.primitives, candidate.primitive);
+      const float rSquared = primitive.influence.rSquared(p);
+      if (!(primitive.influence.boundingRadius > 0.0f && rSquared < 1.0f)) continue;
+      const float share = std::abs(primitive.strength) * candidate.weight * potential(rSquared);
+      sum += static_cast<double>(share) * static_cast<double>(std::min(settings_.blendWidth, primitive.meanRadius));
+      radii += static_cast<double>(share) * static_cast<double>(primitive.meanRadius);
+      whole += static_cast<double>(share);
+    }
+    const double most = static_cast<double>(settings_.blendWidth);
+    return whole > 0.0 ? MeanSizes{sum / whole, radii / whole} : MeanSizes{most, most};
+  }
+
+  /// s*, signed along the direction.
+  double findRoot(const SkinField& skin, const glm::vec3& p, const glm::vec3& outwards, bool outward,
+                  const CliqueLists& cliques) {
+    scratch_.ray.reset(static_cast<double>(settings_.iso), cliques);
+    scratch_.ray.addTerm(skin.term(outward));
+    const glm::vec3 direction = outward ? outwards : -outwards;
+    for (const Candidate& candidate : scratch_.candidates) {
+      scratch_.ray.addPrimitive(at(field_.primitives, candidate.primitive), candidate.weight, candidate.slot, p,
+                                direction);
+    }
+    const double end = outward ? scratch_.ray.lastLeave() : skin.plateau();
+    // The direction and the sign of phi must be one decision: where F is all but 0, rounding may see it otherwise along
+    // the ray, and a search for the wrong change would run to its end.
+    const std::optional<double> found =
+        firstChange(scratch_.ray, 0.0, end, outward, settings_.projection, settings_.tolerance, scratch_.roots);
+    // Outwards only -T is left beyond the last term, so `end` is a root there; inwards a carve deeper than the skin's
+    // own field stops at the plateau, continuously.
+    const double t = found.value_or(end);
+    if (found)
+      scratch_.counts.residualMax =
+          std::max(scratch_.counts.residualMax, std::abs(scratch_.ray.sample(t, scratch_.roots).value));
+    return outward ? t : -t;
+  }
+
+  /// The root, or less where psi falls slowly on the way to it.
+  float belowOverhangs(const SkinField& skin, double s, double radius) {
+    const double sign = s > 0.0 ? 1.0 : -1.0;
+    const auto psi = [&](double t) {
+      const RaySample sample = scratch_.ray.sample(t, scratch_.roots);
+      return RaySample{sign * sample.value, sign * sample.slope};
+    };
+    const double t = std::abs(s);
+    const double sigma = -static_cast<double>(Overhang::kSlope) * skin.slope(0.0) * skin.blendWidth / radius;
+    return static_cast<float>(
+        sign * heightBelowOverhangs(t, sigma, static_cast<double>(Overhang::kPart) * skin.blendWidth, psi));
+  }
+
+  /// A height as other skin and what is only touched let it stand.
+  float limitedHeight(const SkinField& skin, float onSkin, std::size_t index, float s) const {
+    const float touch = inverseTouchLimit(onSkin, settings_.iso, static_cast<float>(skin.width));
+    return s > 0.0f ? limitedRise(s, std::max(rise_.inverseLimits[index], touch)) : -limitedRise(-s, touch);
+  }
+
+  void place(const SkinField& skin, float onSkin, std::size_t index, const Root& root, const CliqueLists& cliques) {
+    const float s = root.s;
+    const glm::vec3 n = surface_.normals[index];
+    const glm::vec3 d = rise_.directions[index];
+    const glm::vec3 p = surface_.positions[index];
+    const glm::vec3 gradient =
+        sampleField(field_.primitives, scratch_.candidates, cliques, p + s * d, scratch_.field).gradient;
+    // s grows by 1 along d and not at all along the skin: its gradient is n / (n.d).
+    const float slope = static_cast<float>(skin.slope(static_cast<double>(s))) / std::max(glm::dot(n, d), kLeastAlong);
+    const float height = limitedHeight(skin, onSkin, index, root.below);
+    surface_.positions[index] = p + height * d;
+    const glm::vec3 ofField = normalizeOr(-(slope * n + gradient), n);
+    // A limit flattens what stands below it.
+    surface_.normals[index] = height == s ? ofField : normalizeOr(n + (height / s) * (ofField - n), n);
+    surface_.displacement[index] = height;
+  }
+
+  const FieldView& field_;
+  const SwellSettings& settings_;
+  RiseView rise_;
+  Surface& surface_;
+  VertexScratch& scratch_;
+  double isoRadius_;  ///< r_T
+};
+
+}  // namespace
+
+void swellVertex(const CarriedVertex& vertex, const FieldView& field, const SwellSettings& settings,
+                 const RiseView& rise, Surface& surface, VertexScratch& scratch) {
+  Sweller(field, settings, rise, surface, scratch).move(vertex, field.lists->of(vertex.carrier));
+}
+
+void swell(const ControlMesh& mesh, const FieldView& field, const SwellSettings& settings, const RiseView& rise,
+           Surface& surface, ProjectionScratch& scratch) {
+  scratch.roots.evaluations = {};
+  scratch.counts = {};
+  Sweller sweller(field, settings, rise, surface, scratch);
+  forEachReachable(
+      mesh, *surface.refinement, field, surface.positions, Reach::kOverlapping, {}, scratch.walk,
+      [&](const CarriedVertex& vertex, std::span<const CarrierCandidate> near) { sweller.move(vertex, near); });
+  tell(scratch, surface.report);
+}
+
+}  // namespace sinew

@@ -1,0 +1,162 @@
+// core/surface/roots/quartic.cpp: de Casteljau's scheme and Ferrari's formulas.
+#include "core/surface/roots/quartic.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "core/surface/roots/isolation.h"
+
+namespace sinew {
+namespace {
+
+std::array<double, 5> powerBasis(const Quartic& q) {
+  const auto& b = q.b;
+  return {b[0], 4.0 * (b[1] - b[0]), 6.0 * (b[2] - 2.0 * b[1] + b[0]), 4.0 * (b[3] - 3.0 * b[2] + 3.0 * b[1] - b[0]),
+          b[4] - 4.0 * b[3] + 6.0 * b[2] - 4.0 * b[1] + b[0]};
+}
+
+void addQuadraticRoots(double b, double c, RealRoots& roots) {  // u^2 + b u + c
+  const double half = -0.5 * b;
+  const double discriminant = half * half - c;
+  // A double root comes out slightly negative by rounding; relative, as an absolute bound loses roots (Ferrari's trap).
+  if (discriminant < -1e-12 * (half * half + std::abs(c))) return;
+  const double root = std::sqrt(std::max(discriminant, 0.0));
+  const double far = half >= 0.0 ? half + root : half - root;
+  roots.add(far);
+  roots.add(far != 0.0 ? c / far : 0.0);
+}
+
+/// Real roots of u^3 + a u^2 + b u + c.
+RealRoots cubicRoots(double a, double b, double c) {
+  const double q = (a * a - 3.0 * b) / 9.0;
+  const double r = (2.0 * a * a * a - 9.0 * a * b + 27.0 * c) / 54.0;
+  if (r * r < q * q * q) {
+    const double angle = std::acos(std::clamp(r / std::sqrt(q * q * q), -1.0, 1.0));
+    const double scale = -2.0 * std::sqrt(q);
+    constexpr double kThird = 2.0 * std::numbers::pi / 3.0;
+    RealRoots roots;
+    for (const double turn : {0.0, kThird, -kThird}) roots.add(scale * std::cos(angle / 3.0 + turn) - a / 3.0);
+    return roots;
+  }
+  const double s = -std::copysign(std::cbrt(std::abs(r) + std::sqrt(std::max(r * r - q * q * q, 0.0))), r);
+  const double t = s != 0.0 ? q / s : 0.0;
+  RealRoots roots;
+  roots.add(s + t - a / 3.0);
+  return roots;
+}
+
+/// Real roots of u^4 + a u^3 + b u^2 + c u + d.
+RealRoots monicQuarticRoots(double a, double b, double c, double d) {
+  // Depressed: y^4 + p y^2 + q y + r, u = y - a/4.
+  const double a2 = a * a;
+  const double p = b - 0.375 * a2;
+  const double q = c - 0.5 * a * b + 0.125 * a2 * a;
+  const double r = d - 0.25 * a * c + 0.0625 * a2 * b - 3.0 / 256.0 * a2 * a2;
+  const double shift = -0.25 * a;
+  RealRoots roots;
+  // One active ellipsoid makes the quartic biquadratic: q is rounding, judged beside the terms it was summed from.
+  const double qScale = std::abs(c) + std::abs(0.5 * a * b) + std::abs(0.125 * a2 * a);
+  double z = 0.0;
+  if (std::abs(q) > 1e-12 * qScale) z = std::ranges::max(cubicRoots(2.0 * p, p * p - 4.0 * r, -q * q).all());
+  if (z > 0.0) {
+    const double s = std::sqrt(z);
+    addQuadraticRoots(s, 0.5 * (p + z - q / s), roots);
+    addQuadraticRoots(-s, 0.5 * (p + z + q / s), roots);
+  } else {
+    RealRoots squares;
+    addQuadraticRoots(p, r, squares);
+    for (const double square : squares.all()) {
+      if (square < -1e-12 * std::abs(p)) continue;
+      const double root = std::sqrt(std::max(square, 0.0));
+      roots.add(-root);
+      roots.add(root);
+    }
+  }
+  for (double& root : roots.all()) root += shift;
+  return roots;
+}
+
+/// One Newton step, kept if it helps: closed forms lose digits where roots are close.
+double polished(const std::array<double, 5>& c, double u) {
+  const auto value = [&c](double x) { return (((c[4] * x + c[3]) * x + c[2]) * x + c[1]) * x + c[0]; };
+  const double slope = ((4.0 * c[4] * u + 3.0 * c[3]) * u + 2.0 * c[2]) * u + c[1];
+  const double next = u - value(u) / slope;
+  return std::isfinite(next) && std::abs(value(next)) < std::abs(value(u)) ? next : u;
+}
+
+}  // namespace
+
+void Quartic::addConstant(double value) {
+  for (double& coefficient : b) coefficient += value;
+}
+
+void Quartic::addScaled(const Quartic& other, double factor) {
+  for (std::size_t i = 0; i < 5; ++i) b[i] += factor * other.b[i];
+}
+
+double Quartic::at(double u) const {
+  const double v = 1.0 - u;
+  return v * v * (v * v * b[0] + 4.0 * v * u * b[1] + 6.0 * u * u * b[2]) + u * u * u * (4.0 * v * b[3] + u * b[4]);
+}
+
+Quartic squareOfQuadratic(double w0, double w1, double w2) {
+  return {{w0 * w0, w0 * w1, (w0 * w2 + 2.0 * w1 * w1) / 3.0, w1 * w2, w2 * w2}};
+}
+
+void Quartic::split(double u, Quartic& left, Quartic& right) const {
+  std::array<double, 5> row = b;
+  left.b[0] = row[0];
+  right.b[4] = row[4];
+  for (std::size_t level = 1; level < 5; ++level) {
+    for (std::size_t i = 0; i + level < 5; ++i) row[i] = row[i] + (row[i + 1] - row[i]) * u;
+    left.b[level] = row[0];
+    right.b[4 - level] = row[4 - level];
+  }
+}
+
+Quartic::Evaluator::Evaluator(const Quartic& q) : c(powerBasis(q)) {}
+
+std::optional<double> firstFallIsolated(const Quartic& q, double from, double tolerance, BracketSolver solver,
+                                        std::int64_t* evaluations) {
+  return isolation::firstFall(q, from, tolerance, solver, evaluations);
+}
+
+std::optional<double> firstFallClosedForm(const Quartic& q, double from, double tolerance, std::int64_t* evaluations) {
+  if (q.at(from) <= 0.0) return from;
+  if (std::ranges::all_of(q.b, [](double value) { return value > 0.0; })) return std::nullopt;
+  if (evaluations) ++*evaluations;
+  const std::array<double, 5> c = powerBasis(q);
+  RealRoots inside;
+  const RealRoots everywhere = realRoots(c);
+  for (const double root : everywhere.all()) {
+    const double close = polished(c, root);
+    if (close > from && close <= 1.0) inside.add(close);
+  }
+  const std::span<const double> roots = inside.all();
+  for (std::size_t i = 0; i < roots.size(); ++i) {
+    const double after = i + 1 < roots.size() ? 0.5 * (roots[i] + roots[i + 1]) : 0.5 * (roots[i] + 1.0);
+    if (q.at(after) < 0.0 || (roots[i] == 1.0 && q.b[4] <= 0.0)) return roots[i];
+  }
+  // Rounding hid a root that the ends prove.
+  return q.b[4] < 0.0 ? firstFallIsolated(q, from, tolerance, BracketSolver::kNewton, evaluations) : std::nullopt;
+}
+
+RealRoots realRoots(const std::array<double, 5>& c) {
+  double largest = 0.0;
+  for (const double value : c) largest = std::max(largest, std::abs(value));
+  const double negligible = 1e-13 * largest;
+  RealRoots roots;
+  if (std::abs(c[4]) > negligible) {
+    roots = monicQuarticRoots(c[3] / c[4], c[2] / c[4], c[1] / c[4], c[0] / c[4]);
+  } else if (std::abs(c[3]) > negligible) {
+    roots = cubicRoots(c[2] / c[3], c[1] / c[3], c[0] / c[3]);
+  } else if (std::abs(c[2]) > negligible) {
+    addQuadraticRoots(c[1] / c[2], c[0] / c[2], roots);
+  } else if (std::abs(c[1]) > negligible) {
+    roots.add(-c[0] / c[1]);
+  }
+  return roots;
+}
+
+}  // namespace sinew

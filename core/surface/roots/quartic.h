@@ -1,0 +1,82 @@
+// core/surface/roots/quartic.h: quartics on [0, 1] in Bernstein form: first roots, isolated or in closed form.
+#pragma once
+
+#include <array>
+#include <cassert>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+
+namespace sinew {
+
+/// How a bracket around one root is narrowed: Newton steps that stay inside it, to the tolerance; or 8 halvings and one
+/// secant step (paper 4.2: "less than eight steps are necessary").
+enum class BracketSolver { kNewton, kBisection };
+
+/// Value and derivative of a polynomial.
+struct ValueAndSlope {
+  double value = 0.0;
+  double slope = 0.0;
+};
+
+/// sum b_i B_i^4(u), u in [0, 1]. Products of quadratics are exact and stable in this form, and its sign changes bound
+/// the number of roots (Descartes' rule in Bernstein form; Farouki & Rajan 1987).
+struct Quartic {
+  std::array<double, 5> b{};
+
+  void addConstant(double value);
+  void addScaled(const Quartic& other, double factor);
+  [[nodiscard]] double at(double u) const;
+  [[nodiscard]] std::span<const double> coefficients() const { return b; }
+  /// De Casteljau: the parts left and right of u, each again on [0, 1].
+  void split(double u, Quartic& left, Quartic& right) const;
+
+  /// Asked often: Horner's scheme.
+  struct Evaluator {
+    std::array<double, 5> c;
+
+    explicit Evaluator(const Quartic& q);
+    [[nodiscard]] ValueAndSlope operator()(double u) const {
+      return {(((c[4] * u + c[3]) * u + c[2]) * u + c[1]) * u + c[0],
+              ((4.0 * c[4] * u + 3.0 * c[3]) * u + 2.0 * c[2]) * u + c[1]};
+    }
+  };
+};
+
+/// (w0, w1, w2 Bernstein quadratic) squared.
+[[nodiscard]] Quartic squareOfQuadratic(double w0, double w1, double w2);
+
+/// First u in [from, 1] at which q, positive before, becomes <= 0: by subdivision until one sign change is left, then
+/// by `solver`. q(from) <= 0 gives `from`. A touch without crossing may be passed over.
+/// @param evaluations if not null, the values and halvings of q that it took are added.
+[[nodiscard]] std::optional<double> firstFallIsolated(const Quartic& q, double from, double tolerance,
+                                                      BracketSolver solver = BracketSolver::kNewton,
+                                                      std::int64_t* evaluations = nullptr);
+
+/// The same by closed form: all real roots (Ferrari; relative tests throughout, see the .cpp), the first that crosses.
+[[nodiscard]] std::optional<double> firstFallClosedForm(const Quartic& q, double from, double tolerance,
+                                                        std::int64_t* evaluations = nullptr);
+
+/// Up to four numbers, ascending.
+class RealRoots {
+ public:
+  void add(double root) {
+    assert(count_ < roots_.size());
+    std::size_t place = count_++;
+    for (; place > 0 && roots_[place - 1] > root; --place) roots_[place] = roots_[place - 1];
+    roots_[place] = root;
+  }
+  [[nodiscard]] std::span<double> all() { return std::span(roots_).first(count_); }
+  [[nodiscard]] std::span<const double> all() const { return std::span(roots_).first(count_); }
+
+ private:
+  std::array<double, 4> roots_{};
+  std::size_t count_ = 0;
+};
+
+/// Real roots of c[0] + c[1] u + ... + c[4] u^4, ascending, multiple roots possibly once. Leading coefficients that are
+/// negligible beside the others count as zero.
+[[nodiscard]] RealRoots realRoots(const std::array<double, 5>& c);
+
+}  // namespace sinew

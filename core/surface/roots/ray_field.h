@@ -1,0 +1,93 @@
+// core/surface/roots/ray_field.h: the field along a ray: each ellipsoid a quadratic in t (paper 4.1), each shaped
+// primitive a few polynomials.
+#pragma once
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include "core/rig/field.h"
+#include "core/surface/roots/bernstein.h"
+#include "core/surface/roots/quartic.h"
+#include "core/surface/roots/shaped_ray.h"
+#include "sinew/surface/evaluations.h"
+
+namespace sinew {
+
+/// One potential along a ray: r^2(t) = a t^2 + 2 b t + c, f(t) = factor (1 - r^2)^2 for enter < t < leave, else 0.
+struct RayTerm {
+  double a = 0.0;
+  double b = 0.0;
+  double c = 0.0;
+  double factor = 0.0;  ///< sign * s_i * m_i
+  double enter = 0.0;
+  double leave = 0.0;
+  int slot = kEverySum;  ///< Group slot, or kEverySum: counts in every clique (the skin, carves).
+  bool goesOn = false;   ///< Another term of the same primitive begins at `leave` and owns that place.
+  int shaped = -1;       ///< Index into RayField::shaped(), whose r^2 is meant instead of a, b, c; or -1.
+
+  static constexpr int kEverySum = -1;
+
+  [[nodiscard]] double rSquared(double t) const { return (a * t + 2.0 * b) * t + c; }
+};
+
+/// Value and derivative at one t.
+struct RaySample {
+  double value = 0.0;
+  double slope = 0.0;
+};
+
+/// phi on one stretch of a ray.
+template <class Polynomial>
+struct PolynomialSums {
+  std::vector<Polynomial> ofSlot;
+  std::vector<Polynomial> sums;  ///< One per clique.
+};
+
+/// Memory that is reused from ray to ray, so that nothing is allocated, and the count of what was done with it. Its
+/// contents carry nothing from one call to the next. One a thread.
+struct RayScratch {
+  std::vector<RaySample> ofSlot;
+  std::vector<double> breakpoints;
+  PolynomialSums<Quartic> quartics;
+  PolynomialSums<Bernstein> polynomials;  ///< On stretches with a term of higher degree.
+  Evaluations evaluations;
+};
+
+/// phi(t) = skin(t) + F(p + t d) - T. Kept and refilled from ray to ray, so that nothing is allocated.
+class RayField {
+ public:
+  /// Forgets all terms. @param cliques must outlive the use.
+  void reset(double iso, const CliqueLists& cliques);
+  /// Adds a primitive if the ray meets its influence at some t > 0 (or >= 0 inside). weight = m_i.
+  /// Distances along the ray in world units; direction unit.
+  void addPrimitive(const PosedPrimitive& primitive, float weight, int slot, const glm::vec3& origin,
+                    const glm::vec3& direction);
+  void addTerm(const RayTerm& term) { terms_.push_back(term); }
+
+  [[nodiscard]] bool empty() const { return terms_.empty(); }
+  [[nodiscard]] std::span<const RayTerm> terms() const { return terms_; }
+  [[nodiscard]] std::span<const ShapedRay> shaped() const { return shaped_; }
+  [[nodiscard]] const CliqueLists& cliques() const { return *cliques_; }
+  [[nodiscard]] double iso() const { return iso_; }
+
+  /// phi and its derivative (of the winning clique).
+  [[nodiscard]] RaySample sample(double t, RayScratch& scratch) const;
+  /// Where phi changes its formula within (begin, end), sorted, with begin and end. In scratch.breakpoints.
+  [[nodiscard]] std::span<const double> breakpoints(double begin, double end, RayScratch& scratch) const;
+  /// Beyond this t only -T is left.
+  [[nodiscard]] double lastLeave() const;
+
+ private:
+  void addShaped(const PosedPrimitive& primitive, float weight, int slot, const glm::vec3& origin,
+                 const glm::vec3& direction);
+  [[nodiscard]] RaySample sampleTerm(const RayTerm& term, double t) const;
+  [[nodiscard]] RaySample sampleShaped(const RayTerm& term, double t) const;
+
+  std::vector<RayTerm> terms_;
+  std::vector<ShapedRay> shaped_;
+  const CliqueLists* cliques_ = nullptr;
+  double iso_ = 0.25;
+};
+
+}  // namespace sinew

@@ -1,0 +1,387 @@
+// core/surface/roots/ray_lanes.h: the field along many rays at once, and brackets around its first changes of sign.
+// Included once per instruction set. docs/performance.md proves what is claimed here.
+#if defined(SINEW_RAY_LANES_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef SINEW_RAY_LANES_H
+#undef SINEW_RAY_LANES_H
+#else
+#define SINEW_RAY_LANES_H
+#endif
+
+#include <cstdint>
+#include <limits>
+#include <span>
+
+#include "core/geometry/lane_points.h"
+#include "core/surface/roots/lane_terms.h"
+#include "core/surface/roots/shape_lanes.h"
+#include "hwy/highway.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace sinew::HWY_NAMESPACE {
+
+/// The skin's own field less T, times the direction's sign: falls from 0 at t = 0.
+struct LaneSkin {
+  bool falls;      ///< Otherwise there is no field of the skin, and `sign` and `offset` are all.
+  V sign;          ///< 1: outwards, -1: inwards.
+  V inverseWidth;  ///< 1 / W
+  V isoRadius;     ///< r_T
+  V isoRoot;       ///< sqrt T
+  V maxFall;       ///< Upper bound of fall(): outwards the skin's own field ends.
+  V offset;        ///< Added everywhere.
+
+  // w^2 - T = (w - sqrt T)(w + sqrt T): exact in the last place where t, and so the rise, is tiny.
+  HWY_INLINE V fall(V t) const {
+    const V u = t * inverseWidth;
+    return hn::Min(u * (isoRadius + isoRadius + sign * u), maxFall);
+  }
+  HWY_INLINE V value(V t) const {
+    if (!falls) return offset;
+    const V e = fall(t);
+    return offset - e * (isoRoot + isoRoot - sign * e);
+  }
+  HWY_INLINE V radius(V t) const { return hn::Max(zero(), isoRadius + sign * (t * inverseWidth)); }
+  HWY_INLINE V root(V t) const { return isoRoot - sign * fall(t); }
+  HWY_INLINE V slope(V t) const { return falls ? all(-4.0f) * inverseWidth * (radius(t) * root(t)) : zero(); }
+};
+
+/// psi(t) = sign (skin(t) + F(t) - T) and its slope.
+struct LaneSample {
+  V value;
+  V slope;
+};
+
+/// What holds on a whole stretch of every ray.
+struct LaneBounds {
+  V value;     ///< psi is nowhere less ...
+  V maxSlope;  ///< ... and its slope nowhere more ...
+  V minSlope;  ///< ... and nowhere less.
+  V values;    ///< Sums of the magnitudes that went into the three: what rounding is measured by.
+  V slopes;
+  V atEnd;  ///< psi at the stretch's end.
+};
+
+/// How far the search of every ray has come.
+struct LaneSearch {
+  V low;   ///< psi > 0 up to here, ...
+  V high;  ///< ... and a root lies before this, in a stretch where psi only falls: of the bracketed.
+  M bracketed;
+  M rootless;  ///< psi > 0 up to the end.
+};
+
+/// Where along each ray psi might rise.
+struct LaneRise {
+  V from;  ///< Before this psi falls ...
+  V to;    ///< ... and after this again.
+  V end;   ///< End of the search.
+};
+
+/// Whether a term is above 0 anywhere at t >= 0: at its middle, or at 0 by sample()'s own operations.
+HWY_INLINE M liesAhead(V a, V middle, V peak) {
+  const V atStart = peak - a * middle * middle;
+  return both(hn::Gt(peak, zero()), hn::Or(hn::Gt(middle, zero()), hn::Gt(atStart, zero())));
+}
+
+/// psi along the rays of the lanes from `first` on.
+class RayLanes {
+ public:
+  RayLanes(LaneScratch& scratch, const LaneCliques& cliques, const LaneSkin& skin, std::size_t first)
+      : scratch_(scratch), cliques_(cliques), skin_(skin), first_(first) {}
+
+  HWY_INLINE std::span<const LaneTerm> terms() const { return {scratch_.terms.data(), scratch_.termCount}; }
+  HWY_INLINE std::span<const LaneShape> shapes() const { return {scratch_.shapes.data(), scratch_.shapeCount}; }
+  HWY_INLINE ShapeOnRays onRays(const LaneShape& shape) const { return {shape, first_}; }
+  HWY_INLINE const LaneSkin& skin() const { return skin_; }
+  HWY_INLINE const LaneCliques& cliques() const { return cliques_; }
+
+  LaneSample sample(V t) const {
+    LaneSample sum{zero(), zero()};  // The slope's over -4.
+    clearSums();
+    for (const LaneTerm& term : terms()) {
+      const V d = t - load(term.middle);
+      const V ad = load(term.a) * d;
+      const V w = hn::Max(zero(), load(term.peak) - ad * d);
+      addSample(term.slot, load(term.factor) * w, w, ad, sum);
+    }
+    // By value: what has an address is kept in memory by the loop above.
+    if (HWY_UNLIKELY(!shapes().empty())) sum = withShapes(sum, t);
+    if (!cliques_.empty()) sum = withWinner(sum);
+    return {skin_.value(t) + sum.value, skin_.slope(t) - all(4.0f) * sum.slope};
+  }
+
+  /// Bounds of psi and its slope on [t0, t1], by lane: those of the terms are summed, and the skin's.
+  LaneBounds bounds(V t0, V t1) const {
+    LaneBounds sum{zero(), zero(), zero(), zero(), zero(), zero()};
+    clearSums();
+    for (const LaneTerm& term : terms()) {
+      addBounds(term.slot, load(term.factor), ellipsoidBounds(term, t0, t1), sum);
+    }
+    if (HWY_UNLIKELY(!shapes().empty())) sum = withShapes(sum, t0, t1);
+    if (!cliques_.empty()) sum = withWinners(sum);
+    const V skin = skin_.value(t1);
+    LaneBounds psi{skin + sum.value,           sum.maxSlope, sum.minSlope,
+                   sum.values + hn::Abs(skin), sum.slopes,   skin + sum.atEnd};
+    if (skin_.falls) {
+      // The factors of the skin's slope rise or fall all along: their least and largest values are at the ends.
+      const Range radius = rangeOf(skin_.radius(t0), skin_.radius(t1));
+      const Range root = rangeOf(skin_.root(t0), skin_.root(t1));
+      const V fall = skin_.inverseWidth * radius.high * root.high;
+      psi.maxSlope = psi.maxSlope - skin_.inverseWidth * radius.low * root.low;
+      psi.minSlope = psi.minSlope - fall;
+      psi.slopes = psi.slopes + fall;
+    }
+    const V four = all(4.0f);
+    psi.maxSlope = four * psi.maxSlope;
+    psi.minSlope = four * psi.minSlope;
+    psi.slopes = four * psi.slopes;
+    return psi;
+  }
+
+  /// Brackets the first change of sign of the active lanes' rays that start on the skin; psi > 0 at 0. Lanes that end
+  /// up neither bracketed nor rootless have no certificate. Each lane goes its own way: none sees what its neighbors
+  /// are.
+  LaneSearch bracketFromSkin(const LaneRise& rise, M active) const {
+    const M outward = hn::Gt(skin_.sign, zero());
+    const M falls = hn::Ge(rise.from, rise.end);
+    const V from = hn::Min(rise.from, rise.end);
+    LaneSearch search{zero(), from, both(both(active, falls), outward), none()};
+    M open = andNot(active, search.bracketed);
+    if (!any(open)) return search;
+    const V value = sample(from).value;
+    count(open);
+    const M below = both(open, hn::Le(value, zero()));
+    const M above = both(open, hn::Gt(value, zero()));
+    search.bracketed = hn::Or(search.bracketed, below);
+    search.rootless = both(above, falls);
+    open = andNot(above, falls);
+    const V to = hn::Min(rise.to, rise.end);
+    search.low = select(open, from, search.low);
+    search.high = select(open, to, search.high);
+    // Outwards only -T is left at the end.
+    march(to, rise.end, outward, 20, open, search);
+    return search;
+  }
+
+  /// The same between `begin` and `end` of rays that have no skin of their own, along which psi may rise and fall
+  /// anywhere. A lane whose psi is not above 0 at `begin` has its root there.
+  LaneSearch bracketBetween(V begin, V end, M active) const {
+    LaneSearch search{begin, end, none(), andNot(active, hn::Lt(begin, end))};
+    M open = andNot(active, search.rootless);
+    if (!any(open)) return search;
+    search.bracketed = both(open, hn::Le(sample(begin).value, zero()));
+    count(open);
+    open = andNot(open, search.bracketed);
+    search.high = select(search.bracketed, begin, end);
+    march(end, end, none(), 40, open, search);
+    return search;
+  }
+
+  HWY_INLINE V load(const LaneFloats& floats) const { return hn::Load(kTag, floats.at(first_)); }
+  HWY_INLINE void store(V value, LaneFloats& floats) const { hn::Store(value, kTag, floats.at(first_)); }
+
+  // Sums of terms by their groups' slots, for those that are not in every sum.
+  HWY_INLINE bool isEverywhere(int slot) const { return cliques_.empty() || slot == LaneTerm::kEverySum; }
+  void clearSums() const {
+    if (cliques_.empty()) return;
+    for (std::size_t slot = 0; slot < cliques_.slotCount; ++slot) {
+      for (LaneFloats& sum : scratch_.sums[slot].of) store(zero(), sum);
+    }
+  }
+  HWY_INLINE void add(int slot, std::size_t which, V value) const {
+    LaneFloats& sum = scratch_.sums[static_cast<std::size_t>(slot)].of[which];
+    store(load(sum) + value, sum);
+  }
+  HWY_INLINE V sumOf(std::size_t clique, std::size_t which) const {
+    V sum = zero();
+    for (int i = cliques_.begin[clique]; i < cliques_.begin[clique + 1]; ++i) {
+      const int slot = cliques_.slots[static_cast<std::size_t>(i)];
+      sum = sum + load(scratch_.sums[static_cast<std::size_t>(slot)].of[which]);
+    }
+    return sum;
+  }
+
+  /// Where an ellipsoid's influence begins and ends along the rays that meet it.
+  HWY_INLINE Range extentOf(const LaneTerm& term) const {
+    const V half = hn::Sqrt(hn::Max(zero(), load(term.peak)) / load(term.a));
+    return {load(term.middle) - half, load(term.middle) + half};
+  }
+  /// From where the first influence begins to where the last one ends: F is 0 before and after.
+  Range influence() const {
+    Range whole{all(1e30f), all(-1e30f)};
+    const auto include = [&](const Range& extent, V factor) HWY_ATTR {
+      const M seen = both(hn::Ne(factor, zero()), hn::Lt(extent.low, extent.high));
+      whole.low = select(seen, hn::Min(whole.low, extent.low), whole.low);
+      whole.high = select(seen, hn::Max(whole.high, extent.high), whole.high);
+    };
+    for (const LaneTerm& term : terms()) include(extentOf(term), load(term.factor));
+    for (const LaneShape& shape : shapes()) {
+      const ShapeOnRays ray = onRays(shape);
+      include(ray.box(), ray.factor());
+    }
+    return whole;
+  }
+
+  void count(M lanes) const { scratch_.evaluations.field += static_cast<std::int64_t>(hn::CountTrue(kTag, lanes)); }
+  void countQuartics(M lanes) const {
+    scratch_.evaluations.quartic += static_cast<std::int64_t>(hn::CountTrue(kTag, lanes));
+  }
+
+ private:
+  static constexpr std::size_t kMin = 0;
+  static constexpr std::size_t kAtEnd = 1;
+  static constexpr std::size_t kMaxSlope = 2;
+  static constexpr std::size_t kMinSlope = 3;
+  static constexpr std::size_t kMax = 4;
+
+  HWY_INLINE void addSample(int slot, V fw, V w, V halfSlope, LaneSample& sum) const {
+    if (isEverywhere(slot)) {
+      sum.value = sum.value + fw * w;
+      sum.slope = sum.slope + fw * halfSlope;
+    } else {
+      add(slot, 0, fw * w);
+      add(slot, 1, fw * halfSlope);
+    }
+  }
+
+  HWY_NOINLINE LaneSample withShapes(LaneSample sum, V t) const {
+    for (const LaneShape& shape : shapes()) {
+      const ShapeOnRays ray = onRays(shape);
+      const ShapeOnRays::Sample seen = ray.sample(t);
+      addSample(shape.slot, ray.factor() * seen.w, seen.w, seen.halfSlope, sum);
+    }
+    return sum;
+  }
+
+  HWY_NOINLINE LaneBounds withShapes(LaneBounds sum, V t0, V t1) const {
+    for (const LaneShape& shape : shapes()) {
+      const ShapeOnRays ray = onRays(shape);
+      addBounds(shape.slot, ray.factor(), ray.bounds(t0, t1), sum);
+    }
+    return sum;
+  }
+
+  HWY_INLINE void addBounds(int slot, V factor, const PotentialBounds& of, LaneBounds& sum) const {
+    const M adds = hn::Ge(factor, zero());
+    const V atLow = factor * of.w.low * of.w.low;
+    const V atHigh = factor * of.w.high * of.w.high;
+    // The slope is -4 factor rate slope w.
+    const V rate = factor * of.rate;
+    const V minDw = rate * (hn::Min(of.slope.low, zero()) * of.w.high + hn::Max(of.slope.low, zero()) * of.w.low);
+    const V maxDw = rate * (hn::Max(of.slope.high, zero()) * of.w.high + hn::Min(of.slope.high, zero()) * of.w.low);
+    const V min = select(adds, atLow, atHigh);
+    const V maxSlope = zero() - select(adds, minDw, maxDw);
+    const V minSlope = zero() - select(adds, maxDw, minDw);
+    const V end = factor * of.atEnd * of.atEnd;
+    sum.values = sum.values + hn::Abs(atHigh);
+    sum.slopes = sum.slopes + hn::Max(hn::Abs(maxSlope), hn::Abs(minSlope));
+    if (isEverywhere(slot)) {
+      sum.value = sum.value + min;
+      sum.atEnd = sum.atEnd + end;
+      sum.maxSlope = sum.maxSlope + maxSlope;
+      sum.minSlope = sum.minSlope + minSlope;
+    } else {
+      add(slot, kMin, min);
+      add(slot, kAtEnd, end);
+      add(slot, kMaxSlope, maxSlope);
+      add(slot, kMinSlope, minSlope);
+      add(slot, kMax, select(adds, atHigh, atLow));
+    }
+  }
+
+  /// An ellipsoid's w is concave: its least value is at an end, its largest at an end or at its peak.
+  HWY_INLINE PotentialBounds ellipsoidBounds(const LaneTerm& term, V t0, V t1) const {
+    const V a = load(term.a);
+    const V peak = load(term.peak);
+    const V d0 = t0 - load(term.middle);
+    const V d1 = t1 - load(term.middle);
+    const V w0 = hn::Max(zero(), peak - a * d0 * d0);
+    const V w1 = hn::Max(zero(), peak - a * d1 * d1);
+    const M peaks = both(hn::Lt(d0, zero()), hn::Gt(d1, zero()));
+    return {{hn::Min(w0, w1), select(peaks, hn::Max(zero(), peak), hn::Max(w0, w1))}, {d0, d1}, a, w1};
+  }
+
+  /// From search.low to `end`, stretch after stretch, the first up to search.high: one is passed if its bounds prove
+  /// that psi stays positive or only rises, and holds the root if psi proves to fall through 0 in it; else it is
+  /// halved.
+  /// @param to  psi only falls from here to `end`.  @param endsBelow  lanes where psi is known to be below 0 at `end`.
+  void march(V to, V end, M endsBelow, int maxStretches, M open, LaneSearch& search) const {
+    V low = search.low;
+    V high = search.high;
+    for (int i = 0; i < maxStretches && any(open); ++i) {
+      const LaneBounds seen = bounds(low, high);
+      count(open);
+      const M clear = hn::Gt(seen.value, all(1e-5f) * seen.values);
+      const V enough = all(1e-3f) * seen.slopes;
+      const M rises = hn::Ge(seen.minSlope, enough);
+      const M falls = hn::Le(seen.maxSlope, zero() - enough);
+      const M found = both(both(open, falls), hn::Le(seen.atEnd, zero()));
+      const M passed = both(open, hn::Or(hn::Or(clear, rises), both(falls, hn::Gt(seen.atEnd, zero()))));
+      search.bracketed = hn::Or(search.bracketed, found);
+      open = andNot(open, found);
+      const V length = high - low;
+      const V halved = low + all(0.5f) * length;
+      low = select(passed, high, low);
+      const M over = both(passed, hn::Ge(low, to));
+      const M ended = both(over, hn::Ge(low, end));
+      search.rootless = hn::Or(search.rootless, ended);
+      const V onward = select(hn::Lt(low, to), hn::Min(low + length + length, to), end);
+      high = select(open, select(passed, onward, halved), high);
+      const M lastFall = both(andNot(over, ended), endsBelow);
+      search.bracketed = hn::Or(search.bracketed, lastFall);
+      open = andNot(open, hn::Or(ended, lastFall));
+    }
+    search.low = low;
+    search.high = high;
+  }
+
+  /// Sum of the clique whose F is the maximum; psi's sign turns it into the minimum.
+  HWY_INLINE LaneSample withWinner(const LaneSample& sum) const {
+    V best = zero();
+    V bestSlope = zero();
+    for (std::size_t k = 0; k < cliques_.count(); ++k) {
+      const V value = sumOf(k, 0);
+      const M wins = hn::Gt(skin_.sign * value, skin_.sign * best);
+      best = select(wins, value, best);
+      bestSlope = select(wins, sumOf(k, 1), bestSlope);
+    }
+    return {sum.value + best, sum.slope + bestSlope};
+  }
+
+  /// F's sum is the largest: only cliques that may be it somewhere on the stretch have a say about slopes.
+  HWY_INLINE LaneBounds withWinners(LaneBounds sum) const {
+    constexpr float kInfinity = std::numeric_limits<float>::infinity();
+    const V sign = skin_.sign;
+    const M outward = hn::Gt(sign, zero());
+    V surely = all(-kInfinity);  // F's sum is nowhere less.
+    V min = surely;              // Times the sign, as is atEnd.
+    V atEnd = surely;
+    for (std::size_t k = 0; k < cliques_.count(); ++k) {
+      const V low = sumOf(k, kMin);
+      surely = hn::Max(surely, select(outward, low, zero() - sumOf(k, kMax)));
+      min = hn::Max(min, sign * low);
+      atEnd = hn::Max(atEnd, sign * sumOf(k, kAtEnd));
+    }
+    V maxSlope = all(-kInfinity);
+    V minSlope = all(kInfinity);
+    for (std::size_t k = 0; k < cliques_.count(); ++k) {
+      const V possibly = select(outward, sumOf(k, kMax), zero() - sumOf(k, kMin));
+      const M wins = hn::Ge(possibly, surely);
+      maxSlope = select(wins, hn::Max(maxSlope, sumOf(k, kMaxSlope)), maxSlope);
+      minSlope = select(wins, hn::Min(minSlope, sumOf(k, kMinSlope)), minSlope);
+    }
+    sum.value = sum.value + sign * min;
+    sum.atEnd = sum.atEnd + sign * atEnd;
+    sum.maxSlope = sum.maxSlope + maxSlope;
+    sum.minSlope = sum.minSlope + minSlope;
+    return sum;
+  }
+
+  LaneScratch& scratch_;
+  const LaneCliques& cliques_;
+  const LaneSkin& skin_;
+  std::size_t first_;
+};
+
+}  // namespace sinew::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif

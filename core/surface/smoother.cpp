@@ -1,0 +1,73 @@
+// core/surface/smoother.cpp: the public pipeline: what is prepared, and memory for one thread.
+#include "sinew/surface/smoother.h"
+
+#include <algorithm>
+#include <cassert>
+
+#include "core/geometry/stopwatch.h"
+#include "core/surface/preparation.h"
+#include "core/surface/smooth.h"
+#include "sinew/character/pose_check.h"
+
+namespace sinew {
+
+struct Smoother::State {
+  std::shared_ptr<const CharacterTables> tables;
+  std::shared_ptr<const Preparation> preparation;  ///< Null until prepare() has succeeded.
+  BlendingGraphMemo graphs;
+  int attachments = 0;
+  std::vector<int> unattached;
+  PosedRig rig;
+  SmoothingMemory memory;
+};
+
+Smoother::Smoother(std::shared_ptr<const Character> character) : state_(std::make_unique<State>()) {
+  assert(character);
+  state_->tables = characterTables(std::move(character));
+}
+
+Smoother::Smoother(std::unique_ptr<State> state) : state_(std::move(state)) {}
+Smoother::~Smoother() = default;
+Smoother::Smoother(Smoother&&) noexcept = default;
+Smoother& Smoother::operator=(Smoother&&) noexcept = default;
+
+Smoother Smoother::twin() const {
+  auto state = std::make_unique<State>();
+  state->tables = state_->tables;
+  state->preparation = state_->preparation;
+  state->graphs = state_->graphs;
+  state->attachments = state_->attachments;
+  state->unattached = state_->unattached;
+  return Smoother(std::move(state));
+}
+
+Result<void> Smoother::prepare(const Rig& rig, std::span<const int> hidden, const Region& region) {
+  assert(std::ranges::is_sorted(hidden));
+  const Preparation* former = state_->preparation.get();
+  PreparationOptions options;
+  options.hidden = hidden;
+  options.region = region;
+  auto prepared = sinew::prepare(state_->tables, rig, options, former, state_->graphs);
+  if (!prepared) return prepared.error();
+  if (!former || former->attached != prepared.value()->attached) ++state_->attachments;
+  state_->preparation = std::move(prepared).value();
+  state_->unattached = state_->preparation->attached->attachment.unattached;
+  return {};
+}
+
+bool Smoother::smooth(const Pose& pose, Surface& out, const std::optional<glm::vec3>& eye) {
+  assert(state_->preparation && "prepare() first");
+  if (!isSoundPose(character(), pose)) return false;
+  Stopwatch watch;
+  state_->preparation->poser->pose(pose, state_->rig);
+  sinew::smooth(state_->preparation, state_->rig, pose, eye, state_->memory, out, watch.lap());
+  return true;
+}
+
+const Character& Smoother::character() const { return *state_->tables->character; }
+
+PreparationCounts Smoother::preparationCounts() const { return {state_->attachments, state_->graphs.enumerations()}; }
+
+const std::vector<int>& Smoother::unattached() const { return state_->unattached; }
+
+}  // namespace sinew

@@ -1,0 +1,73 @@
+// tests/geometry/triangle_tree_test.cpp: rays against the triangles one by one.
+#include "core/geometry/triangle_tree.h"
+
+#include <cmath>
+#include <optional>
+#include <random>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <glm/geometric.hpp>
+
+namespace sinew {
+namespace {
+
+/// Whether the ray goes through a triangle, by the volumes that it makes with the sides; nullopt: too near an edge to
+/// say.
+std::optional<bool> goesThrough(const TriangleCorners& triangle, const glm::dvec3& from, const glm::dvec3& direction) {
+  const glm::dvec3 a = glm::dvec3(triangle[0]) - from;
+  const glm::dvec3 b = glm::dvec3(triangle[1]) - from;
+  const glm::dvec3 c = glm::dvec3(triangle[2]) - from;
+  const double sides[] = {glm::dot(direction, glm::cross(a, b)), glm::dot(direction, glm::cross(b, c)),
+                          glm::dot(direction, glm::cross(c, a))};
+  bool positive = false;
+  bool negative = false;
+  for (const double side : sides) {
+    if (std::abs(side) < 1e-5) return std::nullopt;
+    positive = positive || side > 0.0;
+    negative = negative || side < 0.0;
+  }
+  if (positive && negative) return false;
+  const glm::dvec3 normal = glm::cross(b - a, c - a);
+  const double along = glm::dot(a, normal) / glm::dot(direction, normal);
+  if (std::abs(along) < 1e-5) return std::nullopt;
+  return along > 0.0;
+}
+
+TEST(TriangleTree, RaysMeetWhatTheyMeet) {
+  std::mt19937 random(3);
+  std::uniform_real_distribution<float> anywhere(-1.0f, 1.0f);
+  const auto point = [&](float size) { return size * glm::vec3(anywhere(random), anywhere(random), anywhere(random)); };
+  std::vector<TriangleCorners> triangles;
+  std::vector<int> numbers;
+  for (int i = 0; i < 60; ++i) {
+    const glm::vec3 middle = point(1.0f);
+    triangles.push_back({middle + point(0.3f), middle + point(0.3f), middle + point(0.3f)});
+    numbers.push_back(i);
+  }
+  const TriangleTree tree(triangles, numbers);
+  int met = 0;
+  int missed = 0;
+  for (int i = 0; i < 4'000; ++i) {
+    const glm::vec3 from = point(1.5f);
+    glm::vec3 direction = point(1.0f);
+    if (i % 4 == 0) direction[i % 3] = 0.0f;
+    if (i % 40 == 0) direction[(i + 1) % 3] = 0.0f;  // Along an axis.
+    bool expected = false;
+    bool isSure = true;
+    for (const TriangleCorners& triangle : triangles) {
+      const std::optional<bool> through = goesThrough(triangle, from, direction);
+      expected = expected || through.value_or(false);
+      isSure = isSure && through.has_value();
+    }
+    if (!isSure && !expected) continue;
+    EXPECT_EQ(tree.isMetBy(from, direction), expected) << i;
+    ++(expected ? met : missed);
+  }
+  EXPECT_GT(met, 200);
+  EXPECT_GT(missed, 200);
+  EXPECT_FALSE(TriangleTree({}, {}).isMetBy(glm::vec3(0.0f), glm::vec3(1.0f)));
+}
+
+}  // namespace
+}  // namespace sinew

@@ -1,0 +1,113 @@
+// tests/panels/first_steps_test.cpp: Help > First steps, done as a beginner would, in another order, and left.
+#include "app/editor/first_steps.h"
+
+#include <imgui.h>
+#include <imgui_internal.h>  // The windows of a context, which 1.86 keeps to itself.
+
+#include <string>
+
+#include "app/editor/actions.h"
+#include "app/editor/session.h"
+#include "sinew/rig/rig_edit.h"
+#include "tests/support/editor/headless_editor.h"
+
+namespace sinew::app {
+namespace {
+
+class FirstStepsPanel : public HeadlessEditor {
+ protected:
+  void start() {
+    run(action("help/first-steps"), state);
+    settle();
+    state.open.transport.playing = false;
+    settle();
+  }
+  [[nodiscard]] bool done(FirstStep which) const { return state.view.firstSteps.done[static_cast<std::size_t>(which)]; }
+  void turnView() {
+    state.view.tools.camera.stand.yaw += 0.5f;
+    settle();
+  }
+  void scaleFirst() {
+    Placement placement = state.document.rig().primitives[0].placement;
+    placement.radii *= 1.2f;
+    state.document.commands.apply("Scale", setPlacementOf(placement));
+    settle();
+  }
+};
+
+TEST_F(FirstStepsPanel, OpensTheWalkingManWithNothingDone) {
+  start();
+  EXPECT_EQ(state.document.rigFile, firstSample());
+  EXPECT_TRUE(shown("first-steps/turn"));
+  for (const bool each : state.view.firstSteps.done) EXPECT_FALSE(each);
+  frame();
+  for (const bool each : state.view.firstSteps.done) EXPECT_FALSE(each) << "looking on does nothing";
+}
+
+TEST_F(FirstStepsPanel, InASmallWindowNoLineIsCut) {
+  ImGui::GetIO().DisplaySize = {900.0f, 600.0f};
+  start();
+  int panels = 0;
+  for (const ImGuiWindow* window : ImGui::GetCurrentContext()->Windows) {
+    if (std::string(window->Name).find("/first-steps_") == std::string::npos) continue;
+    ++panels;
+    EXPECT_LE(window->ContentSize.x, window->InnerRect.GetWidth());
+  }
+  EXPECT_EQ(panels, 1);
+}
+
+TEST_F(FirstStepsPanel, EachIsDoneWhenItIsDoneInAnyOrder) {
+  start();
+  addMuscle(state, 0);
+  settle();
+  EXPECT_TRUE(done(FirstStep::kAdd));
+  EXPECT_TRUE(done(FirstStep::kSelect)) << "what was added is selected";
+  EXPECT_FALSE(done(FirstStep::kScale));
+  scaleFirst();
+  EXPECT_TRUE(done(FirstStep::kScale));
+  EXPECT_FALSE(done(FirstStep::kTurn));
+  turnView();
+  EXPECT_TRUE(done(FirstStep::kTurn));
+  EXPECT_FALSE(firstStepsDone(state.view.firstSteps));
+  state.document.visibility.bare = true;
+  followFirstSteps(state);
+  EXPECT_TRUE(firstStepsDone(state.view.firstSteps));
+  // Done stays done.
+  state.document.visibility.bare = false;
+  run(action("edit/undo"), state);
+  run(action("edit/undo"), state);
+  settle();
+  EXPECT_TRUE(firstStepsDone(state.view.firstSteps));
+  EXPECT_FALSE(shown("first-steps/turn"));
+  click("first-steps/leave");
+  EXPECT_FALSE(shown("first-steps/leave"));
+}
+
+TEST_F(FirstStepsPanel, CanBeLeftAndBegunAgain) {
+  start();
+  turnView();
+  ASSERT_TRUE(done(FirstStep::kTurn));
+  click("first-steps/leave");
+  EXPECT_FALSE(state.view.firstSteps.shown);
+  start();
+  EXPECT_TRUE(state.view.firstSteps.shown);
+  EXPECT_FALSE(done(FirstStep::kTurn));
+}
+
+TEST_F(FirstStepsPanel, AsksAboutUnsavedChangesFirst) {
+  addOne();
+  start();
+  EXPECT_TRUE(shown("unsaved/cancel"));
+}
+
+TEST_F(FirstStepsPanel, AnotherPanelTakesItsPlace) {
+  start();
+  run(action("play/check"), state);
+  settle();
+  EXPECT_FALSE(shown("first-steps/leave"));
+  click("check/close");
+  EXPECT_TRUE(shown("first-steps/leave"));
+}
+
+}  // namespace
+}  // namespace sinew::app

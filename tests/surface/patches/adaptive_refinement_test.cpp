@@ -1,0 +1,230 @@
+// tests/surface/patches/adaptive_refinement_test.cpp: levels by edge and triangle: closed, tiled, without slivers;
+// equal levels are the N-adic refinement to the bit.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <random>
+
+#include "core/geometry/topology.h"
+#include "core/surface/patches/level_fit.h"
+#include "core/surface/patches/level_grading.h"
+#include "core/surface/patches/sample_points.h"
+#include "core/surface/patches/split_triangle.h"
+#include "sinew/surface/refinement.h"
+#include "tests/support/characters/body_with_arms.h"
+#include "tests/support/characters/synthetic_characters.h"
+
+namespace sinew::test {
+namespace {
+
+using Levels = RefinementLevels;
+using CharacterPtr = std::shared_ptr<const Character>;
+
+Levels randomLevels(const ControlMesh& mesh, std::mt19937& random, int most) {
+  std::uniform_int_distribution<int> level(1, most);
+  Levels out;
+  for (std::size_t e = 0; e < mesh.edges.size(); ++e) out.edges.push_back(static_cast<std::uint8_t>(level(random)));
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    out.triangles.push_back(static_cast<std::uint8_t>(level(random)));
+  }
+  return out;
+}
+
+glm::dvec3 flatPoint(const ControlMesh& mesh, const Refinement& refinement, int triangle, int vertex) {
+  const glm::dvec3 at = controlCoordinates(mesh, refinement, triangle, vertex);
+  glm::dvec3 out(0.0);
+  for (int c = 0; c < 3; ++c) {
+    const int corner = mesh.triangles[static_cast<std::size_t>(triangle)].vertices[static_cast<std::size_t>(c)];
+    out += at[c] * glm::dvec3(mesh.positions[static_cast<std::size_t>(corner)]);
+  }
+  return out;
+}
+
+/// Degrees.
+double leastAngle(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
+  const auto angle = [](const glm::dvec3& at, const glm::dvec3& p, const glm::dvec3& q) {
+    const glm::dvec3 u = glm::normalize(p - at);
+    const glm::dvec3 v = glm::normalize(q - at);
+    return std::atan2(glm::length(glm::cross(u, v)), glm::dot(u, v)) * 180.0 / 3.14159265358979;
+  };
+  return std::min({angle(a, b, c), angle(b, c, a), angle(c, a, b)});
+}
+
+void expectSame(const Refinement& a, const Refinement& b) {
+  EXPECT_EQ(a.vertexCount, b.vertexCount);
+  EXPECT_EQ(a.triangles, b.triangles);
+  EXPECT_EQ(a.drawTriangles, b.drawTriangles);
+  EXPECT_EQ(a.drawVertex, b.drawVertex);
+  EXPECT_TRUE(a.drawUv == b.drawUv);
+  EXPECT_TRUE(a.inside == b.inside);
+}
+
+TEST(AdaptiveRefinement, EqualLevelsAreTheUniformMesh) {
+  for (const CharacterPtr& character : {makeTube(), makeBodyWithArms()}) {
+    const ControlMesh& mesh = character->mesh;
+    for (int n = 1; n <= 12; ++n) {
+      const auto level = static_cast<std::uint8_t>(n);
+      const Levels levels{std::vector<std::uint8_t>(mesh.edges.size(), level),
+                          std::vector<std::uint8_t>(mesh.triangles.size(), level)};
+      const Refinement refinement = refine(mesh, levels);
+      EXPECT_TRUE(refinement.isUniform);
+      expectSame(refinement, refine(mesh, n));
+    }
+  }
+}
+
+// Each triangle's pieces have its area and its orientation, and every side of a piece belongs to two pieces or lies on
+// the mesh's border: no crack, no T-joint, no overlap. The Euler characteristic is the control mesh's.
+TEST(AdaptiveRefinement, AnyLevelsTileTheMesh) {
+  std::mt19937 random(5);
+  for (const CharacterPtr& character : {makeTube(), makeBodyWithArms()}) {
+    const ControlMesh& mesh = character->mesh;
+    const Topology control = topologyOf(mesh);
+    for (int round = 0; round < 60; ++round) {
+      const Refinement refinement = refine(mesh, randomLevels(mesh, random, round % 2 == 0 ? 16 : 4));
+      const Topology topology = topologyOf(refinement.triangles);
+      ASSERT_EQ(topology.eulerCharacteristic(), control.eulerCharacteristic());
+      ASSERT_EQ(topology.closed(), control.closed());
+      ASSERT_EQ(topology.vertices, refinement.vertexCount);
+      std::vector<double> areas(mesh.triangles.size(), 0.0);
+      std::vector<glm::dvec3> faces(mesh.triangles.size(), glm::dvec3(0.0));
+      for (std::size_t i = 0; i < refinement.triangles.size(); ++i) {
+        const int t = refinement.controlOf[i];
+        const auto corner = [&](std::size_t c) { return flatPoint(mesh, refinement, t, refinement.triangles[i][c]); };
+        const glm::dvec3 face = glm::cross(corner(1) - corner(0), corner(2) - corner(0));
+        areas[static_cast<std::size_t>(t)] += glm::length(face);
+        faces[static_cast<std::size_t>(t)] += face;
+      }
+      for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+        const auto corner = [&](std::size_t c) {
+          return glm::dvec3(mesh.positions[static_cast<std::size_t>(mesh.triangles[t].vertices[c])]);
+        };
+        const glm::dvec3 whole = glm::cross(corner(1) - corner(0), corner(2) - corner(0));
+        ASSERT_NEAR(areas[t], glm::length(whole), 1e-6 * glm::length(whole)) << "overlapping or turned pieces";
+        ASSERT_LT(glm::length(faces[t] - whole), 1e-6 * glm::length(whole));
+      }
+    }
+  }
+}
+
+TEST(AdaptiveRefinement, DrawnAndRefinedTrianglesAgree) {
+  std::mt19937 random(6);
+  const CharacterPtr character = makeTube();
+  const Refinement refinement = refine(character->mesh, randomLevels(character->mesh, random, 7));
+  for (std::size_t i = 0; i < refinement.triangles.size(); ++i) {
+    for (std::size_t c = 0; c < 3; ++c) {
+      EXPECT_EQ(refinement.drawVertex[refinement.drawTriangles[i][c]], refinement.triangles[i][c]);
+    }
+    const int t = refinement.controlOf[i];
+    EXPECT_GE(static_cast<int>(i), refinement.triangleBegin[static_cast<std::size_t>(t)]);
+    EXPECT_LT(static_cast<int>(i), refinement.triangleBegin[static_cast<std::size_t>(t) + 1]);
+  }
+}
+
+// 10,000 triangles of all shapes with random levels, graded as the mesh would be. Thin ones have thin pieces.
+TEST(AdaptiveRefinement, GradedLevelsMakeNoSlivers) {
+  std::mt19937 random(7);
+  std::uniform_real_distribution<float> coordinate(-1.0f, 1.0f);
+  double worst = 180.0;
+  int rounds = 0;
+  while (rounds < 10'000) {
+    std::array<glm::vec3, 3> corners;
+    for (glm::vec3& corner : corners) corner = {coordinate(random), coordinate(random), coordinate(random)};
+    const double own = leastAngle(corners[0], corners[1], corners[2]);
+    if (own < 1.0) continue;
+    const double least = own < 18.0 ? own / 6.0 : 3.0;
+    ++rounds;
+    ControlMesh mesh;
+    mesh.positions.assign(corners.begin(), corners.end());
+    for (int v = 0; v < 3; ++v) mesh.wedges.push_back({v});
+    mesh.edges = {{{0, 1}, 1}, {{1, 2}, 1}, {{0, 2}, 1}};
+    mesh.triangles.push_back({{0, 1, 2}, {0, 1, 2}, {0, 1, 2}, 0});
+    const Levels levels = LevelGrader(mesh).graded(randomLevels(mesh, random, 12));
+    const Refinement refinement = refine(mesh, levels);
+    for (const auto& t : refinement.triangles) {
+      const double angle = leastAngle(flatPoint(mesh, refinement, 0, t[0]), flatPoint(mesh, refinement, 0, t[1]),
+                                      flatPoint(mesh, refinement, 0, t[2]));
+      worst = std::min(worst, angle - least);
+      ASSERT_GE(angle, least - 1e-3) << own << " degrees, levels " << int{levels.edges[0]} << ' '
+                                     << int{levels.edges[1]} << ' ' << int{levels.edges[2]} << ", inside "
+                                     << int{levels.triangles[0]};
+    }
+  }
+  std::printf("least angle beyond the bound: %.2f degrees\n", worst);
+}
+
+TEST(AdaptiveRefinement, GradingIsTheLeastAndDoesNotDependOnOrder) {
+  std::mt19937 random(8);
+  const CharacterPtr character = makeBodyWithArms();
+  const LevelGrader grader(character->mesh);
+  for (int round = 0; round < 20; ++round) {
+    const Levels asked = randomLevels(character->mesh, random, 12);
+    const Levels graded = grader.graded(asked);
+    EXPECT_EQ(grader.graded(graded), graded);
+    for (std::size_t e = 0; e < asked.edges.size(); ++e) EXPECT_GE(graded.edges[e], asked.edges[e]);
+    for (std::size_t t = 0; t < asked.triangles.size(); ++t) EXPECT_GE(graded.triangles[t], asked.triangles[t]);
+  }
+  const Levels ones{std::vector<std::uint8_t>(character->mesh.edges.size(), 12),
+                    std::vector<std::uint8_t>(character->mesh.triangles.size(), 12)};
+  EXPECT_EQ(grader.graded(ones), ones);
+}
+
+// A circle's chord at level n is off by r (1 - cos(a / 2n)).
+TEST(LevelFit, AnArcIsSplitAsItsSagittaSays) {
+  constexpr int kFine = 12;
+  constexpr float kAngle = 1.2f;
+  std::vector<glm::vec3> positions;
+  std::vector<glm::vec3> normals;
+  for (int i = 0; i <= kFine; ++i) {
+    const float a = kAngle * static_cast<float>(i) / kFine;
+    normals.emplace_back(std::cos(a), std::sin(a), 0.0f);
+    positions.push_back(normals.back());
+  }
+  for (const float tolerance : {0.2f, 0.05f, 0.02f, 0.01f, 0.004f, 0.002f, 1e-5f}) {
+    int expected = kFine;
+    for (const int n : {6, 4, 3, 2, 1}) {
+      // Samples lie in the middle of a chord where it spans an even number of them.
+      const float half = kAngle / static_cast<float>(2 * n);
+      const float off = (kFine / n) % 2 == 0 ? 0.0f : kAngle / (2 * kFine);
+      if (std::cos(off) - std::cos(half) <= tolerance) expected = n;
+    }
+    EXPECT_EQ(edgeLevel({positions, normals}, 1, {tolerance, -1.0f}), expected) << tolerance;
+  }
+  // Normals: at level n they differ by almost nothing between, so a loose angle asks for nothing more.
+  EXPECT_EQ(edgeLevel({positions, normals}, 1, {10.0f, 0.5f}), 1);
+}
+
+TEST(LevelFit, AFlatTriangleIsNotSplitAndABumpIs) {
+  constexpr int kFine = 12;
+  std::vector<glm::vec3> positions;
+  for (int j = 0; j <= kFine; ++j) {
+    for (int k = 0; k <= kFine - j; ++k) positions.emplace_back(static_cast<float>(j), static_cast<float>(k), 0.0f);
+  }
+  const std::vector<glm::vec3> normals(positions.size(), glm::vec3(0.0f, 0.0f, 1.0f));
+  EXPECT_EQ(triangleLevel({positions, normals}, kFine, 1, {0.001f, 0.99f}), 1);
+  std::vector<glm::vec3> bumped = positions;
+  for (glm::vec3& p : bumped) p.z = p.x == 4.0f && p.y == 4.0f ? 1.0f : 0.0f;
+  EXPECT_EQ(triangleLevel({bumped, normals}, kFine, 1, {0.1f, -1.0f}), 12);
+  for (glm::vec3& p : bumped) p.z = 0.02f * p.x * p.x;
+  const int level = triangleLevel({bumped, normals}, kFine, 1, {0.05f, -1.0f});
+  EXPECT_GT(level, 3);
+  EXPECT_LT(level, 12);
+}
+
+TEST(SamplePoints, AreThoseOfTheUniformSplits) {
+  const CharacterPtr character = makeTube();
+  const ControlMesh& mesh = character->mesh;
+  const Levels levels{std::vector<std::uint8_t>(mesh.edges.size(), 6),
+                      std::vector<std::uint8_t>(mesh.triangles.size(), 6)};
+  const Refinement points = samplePoints(mesh, levels);
+  const Refinement whole = refine(mesh, 6);
+  EXPECT_EQ(points.vertexCount, whole.vertexCount);
+  EXPECT_EQ(points.edgeBegin, whole.edgeBegin);
+  EXPECT_TRUE(points.inside == whole.inside);
+  EXPECT_TRUE(points.triangles.empty());
+}
+
+}  // namespace
+}  // namespace sinew::test

@@ -1,0 +1,168 @@
+// tests/surface/prepare_again_test.cpp: a smoother that was edited step by step gives what a fresh one gives.
+
+#include <functional>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "core/rig/attachment.h"
+#include "core/rig/twins.h"
+#include "sinew/rig/rig_edit.h"
+#include "sinew/surface/smoother.h"
+#include "tests/support/characters/synthetic_characters.h"
+#include "tests/support/rigs/random_rigs.h"
+#include "tests/support/rigs/rig_edits.h"
+
+namespace sinew::test {
+namespace {
+
+using Edit = std::function<Rig(const Rig&, Random&, const Character&)>;
+
+int anyOf(const Rig& rig, Random& random) { return random.below(static_cast<int>(rig.primitives.size())); }
+
+std::string boneName(const Character& character, Random& random) {
+  return character.skeleton.fileName(random.below(static_cast<int>(character.skeleton.bones.size())));
+}
+
+const std::vector<Edit>& edits() {
+  static const std::vector<Edit> all{
+      [](const Rig& rig, Random& random, const Character& character) {
+        const int i = anyOf(rig, random);
+        Placement placement = rig.primitives[static_cast<std::size_t>(i)].placement;
+        placement.center.y += random.uniform(-0.05f, 0.05f) * character.height;
+        placement.radii *= random.uniform(0.8f, 1.25f);
+        return setPlacement(rig, i, placement).value();
+      },
+      [](const Rig& rig, Random& random, const Character&) {
+        return setReach(rig, anyOf(rig, random), random.uniform(1.1f, 2.0f)).value();
+      },
+      [](const Rig& rig, Random& random, const Character&) {
+        const int i = anyOf(rig, random);
+        return setSign(rig, i, -rig.primitives[static_cast<std::size_t>(i)].sign).value();
+      },
+      [](const Rig& rig, Random& random, const Character& character) {
+        const int i = anyOf(rig, random);
+        const Placement placement = rig.primitives[static_cast<std::size_t>(i)].placement;
+        return setBone(rig, i, boneName(character, random), placement).value();
+      },
+      [](const Rig& rig, Random& random, const Character& character) {
+        return setTerritory(rig, anyOf(rig, random), std::vector{boneName(character, random)}).value();
+      },
+      [](const Rig& rig, Random& random, const Character&) {
+        const auto group = static_cast<std::size_t>(random.below(static_cast<int>(rig.groups.size())));
+        return setGroupOf(rig, anyOf(rig, random), rig.groups[group].name).value();
+      },
+      [](const Rig& rig, Random& random, const Character&) {
+        return setLink(rig, 0, 1 + random.below(static_cast<int>(rig.groups.size()) - 1), random.chance(0.5f)).value();
+      },
+      [](const Rig& rig, Random& random, const Character&) {
+        SurfaceSettings surface = rig.surface;
+        surface.iso = random.uniform(0.1f, 0.6f);
+        if (random.chance(0.3f)) {
+          surface.mode = surface.mode == SurfaceMode::kSwell ? SurfaceMode::kReplace : SurfaceMode::kSwell;
+        }
+        return setSurface(rig, surface).value();
+      },
+      [](const Rig& rig, Random& random, const Character&) {
+        return duplicatePairs(rig, std::vector{anyOf(rig, random)});
+      },
+      [](const Rig& rig, Random& random, const Character&) {
+        return rig.primitives.size() > 2 ? removePrimitives(rig, std::vector{anyOf(rig, random)}) : rig;
+      },
+  };
+  return all;
+}
+
+TEST(PrepareAgain, GivesTheSameBitsAsAFreshSmoother) {
+  const auto character = makeTwoLegged();
+  const Pose pose = samplePose(character->skeleton, character->clips.back(), 0.4f);
+  for (std::uint64_t seed = 0; seed < 6; ++seed) {
+    Random random(seed);
+    RigRecipe recipe;
+    recipe.primitives = 8;
+    Rig rig = randomRig(*character, recipe, seed);
+    Smoother edited(character);
+    Surface after;
+    for (int step = 0; step < 40; ++step) {
+      rig = edits()[static_cast<std::size_t>(random.below(static_cast<int>(edits().size())))](rig, random, *character);
+      ASSERT_TRUE(edited.prepare(rig).ok());
+      edited.smooth(pose, after);
+      Smoother fresh(character);
+      ASSERT_TRUE(fresh.prepare(rig).ok());
+      Surface expected;
+      fresh.smooth(pose, expected);
+      ASSERT_EQ(after.positions, expected.positions) << "seed " << seed << ", step " << step;
+      ASSERT_EQ(after.normals, expected.normals) << "seed " << seed << ", step " << step;
+      ASSERT_EQ(after.classes, expected.classes) << "seed " << seed << ", step " << step;
+    }
+  }
+}
+
+// A drag changes shapes alone, and what depends on nothing else is kept.
+TEST(PrepareAgain, OnlyShapesChangeInADrag) {
+  const auto character = makeTwoLegged();
+  const Rig rig = randomRig(*character, {}, 3);
+  Placement moved = rig.primitives[0].placement;
+  moved.center.x += 0.1f;
+  EXPECT_TRUE(sameCandidates(rig, setPlacement(rig, 0, moved).value()));
+  EXPECT_TRUE(sameCandidates(rig, setSign(rig, 0, -rig.primitives[0].sign).value()));
+  EXPECT_FALSE(sameCandidates(rig, setTerritory(rig, 0, std::vector<std::string>{}).value()));
+  EXPECT_FALSE(sameCandidates(rig, removePrimitives(rig, std::vector{0})));
+  EXPECT_FALSE(sameCandidates(rig, addGroup(rig, "another").value()));
+}
+
+TEST(PrepareAgain, CliquesAreEnumeratedOnlyWhereGroupsOrLinksChange) {
+  const auto character = makeTwoLegged();
+  Rig rig = randomRig(*character, {}, 3);
+  Smoother smoother(character);
+  ASSERT_TRUE(smoother.prepare(rig).ok());
+  EXPECT_EQ(smoother.preparationCounts().blendingGraphs, 1);
+  // A drag.
+  for (int frame = 0; frame < 10; ++frame) {
+    rig.primitives[0].placement.center.x += 0.01f * character->height;
+    ASSERT_TRUE(smoother.prepare(rig).ok());
+  }
+  EXPECT_EQ(smoother.preparationCounts().blendingGraphs, 1);
+  EXPECT_EQ(smoother.preparationCounts().attachments, 1);
+  // Another bone is another attachment, of the same graph.
+  rig.primitives[0].bone =
+      rig.primitives[1].bone == rig.primitives[0].bone ? rig.primitives[2].bone : rig.primitives[1].bone;
+  ASSERT_TRUE(smoother.prepare(rig).ok());
+  EXPECT_EQ(smoother.preparationCounts().blendingGraphs, 1);
+  rig = addGroup(rig, "another").value();
+  ASSERT_TRUE(smoother.prepare(rig).ok());
+  EXPECT_EQ(smoother.preparationCounts().blendingGraphs, 2);
+  rig = setLink(rig, 0, static_cast<int>(rig.groups.size()) - 1, true).value();
+  ASSERT_TRUE(smoother.prepare(rig).ok());
+  EXPECT_EQ(smoother.preparationCounts().blendingGraphs, 3);
+}
+
+// Groups in threes of which each is linked to all but its own two: 3^8 cliques.
+TEST(PrepareAgain, ARigWithTooManyCliquesIsRefusedEachTimeAndTheFormerOneStays) {
+  const auto character = makeTwoLegged();
+  const Rig rig = randomRig(*character, {}, 3);
+  Rig tangled = rig;
+  for (int i = 0; i < 24; ++i) tangled.groups.push_back({"extra " + std::to_string(i), {}});
+  for (int a = 0; a < 24; ++a) {
+    for (int b = a + 1; b < 24; ++b) {
+      if (a / 3 != b / 3) tangled.links.push_back({"extra " + std::to_string(a), "extra " + std::to_string(b)});
+    }
+  }
+  const Pose pose = bindPose(character->skeleton);
+  Smoother smoother(character);
+  ASSERT_TRUE(smoother.prepare(rig).ok());
+  Surface before;
+  smoother.smooth(pose, before);
+  for (int i = 0; i < 2; ++i) {
+    const Result<void> refused = smoother.prepare(tangled);
+    ASSERT_FALSE(refused.ok());
+    EXPECT_EQ(refused.error().place, "links");
+    Surface after;
+    smoother.smooth(pose, after);
+    EXPECT_EQ(after.positions, before.positions);
+    EXPECT_TRUE(smoother.prepare(rig).ok());
+  }
+}
+
+}  // namespace
+}  // namespace sinew::test

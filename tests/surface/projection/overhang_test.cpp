@@ -1,0 +1,144 @@
+// tests/surface/projection/overhang_test.cpp: heights move no faster than psi changes, also where its root leaps.
+
+#include "core/surface/projection/overhang.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+namespace sinew::test {
+namespace {
+
+struct Psi {
+  double value = 0.0;
+  double slope = 0.0;
+};
+
+constexpr double kPart = 0.1;
+
+/// (t - dip)^2 + least, times what falls to 0 at 1.
+struct Dipped {
+  double dip = 0.0;
+  double least = 0.0;
+
+  Psi operator()(double t) const {
+    const double squared = (t - dip) * (t - dip) + least;
+    return {squared * (1.0 - t), 2.0 * (t - dip) * (1.0 - t) - squared};
+  }
+  /// The first root.
+  [[nodiscard]] double root() const { return least < 0.0 ? dip - std::sqrt(-least) : 1.0; }
+  [[nodiscard]] double height(double sigma) const { return heightBelowOverhangs(root(), sigma, kPart, *this); }
+};
+
+TEST(Overhang, WherePsiFallsSteeplyTheRootStands) {
+  for (const double root : {1e-6, 0.05, 0.3, 2.0}) {
+    const auto falls = [&](double t) { return Psi{root * root - t * t + root - t, -2.0 * t - 1.0}; };
+    EXPECT_EQ(heightBelowOverhangs(root, 1.0, kPart, falls), root);
+  }
+}
+
+TEST(Overhang, WherePsiFallsSlowlyTheHeightIsTheLeastOfTheSum) {
+  for (const double sigma : {0.03, 0.1, 0.4}) {
+    for (const double dip : {0.11, 0.25, 0.4, 0.63}) {
+      for (const double least : {-1e-2, -1e-6, 1e-6, 0.02, 0.2}) {
+        const Dipped psi{dip, least};
+        double expected = psi.root();
+        for (double t = 0.0; t < psi.root(); t += 1e-5) expected = std::min(expected, t + psi(t).value / sigma);
+        EXPECT_NEAR(psi.height(sigma), expected, 1e-4) << sigma << ' ' << dip << ' ' << least;
+      }
+    }
+  }
+}
+
+// The root goes as a square root up to the dip and leaps from there to 1.
+TEST(Overhang, NoChangeOfPsiMovesTheHeightFurtherThanThroughSigma) {
+  constexpr double kChange = 1e-4;
+  for (const double sigma : {0.1, 0.4}) {
+    for (const double dip : {0.11, 0.25, 0.4, 0.63}) {
+      double before = Dipped{dip, -0.01}.height(sigma);
+      for (double least = -0.01 + kChange; least < 0.3; least += kChange) {
+        const double height = Dipped{dip, least}.height(sigma);
+        EXPECT_GE(height, before - 1e-6) << dip << ' ' << least;
+        EXPECT_LE(height, before + 1.05 * kChange / sigma) << dip << ' ' << least;
+        before = height;
+      }
+      EXPECT_EQ((Dipped{dip, 3.0}.height(sigma)), 1.0) << "and so it comes to the root";
+    }
+  }
+}
+
+/// What one muscle leaves steeply, and a second one lets fall on slowly before it rises: the higher of the two counts,
+/// as among muscles that are not linked.
+struct Kinked {
+  double kink = 0.0;
+  double curvature = 0.0;
+  double least = 0.0;
+
+  Psi operator()(double t) const {
+    const Psi steep{12.0 * (kink - t) + 0.01, -12.0};
+    const double dip = kink + 0.03;
+    const Psi slow{curvature * (t - dip) * (t - dip) * (1.0 - t) + least,
+                   curvature * (t - dip) * (2.0 * (1.0 - t) - (t - dip))};
+    return steep.value > slow.value ? steep : slow;
+  }
+  [[nodiscard]] double root() const {
+    double t = 0.0;
+    while (t < 2.0 && (*this)(t).value > 0.0) t += 1e-5;
+    return t;
+  }
+  [[nodiscard]] double height(double sigma) const { return heightBelowOverhangs(root(), sigma, kPart, *this); }
+};
+
+// Where muscles are not linked psi has kinks, and its slopes on both sides may differ a hundredfold.
+TEST(Overhang, TheLeastIsFoundAtAKinkToo) {
+  for (const double sigma : {1.0, 2.0}) {
+    for (const double kink : {0.11, 0.153, 0.17, 0.31}) {
+      for (const double curvature : {1.0, 10.0, 60.0}) {
+        double before = 0.0;
+        for (const double least : {-1e-3, -1e-4, 1e-4, 1e-3, 2e-3}) {
+          const Kinked psi{kink, curvature, least};
+          const double root = psi.root();
+          double expected = root;
+          for (double t = 0.0; t < root; t += 1e-5) expected = std::min(expected, t + psi(t).value / sigma);
+          const double height = psi.height(sigma);
+          EXPECT_NEAR(height, expected, 2e-5) << sigma << ' ' << kink << ' ' << curvature << ' ' << least;
+          if (before > 0.0) {
+            EXPECT_NEAR(height, before, 1.2e-3 / sigma + 2e-5) << kink << ' ' << least;
+          }
+          before = height;
+        }
+      }
+    }
+  }
+}
+
+/// Up to its peak a muscle's field flattens: steps that look at slopes alone do not get away from there.
+struct Peaked {
+  double kink = 0.0;
+  double steep = 0.0;
+  double peak = 0.0;  ///< Half a wave long.
+
+  Psi operator()(double t) const {
+    const Psi falls{steep * (kink - t) + 0.02, -steep};
+    const double angle = 0.5 * 3.14159265358979 * (t - kink) / peak;
+    const Psi hangs{0.02 + 0.4 * std::sin(angle), 0.4 * 0.5 * 3.14159265358979 / peak * std::cos(angle)};
+    return falls.value > hangs.value ? falls : hangs;
+  }
+};
+
+TEST(Overhang, TheLeastIsFoundAtAKinkBelowAPeakToo) {
+  for (const double steep : {2.0, 6.0, 20.0}) {
+    for (const double kink : {0.11, 0.12, 0.153, 0.17}) {
+      for (const double peak : {0.09, 0.12, 0.3}) {
+        const Peaked psi{kink, steep, peak};
+        const double root = kink + 2.0 * peak;  // About; only what lies before it counts.
+        EXPECT_NEAR(heightBelowOverhangs(root, 1.0, kPart, psi), kink + 0.02, 5e-3)
+            << steep << ' ' << kink << ' ' << peak;
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace sinew::test

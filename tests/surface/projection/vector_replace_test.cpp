@@ -1,0 +1,61 @@
+// tests/surface/projection/vector_replace_test.cpp: `replace` in tiles: as the scalar path, and bit for bit the same
+// by every set.
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "tests/support/rigs/random_rigs.h"
+#include "tests/support/rigs/trial_scenes.h"
+#include "tests/support/surface/every_kind.h"
+#include "tests/support/surface/projected.h"
+#include "tests/support/surface/vector_agreement.h"
+
+namespace sinew::test {
+namespace {
+
+std::vector<TrialScene> scenes() {
+  std::vector<TrialScene> out = trialScenes();
+  for (const char* name : {"humanoid-wrapped", "horse-wrapped", "humanoid", "demo", "horse-flex"}) {
+    out.push_back(bundledTrialScene(name));
+  }
+  return out;
+}
+
+TEST(VectorReplace, IsTheScalarOnCharacters) {
+  for (const TrialScene& scene : scenes()) {
+    for (const ProjectionKind projection : kEveryProjection) {
+      Agreement seen;
+      addAgreement(*scene.character, withMode(scene.rig, SurfaceMode::kReplace, projection),
+                   spreadPoses(*scene.character, 4), seen);
+      const std::string what = scene.name + ", " + nameOf(projection);
+      print(what, seen);
+      EXPECT_GT(seen.projected, 50) << what;
+      EXPECT_EQ(seen.far, 0) << what;
+      EXPECT_LE(seen.uncertifiedShare(), 0.025) << what;
+    }
+  }
+}
+
+TEST(VectorReplace, EverySetGivesTheSameBits) {
+  std::size_t number = 0;
+  for (const TrialScene& scene : scenes()) {
+    const ProjectionKind projection = kEveryProjection[number++ % kEveryProjection.size()];
+    Projected projected(*scene.character, withMode(scene.rig, SurfaceMode::kReplace, projection));
+    for (const Pose& pose : spreadPoses(*scene.character, 2)) {
+      const Surface widest = projected.at(pose);
+      for (const InstructionSet set : availableInstructionSets()) {
+        if (set == InstructionSet::kScalar) continue;
+        const Surface other = surfaceBy(set, projected, pose);
+        EXPECT_TRUE(other.positions == widest.positions) << scene.name << ", " << nameOf(set);
+        EXPECT_TRUE(other.normals == widest.normals) << scene.name << ", " << nameOf(set);
+        EXPECT_TRUE(other.displacement == widest.displacement) << scene.name << ", " << nameOf(set);
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace sinew::test

@@ -1,0 +1,98 @@
+// tests/surface/roots/root_finding_test.cpp: the three methods on random rays, against dense marching.
+#include "core/surface/roots/root_finding.h"
+
+#include <cmath>
+#include <random>
+
+#include <gtest/gtest.h>
+#include <glm/geometric.hpp>
+
+namespace sinew {
+namespace {
+
+struct Scene {
+  std::vector<PosedPrimitive> primitives;
+  CliqueLists cliques;
+  RayField field;
+};
+
+void fill(Scene& scene, std::mt19937& random) {
+  std::uniform_real_distribution<float> unit(-1.0f, 1.0f);
+  scene.primitives.clear();
+  scene.cliques = random() % 2 ? CliqueLists{} : CliqueLists{{0, 1}, {1, 2}, {3}};
+  scene.field.reset(0.25, scene.cliques);
+  const glm::vec3 direction = glm::normalize(glm::vec3(unit(random), unit(random), 1.2f));
+  for (int i = 0; i < 6; ++i) {
+    Placement placement;
+    placement.center = {0.7f * unit(random), 0.7f * unit(random), 0.7f * unit(random)};
+    placement.radii = {0.3f + 0.2f * unit(random), 0.4f, 0.3f};
+    placement.rotation = glm::normalize(glm::quat(1.0f, unit(random), unit(random), unit(random)));
+    const float strength = i == 5 ? -0.6f : 1.0f;
+    scene.primitives.push_back({unitBallMap(placement, 1.4142135f, glm::mat4(1.0f)), strength});
+    scene.field.addPrimitive(scene.primitives.back(), 0.9f, i % 4, {0, 0, 0}, direction);
+  }
+}
+
+/// First sign change by 40,000 steps and bisection. nullopt: none.
+std::optional<double> march(const RayField& field, double end) {
+  RayScratch scratch;
+  const double sign = field.sample(0.0, scratch).value > 0.0 ? 1.0 : -1.0;
+  double low = 0.0;
+  for (int i = 1; i <= 40000; ++i) {
+    double high = end * i / 40000;
+    if (field.sample(high, scratch).value * sign <= 0.0) {
+      for (int k = 0; k < 60; ++k) {
+        const double middle = 0.5 * (low + high);
+        (field.sample(middle, scratch).value * sign > 0.0 ? low : high) = middle;
+      }
+      return high;
+    }
+    low = high;
+  }
+  return std::nullopt;
+}
+
+TEST(FirstRoot, AllMethodsAgreeWithMarching) {
+  std::mt19937 random(31);
+  Scene scene;
+  RayScratch scratch;
+  std::array<int, 3> wrong{};
+  int compared = 0;
+  for (int round = 0; round < 1000; ++round) {
+    fill(scene, random);
+    const double end = 2.0;
+    const std::optional<double> expected = march(scene.field, end);
+    ++compared;
+    const std::array methods{ProjectionKind::kNewton, ProjectionKind::kAnalytic, ProjectionKind::kBisection};
+    for (std::size_t m = 0; m < methods.size(); ++m) {
+      const bool positive = scene.field.sample(0.0, scratch).value > 0.0;
+      const std::optional<double> found = firstChange(scene.field, 0.0, end, positive, methods[m], 1e-9, scratch);
+      const bool same = found.has_value() == expected.has_value() && (!found || std::abs(*found - *expected) < 1e-4);
+      wrong[m] += !same;
+    }
+  }
+  std::printf("first roots off by more than 1e-4 of %d: newton %d, analytic %d, bisection %d\n", compared, wrong[0],
+              wrong[1], wrong[2]);
+  for (const int count : wrong) EXPECT_LE(count, 1) << "every root is isolated; a touch may differ";
+}
+
+TEST(RayField, SampleIsTheFieldAlongTheRayAndItsSlope) {
+  std::mt19937 random(37);
+  Scene scene;
+  RayScratch scratch;
+  for (int round = 0; round < 200; ++round) {
+    fill(scene, random);
+    for (double t = 0.01; t < 1.5; t += 0.1) {
+      const double numeric =
+          (scene.field.sample(t + 1e-6, scratch).value - scene.field.sample(t - 1e-6, scratch).value) / 2e-6;
+      const RaySample here = scene.field.sample(t, scratch);
+      const double other =
+          (scene.field.sample(t + 1e-6, scratch).slope + scene.field.sample(t - 1e-6, scratch).slope) / 2.0;
+      if (std::abs(other - here.slope) > 1e-3) continue;  // another clique takes over here
+      EXPECT_NEAR(here.slope, numeric, 1e-3);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace sinew
