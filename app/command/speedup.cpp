@@ -18,8 +18,8 @@ namespace sinew::app {
 namespace {
 
 constexpr int kTimedFrames = 8;
-constexpr double kFrameStep = 1.0 / 60.0;
-constexpr int kCrowd = 100;
+constexpr double kSpeedupFrameStep = 1.0 / 60.0;
+constexpr int kSpeedupCrowd = 100;
 constexpr int kCrowdDepth = 3;
 constexpr float kAgreement = 1e-4f;  // Fraction of H.
 
@@ -99,7 +99,7 @@ Result<std::vector<TimedThreads>> run(const BenchScene& scene, const Situation& 
 Result<double> gainOf(const BenchScene& scene, int depth, int count, int rounds) {
   CrowdSmoother smoother(scene.character);
   if (const auto prepared = smoother.prepare(rigAt(scene, depth)); !prepared) return prepared.error();
-  const std::vector<Pose> poses = steadyFrames(*scene.character, count, kFrameStep);
+  const std::vector<Pose> poses = steadyFrames(*scene.character, count, kSpeedupFrameStep);
   std::vector<Surface> surfaces(poses.size());
   std::array<std::vector<double>, 2> seconds;  // [threads - 1]
   inTurn(seconds.size(), rounds, [&](std::size_t variant, int round) {
@@ -117,7 +117,7 @@ Result<Speedups> measureSpeedups(const BenchScene& scene, int rounds) {
   const Character& character = *scene.character;
   const std::array situations{
       Situation{&SetSpeedup::cold, true, steadyFrames(character, 1, 0.0)},
-      Situation{&SetSpeedup::warm60Hz, false, steadyFrames(character, kTimedFrames, kFrameStep)},
+      Situation{&SetSpeedup::warm60Hz, false, steadyFrames(character, kTimedFrames, kSpeedupFrameStep)},
       Situation{&SetSpeedup::warm20Hz, false, steadyFrames(character, kTimedFrames, 1.0 / 20.0)},
       Situation{&SetSpeedup::cut, false, cutFrames(character, kTimedFrames)},
   };
@@ -141,7 +141,7 @@ Result<Speedups> measureSpeedups(const BenchScene& scene, int rounds) {
 Result<ThreadGain> measureThreads(const BenchScene& scene, int rounds) {
   const Result<double> single = gainOf(scene, kBenchDepth, 1, rounds);
   if (!single) return single.error();
-  const Result<double> crowd = gainOf(scene, kCrowdDepth, kCrowd, rounds);
+  const Result<double> crowd = gainOf(scene, kCrowdDepth, kSpeedupCrowd, rounds);
   if (!crowd) return crowd.error();
   return ThreadGain{single.value(), crowd.value()};
 }

@@ -1,13 +1,12 @@
 // app/document/document.cpp: opening and saving.
-
 #include "app/document/document.h"
-#include "app/document/character_files.h"
 
 #include <algorithm>
 #include <fstream>
 #include <system_error>
 #include <utility>
 
+#include "app/document/character_files.h"
 #include "core/geometry/at.h"
 #include "core/geometry/lower_case.h"
 #include "core/rig/morphs.h"
@@ -16,6 +15,29 @@
 #include "sinew/files/rig_json.h"
 
 namespace sinew::app {
+
+// A rig is taken up when its revision changes, posed when the pose does.
+
+const std::shared_ptr<const RigPoser>& PosedRigMemo::poser(const Rig& rig, std::size_t revision,
+                                                           const std::shared_ptr<const Character>& character) {
+  if (poser_ && revision_ == revision && character_ == character) return poser_;
+  character_ = character;
+  revision_ = revision;
+  poser_ = std::make_shared<const RigPoser>(rig, *character);
+  pose_.reset();
+  return poser_;
+}
+
+const PosedRig& PosedRigMemo::posed(const Rig& rig, std::size_t revision,
+                                    const std::shared_ptr<const Character>& character, const Pose& pose) {
+  const RigPoser& asked = *poser(rig, revision, character);
+  if (pose_ != pose) {
+    pose_ = pose;
+    asked.pose(pose, posed_);
+  }
+  return posed_;
+}
+
 namespace {
 
 Result<Document> openCharacter(const std::filesystem::path& file) {

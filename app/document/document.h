@@ -1,6 +1,7 @@
 // app/document/document.h: one open character with its rig.
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -9,16 +10,38 @@
 
 #include "app/document/command_stack.h"
 #include "app/document/file_stamp.h"
-#include "app/document/posed_rig_memo.h"
 #include "app/document/selection.h"
 #include "app/document/visibility.h"
 #include "core/files/clip_files.h"
 #include "core/geometry/at.h"
 #include "core/rig/mirror.h"
+#include "core/rig/posed_rig.h"
 #include "sinew/character/character.h"
+#include "sinew/character/pose.h"
 #include "sinew/geometry/result.h"
+#include "sinew/rig/rig.h"
 
 namespace sinew::app {
+
+// The document's rig in the pose that is shown, made once however many ask for it.
+
+/// Remembers the last rig and the last pose that were asked for.
+class PosedRigMemo {
+ public:
+  /// @param revision  CommandStack::revision(): equal numbers, equal rigs
+  [[nodiscard]] const std::shared_ptr<const RigPoser>& poser(const Rig& rig, std::size_t revision,
+                                                             const std::shared_ptr<const Character>& character);
+  /// Valid until the next call.
+  [[nodiscard]] const PosedRig& posed(const Rig& rig, std::size_t revision,
+                                      const std::shared_ptr<const Character>& character, const Pose& pose);
+
+ private:
+  std::shared_ptr<const Character> character_;  ///< Outlives the poser.
+  std::size_t revision_ = 0;
+  std::shared_ptr<const RigPoser> poser_;
+  std::optional<Pose> pose_;  ///< What posed_ shows.
+  PosedRig posed_;
+};
 
 /// The document: a read-only character, the rig (through its command stack alone), the paths; and as view state
 /// the selection and what is hidden or locked.

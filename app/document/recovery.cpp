@@ -28,7 +28,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::uintmax_t kLargestRecovery = 128u << 20;
-constexpr int kTries = 1000;
+constexpr int kRecoveryTries = 1000;
 
 fs::path lockOf(const fs::path& recovery) { return fs::path(recovery).replace_extension(".lock"); }
 
@@ -115,7 +115,7 @@ Result<RecoveryFile> RecoveryFile::claim(const fs::path& folder) {
   std::error_code failed;
   fs::create_directories(folder, failed);
   if (failed) return Error{folder.string(), "", "cannot be made: " + failed.message()};
-  for (int i = 0; i < kTries; ++i) {
+  for (int i = 0; i < kRecoveryTries; ++i) {
     const fs::path file = folder / (std::to_string(::getpid()) + "-" + std::to_string(i) + ".json");
     if (fs::exists(file, failed)) continue;
     if (FileLock lock = tryLock(lockOf(file), O_CREAT); lock.held()) return RecoveryFile(file, std::move(lock));

@@ -25,12 +25,12 @@ namespace fs = std::filesystem;
 
 constexpr int kMostTasksAtFirst = 16;  ///< As `sinew farm` without --tasks.
 
-const fs::path& fileOf(const Document& document) {
+const fs::path& exportFileOf(const Document& document) {
   return document.rigFile.empty() ? document.characterFile : document.rigFile;
 }
 
 /// "fox" for fox.rig.json.
-std::string stemOf(const Document& document) { return nameWithoutEnding(fileOf(document)); }
+std::string stemOf(const Document& document) { return nameWithoutEnding(exportFileOf(document)); }
 
 bool isFarm(const ExportDialogState& dialog) { return dialog.shown == ExportDialog::kFarmJob; }
 
@@ -57,8 +57,8 @@ const FarmTarget& targetOf(const ExportDialogState& dialog) { return *findFarmTa
 /// Places and clips of another document.
 void startWith(EditorState& state) {
   ExportDialogState& dialog = state.dialogs.exporting;
-  if (dialog.of == fileOf(state.document)) return;
-  dialog.of = fileOf(state.document);
+  if (dialog.of == exportFileOf(state.document)) return;
+  dialog.of = exportFileOf(state.document);
   std::error_code ignored;
   // The program's own folder is no place to work in.
   const fs::path folder =

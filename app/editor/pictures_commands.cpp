@@ -28,7 +28,7 @@ namespace fs = std::filesystem;
 constexpr int kLargestSheet = 16384;  ///< Pixels, as `sinew render --sheet` allows.
 constexpr int kMostPictures = 10000;  ///< As --turntable.
 
-const fs::path& fileOf(const Document& document) {
+const fs::path& pictureFileOf(const Document& document) {
   return document.rigFile.empty() ? document.characterFile : document.rigFile;
 }
 
@@ -109,7 +109,7 @@ std::string refusalOf(EditorState& state, const fs::path& file) {
 Result<PictureJob> jobOf(const EditorState& state) {
   auto folder = JobFolder::make();
   if (!folder) return folder.error();
-  PictureJob job{folder.value(), state.session.program, nameWithoutEnding(fileOf(state.document)) + ".rig.json",
+  PictureJob job{folder.value(), state.session.program, nameWithoutEnding(pictureFileOf(state.document)) + ".rig.json",
                  pictureArguments(state)};
   job.arguments.insert(job.arguments.end(), {"--threads", std::to_string(std::max(1, threadCount() - 1))});
   const fs::path rig = job.folder->path() / job.input;
@@ -124,8 +124,8 @@ void showPicturesDialog(EditorState& state) {
   dialog.shown = true;
   dialog.overwriteAsked = false;
   dialog.error.clear();
-  if (dialog.of == fileOf(state.document)) return;
-  dialog.of = fileOf(state.document);
+  if (dialog.of == pictureFileOf(state.document)) return;
+  dialog.of = pictureFileOf(state.document);
   std::error_code ignored;
   // The program's own folder is no place to work in.
   const fs::path folder =

@@ -30,7 +30,7 @@ constexpr std::array kFlags{
     Flag{"ground", &DisplaySettings::ground},       Flag{"anatomy", &DisplaySettings::anatomy},
     Flag{"relief", &DisplaySettings::relief}};
 
-const std::filesystem::path& fileOf(const Document& document) {
+const std::filesystem::path& viewFileOf(const Document& document) {
   return document.rigFile.empty() ? document.characterFile : document.rigFile;
 }
 
@@ -187,12 +187,12 @@ Json viewToJson(const EditorState& state, bool withPlayingTime) {
 }
 
 std::optional<Json> rememberedView(const SessionState& session, const Document& document) {
-  if (session.viewsFolder.empty() || isSample(fileOf(document))) return std::nullopt;
-  return loadView(session.viewsFolder, fileOf(document));
+  if (session.viewsFolder.empty() || isSample(viewFileOf(document))) return std::nullopt;
+  return loadView(session.viewsFolder, viewFileOf(document));
 }
 
 void rememberView(const EditorState& state) {
-  const std::filesystem::path& file = fileOf(state.document);
+  const std::filesystem::path& file = viewFileOf(state.document);
   if (state.session.viewsFolder.empty() || !state.hasCharacter() || file.empty() || isSample(file)) return;
   const Result<void> stored = storeView(state.session.viewsFolder, file, viewToJson(state, true));
   static_cast<void>(stored);

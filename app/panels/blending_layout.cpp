@@ -10,7 +10,7 @@
 namespace sinew::app {
 namespace {
 
-constexpr int kSteps = 240;
+constexpr int kBlendingLayoutSteps = 240;
 constexpr float kGravity = 0.03f;  ///< A node; holds parts together that no link holds, against the push of all.
 constexpr float kClosest = 0.62f;  ///< Fraction of kNodeSpacing: what two nodes keep in the end.
 constexpr int kPartings = 60;
@@ -96,8 +96,8 @@ void center(std::vector<glm::vec2>& places) {
 std::vector<glm::vec2> layoutGraph(int count, std::span<const std::array<int, 2>> links) {
   std::vector<glm::vec2> places = circle(count);
   if (count < 2) return places;
-  for (int i = 0; i < kSteps; ++i) {
-    const float left = 1.0f - static_cast<float>(i) / static_cast<float>(kSteps);
+  for (int i = 0; i < kBlendingLayoutSteps; ++i) {
+    const float left = 1.0f - static_cast<float>(i) / static_cast<float>(kBlendingLayoutSteps);
     step(places, links, 0.3f * kNodeSpacing * left + 0.2f);
   }
   partOverlaps(places);

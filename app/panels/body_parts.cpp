@@ -22,7 +22,7 @@ constexpr float kWidth = 470.0f;  // Design pixels, as all here.
 constexpr float kFigure = 150.0f;
 constexpr float kLeast = 360.0f;  // Narrower, the figure goes.
 constexpr float kName = 104.0f;
-constexpr float kTop = 96.0f;  // Under the display bar.
+constexpr float kBodyPartsTop = 96.0f;  // Under the display bar.
 
 struct Confidence {
   Tint tint;
@@ -252,7 +252,7 @@ void drawBodyParts(PanelUi& ui) {
   const float width = std::min(ui.px(kWidth + kFigure), v.z - ui.px(2.0f * kFromEdges));
   const auto rows = static_cast<float>(listedSlots(isAnimal(state.open.bodyParts)).size() + 3);
   const float wanted = rows * ImGui::GetFrameHeightWithSpacing() + ui.px(20);
-  const float top = ui.px(kTop);
+  const float top = ui.px(kBodyPartsTop);
   const float height = std::min(wanted, v.w - top - ui.px(kFromEdges));
   ImGui::SetCursorPos({ui.px(kBesideTools), top});
   ImGui::PushStyleColor(ImGuiCol_ChildBg, palette::kPanel.faded(0.97f));

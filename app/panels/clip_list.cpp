@@ -17,7 +17,7 @@ namespace {
 
 constexpr float kClipListWidth = 440.0f;  // Design pixels, as all here.
 constexpr float kHighest = 0.45f;         // Of the picture.
-constexpr float kIndent = 22.0f;
+constexpr float kClipListIndent = 22.0f;
 constexpr float kIconSize = 15.0f;
 constexpr float kAnswerWidth = 84.0f;
 
@@ -52,7 +52,7 @@ std::vector<Line> linesOf(const EditorState& state, const ClipFileReport& file) 
   return lines;
 }
 
-float textRoom(const PanelUi& ui, float width) { return width - ui.px(2.0f * kIndent + 16); }
+float textRoom(const PanelUi& ui, float width) { return width - ui.px(2.0f * kClipListIndent + 16); }
 
 float heightOf(const Line& line, float room) {
   return ImGui::CalcTextSize(line.text.c_str(), nullptr, false, room).y + ImGui::GetStyle().ItemSpacing.y;
@@ -70,7 +70,7 @@ void drawLine(const PanelUi& ui, const Line& line, float room) {
     drawIcon(*ImGui::GetWindowDrawList(), line.icon, {corner.x, corner.y + ui.px(1)}, ui.px(kIconSize),
              line.tint.packed());
   }
-  ImGui::SetCursorPosX(ImGui::GetCursorPosX() + ui.px(kIndent));
+  ImGui::SetCursorPosX(ImGui::GetCursorPosX() + ui.px(kClipListIndent));
   ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + room);
   ImGui::PushStyleColor(ImGuiCol_Text, line.icon == Icon::kNone ? palette::kText : line.tint);
   ImGui::TextUnformatted(inReadingOrder(line.text).c_str());

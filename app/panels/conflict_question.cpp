@@ -16,14 +16,14 @@
 namespace sinew::app {
 namespace {
 
-constexpr const char* kTitle = "Changed on disk";
+constexpr const char* kConflictQuestionTitle = "Changed on disk";
 constexpr float kConflictQuestionWidth = 520.0f;  // Design pixels.
 constexpr float kButtonWidth = 132.0f;
 
 using Command = void (*)(EditorState&);
 
 /// One answer: what it is called, and what becomes of the two versions.
-struct Answer {
+struct ConflictQuestionAnswer {
   const char* id;
   const char* label;
   std::string effect;
@@ -41,20 +41,22 @@ void explain(PanelUi& ui, const std::string& name, OnDisk found) {
   ImGui::Dummy({0.0f, ui.px(6)});
 }
 
-std::array<Answer, 3> answersOf(const EditorState& state, const std::string& name) {
+std::array<ConflictQuestionAnswer, 3> answersOf(const EditorState& state, const std::string& name) {
   const bool gone = state.dialogs.conflict.found == OnDisk::kGone;
   const bool waits = state.dialogs.conflict.then.kind != IntentKind::kNone;
   const std::string beside = freeNameBeside(state.document.rigFile).filename().string();
-  return {Answer{"conflict/both", gone ? "Save as new file" : "Keep both",
-                 "Save this window's version as \"" + beside + '"', saveBeside},
-          Answer{"conflict/reload", waits ? "Discard mine" : "Reload",
-                 waits ? "Give up this window's changes" : "Give up this window's changes and open the version on disk",
-                 discardForDisk},
-          Answer{"conflict/overwrite", gone ? "Save again" : "Overwrite",
-                 gone ? "Write \"" + name + "\" again" : "Replace the version on disk by this window's", saveOverDisk}};
+  return {ConflictQuestionAnswer{"conflict/both", gone ? "Save as new file" : "Keep both",
+                                 "Save this window's version as \"" + beside + '"', saveBeside},
+          ConflictQuestionAnswer{
+              "conflict/reload", waits ? "Discard mine" : "Reload",
+              waits ? "Give up this window's changes" : "Give up this window's changes and open the version on disk",
+              discardForDisk},
+          ConflictQuestionAnswer{"conflict/overwrite", gone ? "Save again" : "Overwrite",
+                                 gone ? "Write \"" + name + "\" again" : "Replace the version on disk by this window's",
+                                 saveOverDisk}};
 }
 
-bool answerRow(PanelUi& ui, const Answer& answer, bool first) {
+bool answerRow(PanelUi& ui, const ConflictQuestionAnswer& answer, bool first) {
   if (first) ImGui::PushStyleColor(ImGuiCol_Button, palette::kAccent.faded(0.45f));
   const bool pressed = ImGui::Button(answer.label, {ui.px(kButtonWidth), 0.0f});
   if (first) ImGui::PopStyleColor();
@@ -70,14 +72,14 @@ bool answerRow(PanelUi& ui, const Answer& answer, bool first) {
 }
 
 /// @return what was answered; null: nothing yet.
-Command ask(PanelUi& ui) {
+Command askConflictQuestion(PanelUi& ui) {
   const std::string name = ui.state.document.rigFile.filename().string();
   const bool gone = ui.state.dialogs.conflict.found == OnDisk::kGone;
   explain(ui, name, ui.state.dialogs.conflict.found);
   Command given = nullptr;
   bool first = true;
   const bool entered = ImGui::IsKeyPressed(GLFW_KEY_ENTER, false) && !ImGui::IsWindowAppearing();
-  for (const Answer& answer : answersOf(ui.state, name)) {
+  for (const ConflictQuestionAnswer& answer : answersOf(ui.state, name)) {
     // What is no longer there cannot be loaded.
     const bool offered =
         !gone || answer.give != discardForDisk || ui.state.dialogs.conflict.then.kind != IntentKind::kNone;
@@ -95,13 +97,13 @@ Command ask(PanelUi& ui) {
 
 void drawConflictQuestion(PanelUi& ui) {
   if (ui.state.dialogs.conflict.found == OnDisk::kSame) return;
-  if (!ImGui::IsPopupOpen(kTitle)) ImGui::OpenPopup(kTitle);
+  if (!ImGui::IsPopupOpen(kConflictQuestionTitle)) ImGui::OpenPopup(kConflictQuestionTitle);
   const ImVec2 display = ImGui::GetIO().DisplaySize;
   ImGui::SetNextWindowPos({0.5f * display.x, 0.45f * display.y}, ImGuiCond_Always, {0.5f, 0.5f});
   ImGui::SetNextWindowSize({ui.px(kConflictQuestionWidth), 0.0f});
   pushDialogStyle(ui);
-  if (ImGui::BeginPopupModal(kTitle, nullptr, ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove)) {
-    if (const Command given = ask(ui)) {
+  if (ImGui::BeginPopupModal(kConflictQuestionTitle, nullptr, ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove)) {
+    if (const Command given = askConflictQuestion(ui)) {
       ImGui::CloseCurrentPopup();
       given(ui.state);
     }

@@ -9,7 +9,7 @@
 namespace sinew::app {
 namespace {
 
-constexpr float kTop = 54.0f;  // Design pixels, as all here: below the display bar.
+constexpr float kDrivenKeyTop = 54.0f;  // Design pixels, as all here: below the display bar.
 constexpr float kBelowFlex = 42.0f;
 constexpr float kNumbers = 186.0f;  // The numbers at the right, with their margin.
 
@@ -35,7 +35,7 @@ void drawDrivenKey(PanelUi& ui) {
   const float fixed = reading + buttonWidth(set.c_str()) + buttonWidth("Done") + 3.0f * gap + ui.px(20);
   const glm::vec4& v = ui.state.frame.viewport;
   const float left = ui.px(kBesideTools);
-  const float top = ui.px(kTop + (ui.state.document.rig().lines.empty() ? 0.0f : kBelowFlex));
+  const float top = ui.px(kDrivenKeyTop + (ui.state.document.rig().lines.empty() ? 0.0f : kBelowFlex));
   const float room = v.z - left - ui.px(kNumbers) - fixed;
   const std::string shown = fitted(text, std::max(room, ui.px(40)));
   const float width = fixed + ImGui::CalcTextSize(shown.c_str()).x;

@@ -90,7 +90,7 @@ bool drawFarm(PanelUi& ui) {
   return drawPlace(ui, "farm/job", "Job", DialogKind::kJobPlace) || entered;
 }
 
-void drawComplaint(PanelUi& ui) {
+void drawExportDialogComplaint(PanelUi& ui) {
   const ExportDialogState& dialog = ui.state.dialogs.exporting;
   if (dialog.error.empty() && !dialog.overwriteAsked) return;
   std::string asked;
@@ -110,7 +110,7 @@ void drawComplaint(PanelUi& ui) {
 /// @return whether the dialog is over.
 bool drawEnd(PanelUi& ui, const char* verb, bool entered) {
   ExportDialogState& dialog = ui.state.dialogs.exporting;
-  drawComplaint(ui);
+  drawExportDialogComplaint(ui);
   const float width = ui.px(104);
   ImGui::SetCursorPosX(ImGui::GetContentRegionMax().x - 2.0f * width - ui.px(8));
   const bool canceled = ImGui::Button(dialog.overwriteAsked ? "Keep" : "Cancel", {width, 0.0f});

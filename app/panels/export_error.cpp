@@ -16,9 +16,9 @@ namespace {
 
 constexpr float kExportErrorWidth = 300.0f;  // Design pixels, as all here.
 constexpr float kPad = 12.0f;
-constexpr float kGap = 6.0f;
+constexpr float kExportErrorGap = 6.0f;
 constexpr float kBar = 10.0f;
-constexpr int kSteps = 48;
+constexpr int kExportErrorSteps = 48;
 
 std::string percent(float value) {
   std::array<char, 32> text{};
@@ -34,9 +34,9 @@ void drawScale(PanelUi& ui, const ImVec2& at, float width) {
     return Tint{c.r, c.g, c.b}.packed();
   };
   const float low = at.y + ui.px(kBar);
-  for (int i = 0; i < kSteps; ++i) {
-    const float a = static_cast<float>(i) / kSteps;
-    const float b = static_cast<float>(i + 1) / kSteps;
+  for (int i = 0; i < kExportErrorSteps; ++i) {
+    const float a = static_cast<float>(i) / kExportErrorSteps;
+    const float b = static_cast<float>(i + 1) / kExportErrorSteps;
     list.AddRectFilledMultiColor({at.x + a * width, at.y}, {at.x + b * width, low}, color(a), color(b), color(b),
                                  color(a));
   }
@@ -73,18 +73,18 @@ void drawExportError(PanelUi& ui, const ImVec2& low) {
   const std::string now = "in this moment at most " + percent(error.largestNow);
   list.AddText({corner.x, below}, palette::kText.packed(), fitted(now, width).c_str());
 
-  float y = below + line + ui.px(kGap);
+  float y = below + line + ui.px(kExportErrorGap);
   ImGui::SetCursorScreenPos({corner.x, y});
   constexpr std::array<const char*, 3> kMeshes{"Live", "Exported", "Side by side"};  // As ExportedView.
   const int chosen = segmented(ui, "export-error/mesh", kMeshes.data(), 3, static_cast<int>(error.view), width);
   if (chosen >= 0) showExported(ui.state, static_cast<ExportedView>(chosen));
-  y += ImGui::GetFrameHeight() + ui.px(kGap);
+  y += ImGui::GetFrameHeight() + ui.px(kExportErrorGap);
   ImGui::SetCursorScreenPos({corner.x, y});
-  const float half = 0.5f * (width - ui.px(kGap));
+  const float half = 0.5f * (width - ui.px(kExportErrorGap));
   if (ImGui::Button("Go to largest", {half, 0.0f})) showLargestError(ui.state);
   ui.widgets.note("export-error/largest");
   tooltip(ui, largestErrorText(ui.state));
-  ImGui::SameLine(0.0f, ui.px(kGap));
+  ImGui::SameLine(0.0f, ui.px(kExportErrorGap));
   if (ImGui::Button("Close", {half, 0.0f})) error.shown = false;
   ui.widgets.note("export-error/close");
   ui.widgets.note("legend/export-error", {low.x, low.y, exportErrorSize(ui).x, exportErrorSize(ui).y});

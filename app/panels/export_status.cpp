@@ -12,9 +12,9 @@ namespace sinew::app {
 namespace {
 
 constexpr float kWidestName = 240.0f;  // Design pixels, as all here.
-constexpr float kBar = 120.0f;
+constexpr float kExportStatusBar = 120.0f;
 constexpr float kBarHeight = 6.0f;
-constexpr float kGap = 8.0f;
+constexpr float kExportStatusGap = 8.0f;
 constexpr float kButton = 20.0f;
 constexpr double kLookSeconds = 0.1;  // Between looks at how far it is.
 
@@ -48,15 +48,15 @@ void drawBar(PanelUi& ui, const ExportStand& stand) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float top = at.y + 0.5f * (ImGui::GetTextLineHeight() - ui.px(kBarHeight));
   const ImVec2 low{at.x, top};
-  const ImVec2 high{at.x + ui.px(kBar), top + ui.px(kBarHeight)};
+  const ImVec2 high{at.x + ui.px(kExportStatusBar), top + ui.px(kBarHeight)};
   ImDrawList& list = *ImGui::GetWindowDrawList();
   list.AddRectFilled(low, high, palette::kLine.packed(), 0.5f * ui.px(kBarHeight));
-  const float filled = static_cast<float>(stand.share) * ui.px(kBar);
+  const float filled = static_cast<float>(stand.share) * ui.px(kExportStatusBar);
   if (filled >= 1.0f) {
     list.AddRectFilled(low, {low.x + filled, high.y}, (stand.canceled ? palette::kMuted : palette::kAccent).packed(),
                        0.5f * ui.px(kBarHeight));
   }
-  ImGui::Dummy({ui.px(kBar), ImGui::GetTextLineHeight()});
+  ImGui::Dummy({ui.px(kExportStatusBar), ImGui::GetTextLineHeight()});
 }
 
 /// "fox.glb: largest 6.9 %"
@@ -90,8 +90,8 @@ float exportStatusWidth(PanelUi& ui) {
   const std::vector<ExportStand> stands = ui.state.session.exports.stands();
   if (stands.empty()) return hasExportError(ui.state) ? widthOf(shortText(ui.state)) : 0.0f;
   const Words words = wordsFor(ui, stands);
-  const float more = words.more.empty() ? 0.0f : widthOf(words.more) + ui.px(kGap);
-  return widthOf(words.name) + ui.px(kBar + kButton + 3.0f * kGap) + shareWidth() + more;
+  const float more = words.more.empty() ? 0.0f : widthOf(words.more) + ui.px(kExportStatusGap);
+  return widthOf(words.name) + ui.px(kExportStatusBar + kButton + 3.0f * kExportStatusGap) + shareWidth() + more;
 }
 
 void drawExportStatus(PanelUi& ui) {
@@ -102,22 +102,22 @@ void drawExportStatus(PanelUi& ui) {
   const std::string hint = hintFor(ui.state, stands);
   ImGui::BeginGroup();
   ImGui::TextUnformatted(words.name.c_str());
-  ImGui::SameLine(0.0f, ui.px(kGap));
+  ImGui::SameLine(0.0f, ui.px(kExportStatusGap));
   drawBar(ui, stands.front());
-  ImGui::SameLine(0.0f, ui.px(kGap));
+  ImGui::SameLine(0.0f, ui.px(kExportStatusGap));
   const float from = ImGui::GetCursorPosX();
   mutedText(words.share.c_str());
   if (!words.more.empty()) {
     ImGui::SameLine();
-    ImGui::SetCursorPosX(from + shareWidth() + ui.px(kGap));
+    ImGui::SetCursorPosX(from + shareWidth() + ui.px(kExportStatusGap));
     mutedText(words.more.c_str());
   }
   ImGui::EndGroup();
   ui.widgets.note("status/export");
   tooltip(ui, hint);
-  const float right = from + shareWidth() + (words.more.empty() ? 0.0f : widthOf(words.more) + ui.px(kGap));
+  const float right = from + shareWidth() + (words.more.empty() ? 0.0f : widthOf(words.more) + ui.px(kExportStatusGap));
   ImGui::SameLine();
-  ImGui::SetCursorPosX(right + ui.px(kGap));
+  ImGui::SetCursorPosX(right + ui.px(kExportStatusGap));
   const float size = ui.px(kButton);
   ImGui::SetCursorPosY(ImGui::GetCursorPosY() - 0.5f * (size - ImGui::GetTextLineHeight()));
   if (iconButton(ui, "status/export-cancel", Icon::kClose, false, size)) ui.state.session.exports.cancel();

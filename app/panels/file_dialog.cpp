@@ -236,7 +236,7 @@ void drawFilter(PanelUi& ui) {
   ImGui::EndCombo();
 }
 
-void drawComplaint(PanelUi& ui) {
+void drawFileDialogComplaint(PanelUi& ui) {
   const FileDialogState& dialog = ui.state.dialogs.file;
   if (dialog.error.empty() && !dialog.overwriteAsked) return;
   const std::string asked = saveTarget(dialog).filename().string() + " already exists. Replace it?";
@@ -352,7 +352,7 @@ void drawFileDialog(PanelUi& ui) {
       drawPathField(ui);
       drawFilter(ui);
     }
-    if (dialog.kind != DialogKind::kNone) drawComplaint(ui);
+    if (dialog.kind != DialogKind::kNone) drawFileDialogComplaint(ui);
     if (dialog.kind != DialogKind::kNone) drawButtons(ui);
     ImGui::EndPopup();
   }

@@ -13,7 +13,7 @@ namespace sinew::app {
 namespace {
 
 constexpr float kFirstStepsWidth = 256.0f;  // Design pixels, as all here.
-constexpr float kMark = 22.0f;
+constexpr float kFirstStepsMark = 22.0f;
 
 struct StepText {
   const char* id;
@@ -56,12 +56,12 @@ void drawSteps(PanelUi& ui) {
   for (std::size_t i = 0; i < texts.size(); ++i) {
     const bool isNext = static_cast<std::ptrdiff_t>(i) == next;
     drawMark(ui, steps.done[i], isNext);
-    ImGui::SetCursorPosX(ImGui::GetCursorPosX() + ui.px(kMark));
+    ImGui::SetCursorPosX(ImGui::GetCursorPosX() + ui.px(kFirstStepsMark));
     if (isNext) ImGui::TextUnformatted(texts[i].what);
     else mutedText(texts[i].what);
     ui.widgets.note(std::string("first-steps/") + texts[i].id);
     if (!isNext) continue;
-    ImGui::SetCursorPosX(ImGui::GetCursorPosX() + ui.px(kMark));
+    ImGui::SetCursorPosX(ImGui::GetCursorPosX() + ui.px(kFirstStepsMark));
     ImGui::PushStyleColor(ImGuiCol_Text, palette::kAccent);
     ImGui::TextUnformatted(fitted(texts[i].how, ImGui::GetContentRegionAvail().x).c_str());
     ImGui::PopStyleColor();

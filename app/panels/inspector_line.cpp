@@ -46,12 +46,12 @@ std::vector<int> usableLines(PanelUi& ui, const SelectedLines& lines) {
   return usable;
 }
 
-std::string percent(float share) { return std::to_string(static_cast<int>(std::lround(100.0f * share))) + " %"; }
+std::string linePercent(float share) { return std::to_string(static_cast<int>(std::lround(100.0f * share))) + " %"; }
 
 /// "74 %", or "62 % to 80 %"
 std::string span(float least, float most) {
-  const std::string from = percent(least);
-  const std::string to = percent(most);
+  const std::string from = linePercent(least);
+  const std::string to = linePercent(most);
   return from == to ? from : from + " to " + to;
 }
 
@@ -118,7 +118,7 @@ void lengthBar(PanelUi& ui, const std::vector<int>& lines) {
                                       palette::kText.packed(), text.c_str());
   std::string hint = several ? "The lines' lengths in this pose, in per cent of their rest lengths."
                              : "The line's length in this pose, in per cent of its rest length. Active: " +
-                                   percent(at(posed, lines.front()).activation) + ".";
+                                   linePercent(at(posed, lines.front()).activation) + ".";
   hint += "\nGrey: rest. Underlined: from rest to full contraction, where shortening activates the muscle.";
   if (range) hint += "\nAbove: its lengths in this clip, " + span(range->least, range->most) + ".";
   tooltip(ui, hint);

@@ -16,15 +16,15 @@ namespace {
 
 constexpr const char* kKeepMusclesTitle = "Keep the muscles?";
 
-enum class Answer { kNone, kKeep, kOpenWithout, kAddClips, kCancel };
+enum class KeepMusclesQuestionAnswer { kNone, kKeep, kOpenWithout, kAddClips, kCancel };
 
 std::string musclesOf(const Document& document) {
   const std::size_t count = document.rig().primitives.size();
   return (count == 1 ? "the muscle" : "the " + std::to_string(count) + " muscles") + " of \"" + document.name() + '"';
 }
 
-Answer ask(PanelUi& ui) {
-  Answer answer = Answer::kNone;
+KeepMusclesQuestionAnswer askKeepMusclesQuestion(PanelUi& ui) {
+  KeepMusclesQuestionAnswer answer = KeepMusclesQuestionAnswer::kNone;
   const bool hasClips = ui.state.dialogs.droppedHasClips;
   const std::string text = "Open \"" + ui.state.dialogs.keepMuscles.filename().string() + "\" with " +
                            musclesOf(ui.state.document) + ", each where it belongs on the other body?" +
@@ -36,20 +36,20 @@ Answer ask(PanelUi& ui) {
   const float clips = hasClips ? ui.px(110) : 0.0f;
   ImGui::SetCursorPosX(ImGui::GetContentRegionMax().x - narrow.x - 2.0f * wide.x - 2.0f * ui.px(8) -
                        (hasClips ? clips + ui.px(8) : 0.0f));
-  if (ImGui::Button("Cancel", narrow)) answer = Answer::kCancel;
+  if (ImGui::Button("Cancel", narrow)) answer = KeepMusclesQuestionAnswer::kCancel;
   ui.widgets.note("keep-muscles/cancel");
   ImGui::SameLine(0.0f, ui.px(8));
   if (hasClips) {
-    if (ImGui::Button("Add its clips", {clips, 0.0f})) answer = Answer::kAddClips;
+    if (ImGui::Button("Add its clips", {clips, 0.0f})) answer = KeepMusclesQuestionAnswer::kAddClips;
     ui.widgets.note("keep-muscles/clips");
     ImGui::SameLine(0.0f, ui.px(8));
   }
-  if (ImGui::Button("Open without them", wide)) answer = Answer::kOpenWithout;
+  if (ImGui::Button("Open without them", wide)) answer = KeepMusclesQuestionAnswer::kOpenWithout;
   ui.widgets.note("keep-muscles/without");
   ImGui::SameLine(0.0f, ui.px(8));
-  if (accentButton("Keep the muscles", wide)) answer = Answer::kKeep;
+  if (accentButton("Keep the muscles", wide)) answer = KeepMusclesQuestionAnswer::kKeep;
   ui.widgets.note("keep-muscles/keep");
-  return escapePressed(ui) ? Answer::kCancel : answer;
+  return escapePressed(ui) ? KeepMusclesQuestionAnswer::kCancel : answer;
 }
 
 }  // namespace
@@ -61,13 +61,13 @@ void drawKeepMusclesQuestion(PanelUi& ui) {
   placeDialog(ui, state.dialogs.droppedHasClips ? 570.0f : 460.0f);
   pushDialogStyle(ui);
   if (ImGui::BeginPopupModal(kKeepMusclesTitle, nullptr, ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove)) {
-    const Answer answer = ask(ui);
-    if (answer != Answer::kNone) {
+    const KeepMusclesQuestionAnswer answer = askKeepMusclesQuestion(ui);
+    if (answer != KeepMusclesQuestionAnswer::kNone) {
       ImGui::CloseCurrentPopup();
       const std::filesystem::path file = std::exchange(state.dialogs.keepMuscles, {});
-      if (answer == Answer::kKeep) request(state, {IntentKind::kOpenWithMuscles, file});
-      if (answer == Answer::kAddClips) addClips(state, file);
-      if (answer == Answer::kOpenWithout) request(state, {IntentKind::kOpenFile, file});
+      if (answer == KeepMusclesQuestionAnswer::kKeep) request(state, {IntentKind::kOpenWithMuscles, file});
+      if (answer == KeepMusclesQuestionAnswer::kAddClips) addClips(state, file);
+      if (answer == KeepMusclesQuestionAnswer::kOpenWithout) request(state, {IntentKind::kOpenFile, file});
     }
     ImGui::EndPopup();
   }

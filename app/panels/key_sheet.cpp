@@ -15,8 +15,8 @@
 namespace sinew::app {
 namespace {
 
-constexpr const char* kTitle = "Keys and mouse";
-constexpr float kWidth = 860.0f;  // Design pixels.
+constexpr const char* kKeySheetTitle = "Keys and mouse";
+constexpr float kKeySheetWidth = 860.0f;  // Design pixels.
 constexpr float kWideWidth = 1220.0f;
 constexpr float kTwoColumns = 640.0f;
 constexpr float kLineGap = 1.0f;
@@ -161,9 +161,9 @@ void drawSheet(PanelUi& ui) {
   const bool third = heightFor(2) > room && display.x >= ui.px(kWideWidth + 20.0f);
   const bool narrow = display.x < ui.px(kTwoColumns);
   const std::size_t columns = third ? 3 : (narrow ? 1 : 2);
-  placeDialog(ui, third ? kWideWidth : kWidth);
+  placeDialog(ui, third ? kWideWidth : kKeySheetWidth);
   bool open = true;
-  if (!ImGui::BeginPopupModal(kTitle, &open, ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove)) return;
+  if (!ImGui::BeginPopupModal(kKeySheetTitle, &open, ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove)) return;
   const bool toggled = keyPressed(ui, action("help/keys")) && !ImGui::IsWindowAppearing();
   ImGui::AlignTextToFramePadding();
   mutedText("Keymap");
@@ -187,7 +187,7 @@ void drawSheet(PanelUi& ui) {
 
 void drawKeySheet(PanelUi& ui) {
   if (!ui.state.dialogs.keySheet) return;
-  if (!ImGui::IsPopupOpen(kTitle)) ImGui::OpenPopup(kTitle);
+  if (!ImGui::IsPopupOpen(kKeySheetTitle)) ImGui::OpenPopup(kKeySheetTitle);
   pushDialogStyle(ui);
   drawSheet(ui);
   popDialogStyle();

@@ -16,7 +16,7 @@
 namespace sinew::app {
 namespace {
 
-constexpr float kListHeight = 380.0f;  // Design pixels.
+constexpr float kKeysPageListHeight = 380.0f;  // Design pixels.
 constexpr float kKeyWidth = 116.0f;
 constexpr float kResetWidth = 52.0f;
 constexpr float kLeastHeight = 120.0f;  // The list's, in a low window.
@@ -162,7 +162,7 @@ void menuRows(PanelUi& ui, const Menu& menu) {
 
 void list(PanelUi& ui) {
   const float room = ImGui::GetIO().DisplaySize.y - ui.px(kAroundList);
-  const float height = std::max(std::min(ui.px(kListHeight), room), ui.px(kLeastHeight));
+  const float height = std::max(std::min(ui.px(kKeysPageListHeight), room), ui.px(kLeastHeight));
   ImGui::BeginChild("keys", {0.0f, height});
   ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, {ui.px(4), ui.px(1)});
   if (ImGui::BeginTable("actions", 4, ImGuiTableFlags_SizingFixedFit)) {

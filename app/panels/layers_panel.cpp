@@ -26,7 +26,7 @@ constexpr float kOneLine = 390.0f;  // Design pixels, as all here. With less roo
 constexpr float kLayers = 140.0f;   // Width in one line.
 constexpr float kOrigin = 62.0f;
 constexpr float kSmall = 220.0f;  // With less room an icon goes back to the guess.
-constexpr float kGap = 6.0f;
+constexpr float kLayersPanelGap = 6.0f;
 constexpr float kDot = 18.0f;
 constexpr float kBetween = 5.0f;  // Between parts that take two lines.
 
@@ -115,7 +115,7 @@ void drawPart(PanelUi& ui, const LayerList& list, int part) {
   const float room = ImGui::GetContentRegionAvail().x;
   const bool oneLine = room >= ui.px(kOneLine);
   const bool small = room < ui.px(kSmall);
-  const float gap = ui.px(kGap);
+  const float gap = ui.px(kLayersPanelGap);
   const float origin = small ? ImGui::GetFrameHeight() : ui.px(kOrigin);
   const float layers = oneLine ? ui.px(kLayers) : room - origin - gap;
   const float name = oneLine ? room - layers - origin - 2.0f * gap : room;
@@ -145,7 +145,7 @@ void drawMissing(PanelUi& ui) {
   for (const std::string& name : missing) {
     ImGui::PushID(--number);
     const float button = ui.px(kOrigin);
-    const float room = ImGui::GetContentRegionAvail().x - button - ui.px(kGap);
+    const float room = ImGui::GetContentRegionAvail().x - button - ui.px(kLayersPanelGap);
     const ImVec2 low = ImGui::GetCursorScreenPos();
     const int index = findLayer(ui.state.document.rig(), name);
     const std::string text =
@@ -155,7 +155,7 @@ void drawMissing(PanelUi& ui) {
     const ImVec2 end{low.x + room, low.y + ImGui::GetFrameHeight()};
     tooltipWhile(ui, ImGui::IsWindowHovered() && ImGui::IsMouseHoveringRect(low, end),
                  text + "\nThis character has no part of that name. It is kept for one that has.");
-    ImGui::SetCursorScreenPos({end.x + ui.px(kGap), low.y});
+    ImGui::SetCursorScreenPos({end.x + ui.px(kLayersPanelGap), low.y});
     const bool pressed = ImGui::Button("Forget", {button, 0.0f});
     ui.widgets.note("layers/forget/" + name);
     ImGui::PopID();

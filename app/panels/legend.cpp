@@ -27,9 +27,9 @@ constexpr float kMargin = 10.0f;  // Design pixels, as all here.
 constexpr float kScaleWidth = 220.0f;
 constexpr float kUnderTools = 110.0f;  // Height that the display bar and the shortest strip of tools need.
 constexpr float kScaleNarrowest = 110.0f;
-constexpr int kSteps = 64;
+constexpr int kLegendSteps = 64;
 
-struct Box {
+struct LegendBox {
   ImVec2 low;
   ImVec2 high;
 };
@@ -87,7 +87,7 @@ float classesHeight(PanelUi& ui) {
 }
 
 /// A panel at the picture's lower left corner, above the line of the mode, drawn by hand.
-Box plate(PanelUi& ui, float width, float height) {
+LegendBox plate(PanelUi& ui, float width, float height) {
   const glm::vec4& v = ui.state.frame.viewport;
   const ImVec2 low{v.x + ui.px(kMargin), v.y + v.w - underPlate(ui) - height};
   const ImVec2 high{low.x + width, low.y + height};
@@ -123,7 +123,7 @@ void drawHeat(PanelUi& ui) {
   const float room = ui.state.frame.viewport.z - ui.px(2 * kMargin + 2 * 12);
   const float width = std::min(ui.px(kScaleWidth), room);
   if (width < ui.px(kScaleNarrowest)) return;
-  const Box box = plate(ui, width + ui.px(2 * 12), heatHeight(ui));
+  const LegendBox box = plate(ui, width + ui.px(2 * 12), heatHeight(ui));
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const float left = box.low.x + ui.px(12);
   list.AddText({left, box.low.y + ui.px(8)}, palette::kMuted.packed(), "Displacement");
@@ -133,9 +133,9 @@ void drawHeat(PanelUi& ui) {
     const glm::vec3 c = heatColor(x);
     return Tint{c.r, c.g, c.b}.packed();
   };
-  for (int i = 0; i < kSteps; ++i) {
-    const float a = static_cast<float>(i) / kSteps;
-    const float b = static_cast<float>(i + 1) / kSteps;
+  for (int i = 0; i < kLegendSteps; ++i) {
+    const float a = static_cast<float>(i) / kLegendSteps;
+    const float b = static_cast<float>(i + 1) / kLegendSteps;
     list.AddRectFilledMultiColor({left + a * width, top}, {left + b * width, top + bar}, color(2.0f * a - 1.0f),
                                  color(2.0f * b - 1.0f), color(2.0f * b - 1.0f), color(2.0f * a - 1.0f));
   }
@@ -160,7 +160,7 @@ void drawHeat(PanelUi& ui) {
 }
 
 /// "Pieces along a side", and a swatch for each level: darker is finer.
-void drawLevels(PanelUi& ui, const Box& box, float y, bool over) {
+void drawLevels(PanelUi& ui, const LegendBox& box, float y, bool over) {
   constexpr std::array kLevels{1, 2, 3, 4, 6, 12};
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const float line = ImGui::GetTextLineHeight() + ui.px(4);
@@ -184,7 +184,7 @@ void drawLevels(PanelUi& ui, const Box& box, float y, bool over) {
 void drawClasses(PanelUi& ui) {
   const float line = ImGui::GetTextLineHeight() + ui.px(4);
   const float width = std::min(ui.px(210), ui.state.frame.viewport.z - ui.px(2 * kMargin));
-  const Box box = plate(ui, width, classesHeight(ui));
+  const LegendBox box = plate(ui, width, classesHeight(ui));
   const bool over = ImGui::IsWindowHovered();
   ImDrawList& list = *ImGui::GetWindowDrawList();
   clippedText(list, {box.low.x + ui.px(12), box.low.y + ui.px(8)}, width - ui.px(24), palette::kMuted.packed(),
@@ -213,7 +213,7 @@ void drawAnatomy(PanelUi& ui) {
   const float room = ui.state.frame.viewport.z - ui.px(2 * kMargin + 2 * 12);
   const float width = std::min(ui.px(kScaleWidth), room);
   if (width < ui.px(kScaleNarrowest)) return;
-  const Box box = plate(ui, width + ui.px(2 * 12), anatomyHeight(ui));
+  const LegendBox box = plate(ui, width + ui.px(2 * 12), anatomyHeight(ui));
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const ImVec2 corner{box.low.x + ui.px(12), box.low.y + ui.px(10)};
   const float slider = 0.62f * width;
@@ -234,8 +234,8 @@ void drawAnatomy(PanelUi& ui) {
     const glm::vec3 c = fleshColor(activation);
     return Tint{c.r, c.g, c.b}.packed();
   };
-  for (int i = 0; i < kSteps; ++i) {
-    const float a = static_cast<float>(i) / kSteps, b = static_cast<float>(i + 1) / kSteps;
+  for (int i = 0; i < kLegendSteps; ++i) {
+    const float a = static_cast<float>(i) / kLegendSteps, b = static_cast<float>(i + 1) / kLegendSteps;
     list.AddRectFilledMultiColor({corner.x + a * width, top}, {corner.x + b * width, top + ui.px(10)}, color(a),
                                  color(b), color(b), color(a));
   }

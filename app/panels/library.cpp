@@ -26,7 +26,7 @@
 namespace sinew::app {
 namespace {
 
-constexpr float kGap = 6.0f;  // Design pixels, as all here.
+constexpr float kLibraryGap = 6.0f;  // Design pixels, as all here.
 constexpr float kRound = 4.0f;
 constexpr float kCarried = 104.0f;       ///< Width of what hangs at the pointer.
 constexpr float kShownOfPeople = 0.36f;  ///< Of H.
@@ -120,7 +120,7 @@ bool drawHeader(PanelUi& ui, int set, std::optional<int>& removed) {
   const float height = ImGui::GetFrameHeight();
   const float button = ImGui::CalcTextSize("Add all").x + 2.0f * ImGui::GetStyle().FramePadding.x;
   const ImVec2 low = ImGui::GetCursorScreenPos();
-  const float width = ImGui::GetContentRegionAvail().x - button - ui.px(kGap);
+  const float width = ImGui::GetContentRegionAvail().x - button - ui.px(kLibraryGap);
   const bool pressed = ImGui::InvisibleButton("##header", {width, height});
   ui.widgets.note("library/" + own.name);
   ImDrawList& list = *ImGui::GetWindowDrawList();
@@ -131,15 +131,15 @@ bool drawHeader(PanelUi& ui, int set, std::optional<int>& removed) {
   drawIcon(list, folded ? Icon::kFoldClosed : Icon::kFoldOpen, {low.x, low.y + 0.5f * (height - ui.px(kLibraryFold))},
            ui.px(kLibraryFold), palette::kText.packed());
   const std::string count = std::to_string(own.muscles.size());
-  const float counted = ImGui::CalcTextSize(count.c_str()).x + ui.px(2.0f * kGap);
+  const float counted = ImGui::CalcTextSize(count.c_str()).x + ui.px(2.0f * kLibraryGap);
   const float y = low.y + ImGui::GetStyle().FramePadding.y;
   ImGui::PushFont(ui.fonts.strong);
   const float title = std::min(ImGui::CalcTextSize(own.title.c_str()).x, width - ui.px(18) - counted);
   clippedText(list, {low.x + ui.px(18), y}, title, (hovered ? palette::kText : palette::kText.faded(0.85f)).packed(),
               own.title);
   ImGui::PopFont();
-  list.AddText({low.x + ui.px(18 + kGap) + title, y}, palette::kMuted.packed(), count.c_str());
-  ImGui::SameLine(0.0f, ui.px(kGap));
+  list.AddText({low.x + ui.px(18 + kLibraryGap) + title, y}, palette::kMuted.packed(), count.c_str());
+  ImGui::SameLine(0.0f, ui.px(kLibraryGap));
   if (ImGui::Button("Add all")) addMuscleSetNamed(ui.state, own.name);
   ui.widgets.note("library/add/" + own.name);
   tooltip(ui, "Add the whole set, with its sliders");
@@ -148,12 +148,12 @@ bool drawHeader(PanelUi& ui, int set, std::optional<int>& removed) {
 
 void drawTiles(PanelUi& ui, int set) {
   const LibraryState& library = ui.state.open.library;
-  const float width = (ImGui::GetContentRegionAvail().x - (kColumns - 1) * ui.px(kGap)) / kColumns;
+  const float width = (ImGui::GetContentRegionAvail().x - (kColumns - 1) * ui.px(kLibraryGap)) / kColumns;
   int shown = 0;
   for (int i = 0; i < static_cast<int>(at(library.sets, set).muscles.size()); ++i) {
     const PresetMuscle& muscle = at(at(library.sets, set).muscles, i);
     if (!containsText(muscle.name, library.search) && !containsText(muscle.group, library.search)) continue;
-    if (shown++ % kColumns != 0) ImGui::SameLine(0.0f, ui.px(kGap));
+    if (shown++ % kColumns != 0) ImGui::SameLine(0.0f, ui.px(kLibraryGap));
     drawTile(ui, set, i, width);
   }
   if (shown == 0) mutedText("No muscle of that name");
@@ -217,7 +217,7 @@ void drawCarried(PanelUi& ui) {
   carryFromLibrary(ui.state, {mouse.x, mouse.y});
   ImDrawList& list = *ImGui::GetForegroundDrawList();
   const float width = ui.px(kCarried);
-  const float pad = ui.px(kGap);
+  const float pad = ui.px(kLibraryGap);
   const std::string says = inReadingOrder(library.drag.says);
   const ImVec2 text = ImGui::CalcTextSize(says.c_str());
   const ImVec2 low{mouse.x + ui.px(14), mouse.y + ui.px(14)};

@@ -18,7 +18,7 @@
 namespace sinew::app {
 namespace {
 
-constexpr float kThumbnailHeight = 36.0f;  // Design pixels.
+constexpr float kMenuBarThumbnailHeight = 36.0f;  // Design pixels.
 
 /// A submenu of files. @param id  "file/recent"
 bool beginFiles(PanelUi& ui, const std::string& id, const char* title, bool any) {
@@ -32,7 +32,7 @@ void drawThumbnail(PanelUi& ui, const std::filesystem::path& document) {
   std::error_code failed;
   const auto changed = std::filesystem::last_write_time(document, failed);
   const ImTextureID texture = failed ? ImTextureID{} : thumbnailOf(ui, document, changed);
-  const float height = ui.px(kThumbnailHeight);
+  const float height = ui.px(kMenuBarThumbnailHeight);
   const float width = height * static_cast<float>(kThumbnailSize.x) / static_cast<float>(kThumbnailSize.y);
   const float line = ImGui::GetCursorPosY();
   if (texture) ImGui::Image(texture, {width, height});

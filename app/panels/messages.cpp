@@ -13,10 +13,10 @@ namespace sinew::app {
 namespace {
 
 constexpr float kMessagesWidth = 450.0f;  // Design pixels.
-constexpr float kHighest = 230.0f;
-constexpr float kButton = 20.0f;
+constexpr float kMessagesHighest = 230.0f;
+constexpr float kMessagesButton = 20.0f;
 constexpr float kTextLeft = 24.0f;
-constexpr float kNarrowest = 0.85f;  ///< Of its width: what a panel over the picture gives up for the axes.
+constexpr float kMessagesNarrowest = 0.85f;  ///< Of its width: what a panel over the picture gives up for the axes.
 
 float textHeight(const std::string& text, float width) {
   return ImGui::CalcTextSize(text.c_str(), nullptr, false, width).y;
@@ -70,7 +70,7 @@ std::string allText(const std::vector<Message>& messages) {
 
 /// @return whether it was dismissed.
 bool drawMessage(PanelUi& ui, const Message& message, std::size_t index) {
-  const float button = ui.px(kButton);
+  const float button = ui.px(kMessagesButton);
   const float wrap = ImGui::GetContentRegionAvail().x - 2.0f * button - ui.px(kTextLeft + 8);
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   const std::string text = shown(message);
@@ -92,15 +92,15 @@ bool drawMessage(PanelUi& ui, const Message& message, std::size_t index) {
 }
 
 float wantedHeight(PanelUi& ui) {
-  const float wrap = ui.px(kMessagesWidth) - ui.px(2 * kButton + kTextLeft + 8 + 20);
+  const float wrap = ui.px(kMessagesWidth) - ui.px(2 * kMessagesButton + kTextLeft + 8 + 20);
   float height = ImGui::GetFrameHeight() + ui.px(26);
   for (const Message& message : ui.state.session.messages)
-    height += std::max(textHeight(shown(message), wrap), ui.px(kButton)) + ui.px(6);
+    height += std::max(textHeight(shown(message), wrap), ui.px(kMessagesButton)) + ui.px(6);
   return height;
 }
 
 /// Right-aligned, from right to left. @return whether all are to go.
-bool drawHead(PanelUi& ui) {
+bool drawMessagesHead(PanelUi& ui) {
   ImGui::AlignTextToFramePadding();
   heading(ui, "Messages");
   const ImGuiStyle& style = ImGui::GetStyle();
@@ -122,7 +122,7 @@ bool drawHead(PanelUi& ui) {
 
 float messagesHeight(PanelUi& ui) {
   if (ui.state.session.messages.empty() || !ui.state.session.messagesShown) return 0.0f;
-  return std::min({wantedHeight(ui), ui.px(kHighest), ui.state.frame.viewport.w * 0.4f});
+  return std::min({wantedHeight(ui), ui.px(kMessagesHighest), ui.state.frame.viewport.w * 0.4f});
 }
 
 float lowestInPicture(PanelUi& ui) {
@@ -134,7 +134,7 @@ float lowestInPicture(PanelUi& ui) {
 float widthInPicture(const PanelUi& ui, float wanted) {
   const float picture = ui.state.frame.viewport.z;
   const float besideAxes = picture - ui.px(kBesideTools + kBesideAxes);
-  const bool fits = besideAxes >= kNarrowest * ui.px(wanted);
+  const bool fits = besideAxes >= kMessagesNarrowest * ui.px(wanted);
   return std::min(ui.px(wanted), fits ? besideAxes : picture - ui.px(kBesideTools + kFromEdges));
 }
 
@@ -150,7 +150,7 @@ void drawMessages(PanelUi& ui) {
   ImGui::PopStyleVar();
   if (ui.state.session.messagesSaid != ui.state.open.messagesSeen) ImGui::SetScrollY(0.0f);  // What is new is on top.
   ui.state.open.messagesSeen = ui.state.session.messagesSaid;
-  const bool all = drawHead(ui);
+  const bool all = drawMessagesHead(ui);
   std::size_t dismissed = messages.size();
   for (std::size_t i = messages.size(); i-- > 0;) {  // The newest first.
     if (drawMessage(ui, messages[i], i)) dismissed = i;

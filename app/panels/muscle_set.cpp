@@ -19,7 +19,7 @@ namespace sinew::app {
 namespace {
 
 constexpr float kMuscleSetWidth = 300.0f;  // Design pixels, as all here.
-constexpr float kLabel = 84.0f;
+constexpr float kMuscleSetLabel = 84.0f;
 constexpr float kRows = 4.0f;  // Besides one of text.
 
 std::string counted(std::size_t count, const char* one, const char* several) {
@@ -41,16 +41,16 @@ std::string detailsOf(const MuscleSetState& set) {
   return text;
 }
 
-void label(PanelUi& ui, const char* text) {
+void muscleSetLabel(PanelUi& ui, const char* text) {
   ImGui::AlignTextToFramePadding();
   ImGui::TextUnformatted(text);
-  ImGui::SameLine(ui.px(kLabel));
+  ImGui::SameLine(ui.px(kMuscleSetLabel));
   ImGui::SetNextItemWidth(-1.0f);
 }
 
 void drawSets(PanelUi& ui) {
   const MuscleSetState& set = ui.state.open.muscleSet;
-  label(ui, "Set");
+  muscleSetLabel(ui, "Set");
   int chosen = set.chosen;
   if (ImGui::BeginCombo("##set", inReadingOrder(at(set.sets, set.chosen).title).c_str())) {
     for (int i = 0; i < static_cast<int>(set.sets.size()); ++i) {
@@ -69,7 +69,7 @@ void drawSets(PanelUi& ui) {
 void slider(PanelUi& ui, const char* text, const char* id, float value, const NumberLook& look, const char* hint,
             PresetTuning (*with)(PresetTuning, float)) {
   EditorState& state = ui.state;
-  label(ui, text);
+  muscleSetLabel(ui, text);
   const bool edited = numberSlider(ui, (std::string("##") + id).c_str(), value, look);
   ui.widgets.note(id);
   tooltip(ui, hint);

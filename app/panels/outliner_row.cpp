@@ -18,7 +18,7 @@
 namespace sinew::app {
 namespace {
 
-constexpr float kIndent = 13.0f;  // Design pixels, as all here.
+constexpr float kOutlinerRowIndent = 13.0f;  // Design pixels, as all here.
 constexpr float kCell = 18.0f;
 constexpr float kGlyph = 14.0f;
 constexpr float kNameFrom = 36.0f;  // From the row's indent: the fold mark and the picture.
@@ -33,7 +33,9 @@ struct Row {
   ImVec2 high;
   bool hovered = false;
 
-  [[nodiscard]] float indent() const { return low.x + ui.px(4.0f + kIndent * static_cast<float>(row.level)); }
+  [[nodiscard]] float indent() const {
+    return low.x + ui.px(4.0f + kOutlinerRowIndent * static_cast<float>(row.level));
+  }
   [[nodiscard]] float middle(float size) const { return low.y + 0.5f * (high.y - low.y - size); }
   [[nodiscard]] const Primitive& primitive() const { return at(frame.rig->primitives, row.index); }
   [[nodiscard]] const Bone& bone() const { return at(frame.skeleton.bones, row.index); }

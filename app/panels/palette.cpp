@@ -18,9 +18,9 @@
 namespace sinew::app {
 namespace {
 
-constexpr const char* kTitle = "palette";
+constexpr const char* kPaletteTitle = "palette";
 constexpr float kPaletteWidth = 580.0f;  // Design pixels.
-constexpr int kRows = 11;
+constexpr int kPaletteRows = 11;
 constexpr std::size_t kMostFound = 200;
 
 /// The label, letters that were asked for in the accent's color.
@@ -77,8 +77,8 @@ int movedChoice(int chosen, int count) {
   if (count == 0) return -1;
   if (ImGui::IsKeyPressed(GLFW_KEY_DOWN)) return (chosen + 1) % count;
   if (ImGui::IsKeyPressed(GLFW_KEY_UP)) return chosen <= 0 ? count - 1 : chosen - 1;
-  if (ImGui::IsKeyPressed(GLFW_KEY_PAGE_DOWN)) return std::min(chosen + kRows, count - 1);
-  if (ImGui::IsKeyPressed(GLFW_KEY_PAGE_UP)) return std::max(chosen - kRows, 0);
+  if (ImGui::IsKeyPressed(GLFW_KEY_PAGE_DOWN)) return std::min(chosen + kPaletteRows, count - 1);
+  if (ImGui::IsKeyPressed(GLFW_KEY_PAGE_UP)) return std::max(chosen - kPaletteRows, 0);
   return chosen;
 }
 
@@ -86,7 +86,7 @@ int movedChoice(int chosen, int count) {
 int drawFound(PanelUi& ui, const PaletteEntries& all, const std::vector<Found>& found, int lit, bool moved) {
   int taken = -1;
   const float height = ImGui::GetTextLineHeight() + ui.px(10);
-  const int rows = std::clamp(static_cast<int>(found.size()), 1, kRows);
+  const int rows = std::clamp(static_cast<int>(found.size()), 1, kPaletteRows);
   ImGui::BeginChild("found", {0.0f, static_cast<float>(rows) * height});
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0.0f, 0.0f});
   for (std::size_t i = 0; i < found.size(); ++i) {
@@ -136,14 +136,14 @@ void drawContents(PanelUi& ui) {
 
 void drawPalette(PanelUi& ui) {
   if (!ui.state.dialogs.palette.shown) return;
-  if (ui.state.dialogs.palette.appearing && !ImGui::IsPopupOpen(kTitle)) ImGui::OpenPopup(kTitle);
+  if (ui.state.dialogs.palette.appearing && !ImGui::IsPopupOpen(kPaletteTitle)) ImGui::OpenPopup(kPaletteTitle);
   const ImVec2 display = ImGui::GetIO().DisplaySize;
   const float width = std::min(ui.px(kPaletteWidth), display.x - ui.px(20));
   ImGui::SetNextWindowPos({0.5f * display.x, 0.14f * display.y}, ImGuiCond_Always, {0.5f, 0.0f});
   ImGui::SetNextWindowSize({width, 0.0f});
   pushDialogStyle(ui);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {ui.px(10), ui.px(10)});
-  const bool open = ImGui::BeginPopup(kTitle, ImGuiWindowFlags_NoMove);
+  const bool open = ImGui::BeginPopup(kPaletteTitle, ImGuiWindowFlags_NoMove);
   if (open) {
     drawContents(ui);
     ImGui::EndPopup();

@@ -24,7 +24,7 @@ constexpr float kPicturesDialogWidth = 540.0f;  // Design pixels.
 constexpr std::array kEndings{".webp", ".gif", ".mp4"};
 
 void pictureLabel(PanelUi& ui, const char* text) { dialogLabel(ui, text, kExportLabels); }
-void explain(PanelUi& ui, const std::string& text) { dialogExplain(ui, text.c_str(), kExportLabels); }
+void explainPictures(PanelUi& ui, const std::string& text) { dialogExplain(ui, text.c_str(), kExportLabels); }
 
 /// A whole number in a slider that fills the row.
 void countSlider(PanelUi& ui, const char* id, int& count, const char* format, int least, int most) {
@@ -71,17 +71,17 @@ void turntableRows(PanelUi& ui) {
   std::array<char, 96> text{};
   std::snprintf(text.data(), text.size(), "Once around in %.1f s, %d pictures.", turntableSeconds(ui.state),
                 pictureCount(ui.state));
-  explain(ui, text.data());
+  explainPictures(ui, text.data());
   pictureLabel(ui, "Format");
   const auto chosen = std::ranges::find(kEndings, dialog.ending);
   const int clicked = segmented(ui, "pictures/format", kEndings.data(), static_cast<int>(kEndings.size()),
                                 static_cast<int>(chosen - kEndings.begin()), ImGui::GetContentRegionAvail().x);
   if (clicked >= 0) choosePicturesEnding(dialog, kEndings[static_cast<std::size_t>(clicked)]);
   const Result<void> able = checkMovieName(std::string("x") + dialog.ending);
-  explain(ui, able ? (dialog.ending == ".webp"  ? "Small and exact; browsers play it."
-                      : dialog.ending == ".gif" ? "256 colors; plays anywhere."
-                                                : "A film; players and editors take it.")
-                   : able.error().reason);
+  explainPictures(ui, able ? (dialog.ending == ".webp"  ? "Small and exact; browsers play it."
+                              : dialog.ending == ".gif" ? "256 colors; plays anywhere."
+                                                        : "A film; players and editors take it.")
+                           : able.error().reason);
 }
 
 void sheetRows(PanelUi& ui) {
@@ -96,7 +96,7 @@ void sheetRows(PanelUi& ui) {
   std::array<char, 96> text{};
   std::snprintf(text.data(), text.size(), "One picture of %d x %d pixels.", dialog.cells.x * dialog.size.x,
                 dialog.cells.y * dialog.size.y);
-  explain(ui, text.data());
+  explainPictures(ui, text.data());
 }
 
 /// @return whether Enter was pressed in the name
@@ -123,7 +123,7 @@ bool placeRow(PanelUi& ui) {
   return entered;
 }
 
-bool drawRows(PanelUi& ui) {
+bool drawPicturesDialogRows(PanelUi& ui) {
   PicturesDialogState& dialog = ui.state.dialogs.pictures;
   pictureLabel(ui, "Make");
   const int clicked = chooseWord(ui, "pictures/what", {"Turntable", "Contact sheet"}, dialog.sheet ? 1 : 0);
@@ -132,7 +132,7 @@ bool drawRows(PanelUi& ui) {
     dialog.error.clear();
     dialog.overwriteAsked = false;
   }
-  explain(ui, "As the picture is seen now: shading, light, background and height of the eye.");
+  explainPictures(ui, "As the picture is seen now: shading, light, background and height of the eye.");
   if (dialog.sheet) sheetRows(ui);
   else turntableRows(ui);
   pictureLabel(ui, dialog.sheet ? "Each" : "Size");
@@ -144,7 +144,7 @@ bool drawRows(PanelUi& ui) {
   return placeRow(ui);
 }
 
-void drawComplaint(PanelUi& ui) {
+void drawPicturesDialogComplaint(PanelUi& ui) {
   PicturesDialogState& dialog = ui.state.dialogs.pictures;
   if (dialog.error.empty() && !dialog.overwriteAsked) return;
   const std::string asked = picturesFile(dialog).filename().string() + " already exists. Replace it?";
@@ -157,7 +157,7 @@ void drawComplaint(PanelUi& ui) {
 /// @return whether the dialog is over
 bool drawEnd(PanelUi& ui, bool entered) {
   PicturesDialogState& dialog = ui.state.dialogs.pictures;
-  drawComplaint(ui);
+  drawPicturesDialogComplaint(ui);
   const float width = ui.px(104);
   ImGui::SetCursorPosX(ImGui::GetContentRegionMax().x - 2.0f * width - ui.px(8));
   const bool canceled = ImGui::Button(dialog.overwriteAsked ? "Keep" : "Cancel", {width, 0.0f});
@@ -188,7 +188,7 @@ void drawPicturesDialog(PanelUi& ui) {
     // Enter is the button, unless it ends the typing of a number.
     const bool free = !ImGui::IsAnyItemActive();
     const bool pressed = ImGui::IsKeyPressed(GLFW_KEY_ENTER, false) || ImGui::IsKeyPressed(GLFW_KEY_KP_ENTER, false);
-    const bool entered = drawRows(ui) || (free && pressed);
+    const bool entered = drawPicturesDialogRows(ui) || (free && pressed);
     const bool browsing = ui.state.dialogs.file.kind != DialogKind::kNone;
     if (browsing || drawEnd(ui, entered)) ImGui::CloseCurrentPopup();
     ImGui::EndPopup();

@@ -16,7 +16,7 @@
 namespace sinew::app {
 namespace {
 
-constexpr const char* kTitle = "Preferences";
+constexpr const char* kPreferencesDialogTitle = "Preferences";
 constexpr float kPreferencesDialogWidth = 600.0f;  // Design pixels.
 constexpr float kLabelWidth = 170.0f;
 constexpr std::array kScales{0.0f, 1.0f, 1.25f, 1.5f, 1.75f, 2.0f, 2.5f, 3.0f};
@@ -134,10 +134,10 @@ void buttons(PanelUi& ui, bool& closed) {
 
 void drawPreferences(PanelUi& ui) {
   if (!ui.state.dialogs.preferences) return;
-  if (!ImGui::IsPopupOpen(kTitle)) ImGui::OpenPopup(kTitle);
+  if (!ImGui::IsPopupOpen(kPreferencesDialogTitle)) ImGui::OpenPopup(kPreferencesDialogTitle);
   placeDialog(ui, kPreferencesDialogWidth);
   pushDialogStyle(ui);
-  if (ImGui::BeginPopupModal(kTitle, nullptr, ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove)) {
+  if (ImGui::BeginPopupModal(kPreferencesDialogTitle, nullptr, ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove)) {
     pageChoice(ui);
     if (ui.state.dialogs.preferencesPage == PreferencesPage::kKeys) {
       drawKeysPage(ui);

@@ -18,23 +18,23 @@ constexpr const char* kUnsavedTitle = "Unsaved changes";
 constexpr const char* kExportTitle = "An export is running";
 constexpr const char* kRecoveryTitle = "Unsaved work found";
 
-enum class Answer { kNone, kSave, kDiscard, kCancel };
+enum class QuestionsAnswer { kNone, kSave, kDiscard, kCancel };
 
-Answer askUnsaved(PanelUi& ui) {
-  Answer answer = Answer::kNone;
+QuestionsAnswer askUnsaved(PanelUi& ui) {
+  QuestionsAnswer answer = QuestionsAnswer::kNone;
   ImGui::TextWrapped("\"%s\" has changes that are not saved.", inReadingOrder(ui.state.document.name()).c_str());
   ImGui::Dummy({0.0f, ui.px(6)});
   const ImVec2 size{ui.px(104), 0.0f};
   ImGui::SetCursorPosX(ImGui::GetContentRegionMax().x - 3.0f * size.x - 2.0f * ui.px(8));
-  if (ImGui::Button("Cancel", size)) answer = Answer::kCancel;
+  if (ImGui::Button("Cancel", size)) answer = QuestionsAnswer::kCancel;
   ui.widgets.note("unsaved/cancel");
   ImGui::SameLine(0.0f, ui.px(8));
-  if (ImGui::Button("Discard", size)) answer = Answer::kDiscard;
+  if (ImGui::Button("Discard", size)) answer = QuestionsAnswer::kDiscard;
   ui.widgets.note("unsaved/discard");
   ImGui::SameLine(0.0f, ui.px(8));
-  if (accentButton("Save", size)) answer = Answer::kSave;
+  if (accentButton("Save", size)) answer = QuestionsAnswer::kSave;
   ui.widgets.note("unsaved/save");
-  return escapePressed(ui) ? Answer::kCancel : answer;
+  return escapePressed(ui) ? QuestionsAnswer::kCancel : answer;
 }
 
 /// @return whether the question is over.
@@ -136,13 +136,13 @@ void drawUnsavedQuestion(PanelUi& ui) {
   placeDialog(ui, 400);
   pushDialogStyle(ui);
   if (ImGui::BeginPopupModal(kUnsavedTitle, nullptr, ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove)) {
-    const Answer answer = askUnsaved(ui);
-    if (answer != Answer::kNone) {
+    const QuestionsAnswer answer = askUnsaved(ui);
+    if (answer != QuestionsAnswer::kNone) {
       const Intent intent = state.dialogs.question;
       state.dialogs.question = {};
       ImGui::CloseCurrentPopup();
-      if (answer == Answer::kDiscard) perform(state, intent);
-      if (answer == Answer::kSave) save(state, intent);
+      if (answer == QuestionsAnswer::kDiscard) perform(state, intent);
+      if (answer == QuestionsAnswer::kSave) save(state, intent);
     }
     ImGui::EndPopup();
   }

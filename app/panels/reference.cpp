@@ -14,7 +14,7 @@ namespace sinew::app {
 namespace {
 
 constexpr float kReferenceWidth = 330.0f;  // Design pixels, as all here.
-constexpr float kTop = 92.0f;              // Under the display bar and the numbers.
+constexpr float kReferenceTop = 92.0f;     // Under the display bar and the numbers.
 constexpr float kLowest = 40.0f;           // It scrolls.
 constexpr float kReferencePercent = 100.0f;
 
@@ -119,7 +119,7 @@ void drawReference(PanelUi& ui) {
   const float width = std::min(ui.px(kReferenceWidth), v.z - ui.px(kBesideTools + kFromEdges));
   const float rows = reference.chosen().file.empty() ? 3.0f : 8.0f;
   const float wanted = rows * ImGui::GetFrameHeightWithSpacing() + ui.px(14);
-  const float height = std::clamp(lowestInPicture(ui) - ui.px(kTop), ui.px(kLowest), wanted);
+  const float height = std::clamp(lowestInPicture(ui) - ui.px(kReferenceTop), ui.px(kLowest), wanted);
   ImGui::SetCursorPos({ui.px(kBesideTools), lowestInPicture(ui) - height});
   ImGui::PushStyleColor(ImGuiCol_ChildBg, palette::kPanel.faded(0.94f));
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {ui.px(10), ui.px(8)});

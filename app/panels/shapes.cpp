@@ -21,8 +21,8 @@
 namespace sinew::app {
 namespace {
 
-constexpr float kFold = 14.0f;  // Design pixels, as all here.
-constexpr float kIndent = 10.0f;
+constexpr float kShapesFold = 14.0f;  // Design pixels, as all here.
+constexpr float kShapesIndent = 10.0f;
 constexpr float kNameShare = 0.46f;
 constexpr float kStep = 0.1f;
 
@@ -160,7 +160,7 @@ void drawRow(PanelUi& ui, int shape, float indent) {
                   (animated ? "\nClick shows its keys and drivers" : ""));
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const float y = low.y + ImGui::GetStyle().FramePadding.y;
-  const float fold = animated ? ui.px(kFold) : 0.0f;
+  const float fold = animated ? ui.px(kShapesFold) : 0.0f;
   if (animated) {
     drawIcon(list, open ? Icon::kFoldOpen : Icon::kFoldClosed,
              {low.x + ui.px(indent), low.y + 0.5f * (ImGui::GetFrameHeight() - fold)}, fold, palette::kMuted.packed());
@@ -188,14 +188,14 @@ bool drawGroup(PanelUi& ui, const ShapeGroup& group) {
   ui.widgets.note("shapes/group/" + group.name);
   const Tint color = ImGui::IsItemHovered() ? palette::kText : palette::kText.faded(0.85f);
   ImDrawList& list = *ImGui::GetWindowDrawList();
-  drawIcon(list, folded ? Icon::kFoldClosed : Icon::kFoldOpen, {low.x, low.y + 0.5f * (height - ui.px(kFold))},
-           ui.px(kFold), color.packed());
+  drawIcon(list, folded ? Icon::kFoldClosed : Icon::kFoldOpen, {low.x, low.y + 0.5f * (height - ui.px(kShapesFold))},
+           ui.px(kShapesFold), color.packed());
   const float y = low.y + ImGui::GetStyle().FramePadding.y;
   const std::string count = std::to_string(group.shapes.size());
-  const float room = width - ui.px(kFold + 12) - ImGui::CalcTextSize(count.c_str()).x;
+  const float room = width - ui.px(kShapesFold + 12) - ImGui::CalcTextSize(count.c_str()).x;
   const float title = std::min(ImGui::CalcTextSize(group.name.c_str()).x, room);
-  clippedText(list, {low.x + ui.px(kFold + 4), y}, title, color.packed(), group.name);
-  list.AddText({low.x + ui.px(kFold + 10) + title, y}, palette::kMuted.packed(), count.c_str());
+  clippedText(list, {low.x + ui.px(kShapesFold + 4), y}, title, color.packed(), group.name);
+  list.AddText({low.x + ui.px(kShapesFold + 10) + title, y}, palette::kMuted.packed(), count.c_str());
   return !folded;
 }
 
@@ -239,7 +239,7 @@ void drawShapes(PanelUi& ui) {
     if (isWanted(ui, group)) ui.state.open.shapes.folded.erase(group.name);
     const bool unfolded = group.name.empty() || drawGroup(ui, group);
     if (!unfolded && search.empty()) continue;
-    for (const int shape : group.shapes) drawRow(ui, shape, group.name.empty() ? 0.0f : kIndent);
+    for (const int shape : group.shapes) drawRow(ui, shape, group.name.empty() ? 0.0f : kShapesIndent);
   }
   if (groups.empty()) mutedText("No shape of that name");
   ImGui::EndChild();

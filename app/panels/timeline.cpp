@@ -27,7 +27,7 @@ namespace {
 constexpr float kClipWidth = 180.0f;  // Design pixels.
 constexpr float kClipNarrowest = 96.0f;
 constexpr float kSpeedWidth = 84.0f;
-constexpr float kLowest = 60.0f;  // Controls and track.
+constexpr float kTimelineLowest = 60.0f;  // Controls and track.
 
 /// As the list shows it.
 std::string clipName(const std::vector<std::string>& shown, int clip) {
@@ -160,16 +160,16 @@ void playButton(PanelUi& ui) {
 }
 
 /// A control beside the clip's name, in the order in which they keep their room.
-struct Part {
+struct TimelinePart {
   int place;     ///< From left to right.
   float before;  ///< Design pixels of room before it.
   float width;   ///< Window coordinates.
   void (*draw)(PanelUi&);
 };
 
-std::vector<Part> partsOf(const PanelUi& ui) {
+std::vector<TimelinePart> partsOf(const PanelUi& ui) {
   const float button = ImGui::GetFrameHeight();
-  std::vector<Part> parts{
+  std::vector<TimelinePart> parts{
       {2, 2, button, playButton},
       {1, 2, button, [](PanelUi& u) { transportButton(u, "timeline/previous", "play/previous", Icon::kPrevious); }},
       {3, 2, button, [](PanelUi& u) { transportButton(u, "timeline/next", "play/next", Icon::kNext); }},
@@ -209,9 +209,9 @@ void timeReadout(PanelUi& ui, double duration, float room) {
   ImGui::PopFont();
 }
 
-void drawParts(PanelUi& ui, std::vector<Part> parts) {
-  std::ranges::sort(parts, {}, &Part::place);
-  for (const Part& part : parts) {
+void drawParts(PanelUi& ui, std::vector<TimelinePart> parts) {
+  std::ranges::sort(parts, {}, &TimelinePart::place);
+  for (const TimelinePart& part : parts) {
     ImGui::SameLine(0.0f, ui.px(part.before));
     part.draw(ui);
   }
@@ -219,9 +219,9 @@ void drawParts(PanelUi& ui, std::vector<Part> parts) {
 
 void drawControls(PanelUi& ui) {
   const double duration = clipDuration(ui.state.open.transport, ui.state.character());
-  const std::vector<Part> parts = partsOf(ui);
+  const std::vector<TimelinePart> parts = partsOf(ui);
   std::vector<float> widths;
-  for (const Part& part : parts) widths.push_back(ui.px(part.before) + part.width);
+  for (const TimelinePart& part : parts) widths.push_back(ui.px(part.before) + part.width);
   const float room = ImGui::GetContentRegionAvail().x;
   const float all = std::accumulate(widths.begin(), widths.end(), 0.0f);
   const float clip = std::clamp(room - all, ui.px(kClipNarrowest), ui.px(kClipWidth));
@@ -248,7 +248,7 @@ void drawControls(PanelUi& ui) {
 void drawTimeline(PanelUi& ui) {
   // Rows of keys come and go above the rest, so that nothing moves away under the pointer.
   const float wished = ui.px(keyRowsHeight(ui.state));
-  const float rows = std::max(0.0f, std::min(wished, ImGui::GetContentRegionAvail().y - ui.px(kLowest)));
+  const float rows = std::max(0.0f, std::min(wished, ImGui::GetContentRegionAvail().y - ui.px(kTimelineLowest)));
   const ImVec2 top = ImGui::GetCursorScreenPos();
   const float gutter = keyRowsGutter(ui);
   ImGui::SetCursorScreenPos({top.x, top.y + rows});

@@ -19,15 +19,15 @@ namespace sinew::app {
 namespace {
 
 constexpr float kRow = 22.0f;  // Design pixels, as all here.
-constexpr float kGap = 4.0f;
-constexpr std::size_t kMostRows = 6;
+constexpr float kKeyGap = 4.0f;
+constexpr std::size_t kMostKeyRows = 6;
 constexpr float kGutter = 210.0f;
 constexpr float kLeastTrack = 320.0f;
 constexpr float kValueWidth = 54.0f;
 constexpr float kKey = 5.0f;  // Half a diamond.
 
 /// A row of this frame.
-struct Row {
+struct ShownRow {
   PanelUi& ui;
   const KeyRow& keys;
   const TrackSpan& span;
@@ -49,7 +49,7 @@ struct Row {
   }
 };
 
-void drawKeys(const Row& row, int lit) {
+void drawKeys(const ShownRow& row, int lit) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const float half = row.ui.px(kKey);
   for (int i = 0; i < static_cast<int>(row.points().size()); ++i) {
@@ -64,7 +64,7 @@ void drawKeys(const Row& row, int lit) {
 }
 
 /// @return whether the rig has changed, so that what was read of it is old.
-bool channelItems(const Row& row) {
+bool channelItems(const ShownRow& row) {
   PanelUi& ui = row.ui;
   const Rig& rig = ui.state.document.rig();
   std::string name = row.keys.channel;
@@ -84,7 +84,7 @@ bool channelItems(const Row& row) {
   return removed;
 }
 
-void rowMenu(const Row& row) {
+void rowMenu(const ShownRow& row) {
   PanelUi& ui = row.ui;
   AnimateState& animate = ui.state.open.animate;
   if (!ImGui::BeginPopup((row.keys.id + "/menu").c_str())) return;
@@ -114,13 +114,13 @@ void rowMenu(const Row& row) {
   ImGui::EndPopup();
 }
 
-double snapped(const Row& row, double time) {
+double snapped(const ShownRow& row, double time) {
   if (ImGui::GetIO().KeyShift) time = std::round(time / kFrameSeconds) * kFrameSeconds;
   return std::clamp(time, 0.0, row.span.duration);
 }
 
 /// Drags, double clicks and the menu.
-void keysArea(const Row& row) {
+void keysArea(const ShownRow& row) {
   PanelUi& ui = row.ui;
   PointDrag& drag = ui.state.open.animate.drag;
   ImGui::SetCursorScreenPos({row.low.x, row.low.y});
@@ -168,7 +168,7 @@ void keysArea(const Row& row) {
 }
 
 /// A channel's value at this moment; an edit keys it.
-void channelValue(const Row& row, float right) {
+void channelValue(const ShownRow& row, float right) {
   PanelUi& ui = row.ui;
   const std::string id = row.keys.id + "/value";
   const float width = ui.px(kValueWidth);
@@ -200,7 +200,7 @@ int muscleOf(const Rig& rig, const NumberRef& ref) {
   return found == rig.primitives.end() ? -1 : static_cast<int>(found - rig.primitives.begin());
 }
 
-void nameButton(const Row& row, float left, float right) {
+void nameButton(const ShownRow& row, float left, float right) {
   PanelUi& ui = row.ui;
   const float width = right - left - ui.px(6);
   if (width < ui.px(20)) return;
@@ -220,8 +220,8 @@ void nameButton(const Row& row, float left, float right) {
 
 float keyRowsHeight(const EditorState& state) {
   if (!state.hasCharacter()) return 0.0f;
-  const std::size_t count = std::min(keyRows(state).size(), kMostRows);
-  return count == 0 ? 0.0f : static_cast<float>(count) * kRow + kGap;
+  const std::size_t count = std::min(keyRows(state).size(), kMostKeyRows);
+  return count == 0 ? 0.0f : static_cast<float>(count) * kRow + kKeyGap;
 }
 
 float keyRowsGutter(const PanelUi& ui) {
@@ -234,14 +234,14 @@ void drawKeyRows(PanelUi& ui, const TrackSpan& span, float gutter, float height)
   if (rows.empty()) return;
   std::ranges::reverse(rows);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0.0f, 0.0f});
-  ImGui::BeginChild("keys", {ImGui::GetContentRegionAvail().x, height - ui.px(kGap)}, false,
+  ImGui::BeginChild("keys", {ImGui::GetContentRegionAvail().x, height - ui.px(kKeyGap)}, false,
                     ImGuiWindowFlags_NoBackground);
   ImGui::PopStyleVar();
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   ImDrawList& list = *ImGui::GetWindowDrawList();
   float y = corner.y;
   for (const KeyRow& keys : rows) {
-    const Row row{ui, keys, span, {span.left, y}, {span.right, y + ui.px(kRow - 2.0f)}};
+    const ShownRow row{ui, keys, span, {span.left, y}, {span.right, y + ui.px(kRow - 2.0f)}};
     y += ui.px(kRow);
     list.AddRectFilled({row.low.x, row.low.y}, {row.high.x, row.high.y}, palette::kBackground.packed(), ui.px(3));
     float nameEnd = span.left;

@@ -30,7 +30,7 @@ void hint(PanelUi& ui, const std::string& text) {
 }
 
 /// An action with its label and key from the table, gray with the reason where it does not apply.
-void actionItem(PanelUi& ui, const char* id) {
+void viewportActionItem(PanelUi& ui, const char* id) {
   const Action& item = action(id);
   const std::string keys = "   " + keyText(item, ui.state);
   const bool enabled = item.enabled(ui.state);
@@ -102,20 +102,21 @@ void drawItems(PanelUi& ui, const ViewportHover& target) {
   drawTitle(ui, target);
   ImGui::Separator();
   if (target.here.empty()) {
-    for (const char* id : {"edit/select-all", "edit/paste", "view/show-all", "view/frame-all"}) actionItem(ui, id);
+    for (const char* id : {"edit/select-all", "edit/paste", "view/show-all", "view/frame-all"})
+      viewportActionItem(ui, id);
     return;
   }
   selectSubmenu(ui, target);
-  for (const char* id : {"view/frame", "view/isolate", "view/hide"}) actionItem(ui, id);
-  if (anythingHidden(ui.state.document)) actionItem(ui, "view/show-all");
+  for (const char* id : {"view/frame", "view/isolate", "view/hide"}) viewportActionItem(ui, id);
+  if (anythingHidden(ui.state.document)) viewportActionItem(ui, "view/show-all");
   ImGui::Separator();
   addHere(ui, target);
   if (!target.here[target.at].muscle) {
-    for (const char* id : {"edit/add-on-bone", "edit/select-on-bone"}) actionItem(ui, id);
+    for (const char* id : {"edit/add-on-bone", "edit/select-on-bone"}) viewportActionItem(ui, id);
   }
-  for (const char* id : {"edit/duplicate", "edit/mirror", "tool/territory"}) actionItem(ui, id);
+  for (const char* id : {"edit/duplicate", "edit/mirror", "tool/territory"}) viewportActionItem(ui, id);
   ImGui::Separator();
-  for (const char* id : {"edit/rename", "edit/delete"}) actionItem(ui, id);
+  for (const char* id : {"edit/rename", "edit/delete"}) viewportActionItem(ui, id);
 }
 
 }  // namespace

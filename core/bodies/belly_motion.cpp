@@ -78,7 +78,7 @@ float FollowedBelly::mostBall() const { return std::max(kMostBall, kMoreThanInBi
 BellyMotion FollowedBelly::motion(const PosedMuscle& muscle, std::span<const std::optional<SkinFrame>> frames) const {
   if (!muscle.usable) return {};
   const BellyBody body = bellyBody(muscle);
-  // Bent muscles are laid with y along their line (core/rig/via_bend.h).
+  // Bent muscles are laid with y along their line (core/rig/posed_rig.h).
   const glm::vec3 half = body.axes[muscle.isBent ? 1 : long_];
   const float length = glm::length(half);
   BellyMotion motion;

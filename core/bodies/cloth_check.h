@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "core/geometry/triangle_tree.h"
 #include "core/rig/mesh_layers.h"
 #include "sinew/character/character.h"
 #include "sinew/character/pose.h"
@@ -15,6 +16,12 @@
 #include "sinew/surface/surface.h"
 
 namespace sinew {
+
+// What of a surface an eye can see from anywhere outside of it.
+
+/// Whether any of 256 directions leads away from a place without meeting a triangle.
+/// @param normal  any length: directions below it do not count  @param off  distance along it to begin at
+[[nodiscard]] bool isSeen(const TriangleTree& triangles, const glm::vec3& place, const glm::vec3& normal, float off);
 
 /// More than this below the nearest skin is below, fraction of H; farther below than kClothSunk it is elsewhere.
 inline constexpr float kClothBelow = 1e-4f;

@@ -1,10 +1,12 @@
 // core/bodies/mend.h: muscle lines changed until their bellies stay in the flesh. docs/check.md.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "core/bodies/belly_trial.h"
 #include "core/bodies/check.h"
 #include "core/bodies/motions.h"
 #include "core/rig/mirror.h"
@@ -12,6 +14,25 @@
 #include "sinew/rig/rig.h"
 
 namespace sinew {
+
+// A muscle that has just been drawn over a joint, kept in the flesh.
+
+struct DrawnMuscle {
+  BellyChoice choice;
+  bool isClean = true;
+};
+
+/// The first that stays in the flesh in all poses (docs/check.md): muscles that go with one bone of the line, while a
+/// tendon crosses the joint; the same with an end of a line over several joints on a bone between; one that rides a
+/// bone, the best of these if none is clean. Full contraction is learned from the motions. nullopt: there is no skin to
+/// follow.
+/// @param drawn  on a line that has a rest
+[[nodiscard]] std::optional<DrawnMuscle> withDrawnMuscle(const BellyChoice& drawn, const SurfaceSettings& surface,
+                                                         const Motions& motions);
+
+/// Of these only those that leave the muscle where it is and as it is. nullopt: none is clean.
+[[nodiscard]] std::optional<BellyChoice> withNearerEnd(const BellyChoice& drawn, const SurfaceSettings& surface,
+                                                       const Motions& motions);
 
 /// Where a line comes from, which says what may be changed of it.
 enum class MadeLine {

@@ -3,12 +3,43 @@
 
 #include <array>
 #include <optional>
+#include <vector>
 
 #include "core/bodies/belly_trial.h"
-#include "core/bodies/own_skin.h"
+#include "core/bodies/skin_track.h"
 #include "core/rig/line_rest.h"
 
 namespace sinew {
+
+// The skin that goes with one bone.
+
+/// A triangle, and a frame at its middle in the bind pose.
+struct OwnTriangle {
+  int triangle = 0;
+  SkinFrame frame;
+  float weight = 0.0f;  ///< Of the bone, the least of the corners'.
+};
+
+/// Triangles that a bone carries: those whose every corner has nearly as much of it as any has.
+class OwnSkin {
+ public:
+  OwnSkin(const Character& character, int bone);
+
+  [[nodiscard]] int bone() const { return bone_; }
+  /// Empty: no skin follows the bone to speak of.
+  [[nodiscard]] const std::vector<OwnTriangle>& firm() const { return firm_; }
+  /// Mean of their middles.
+  [[nodiscard]] const glm::vec3& middle() const { return middle_; }
+  /// The nearest place to a point of the bind pose, also where the skin half follows other bones.
+  [[nodiscard]] std::optional<SkinFrame> nearest(const glm::vec3& point) const;
+
+ private:
+  const Character& character_;
+  int bone_;
+  std::vector<OwnTriangle> half_;
+  std::vector<OwnTriangle> firm_;
+  glm::vec3 middle_{0.0f};
+};
 
 /// Which of the line's bones the belly goes with. The tendon at the other end crosses the joint.
 enum class BellyBone { kOrigin, kInsertion };

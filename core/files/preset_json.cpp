@@ -11,7 +11,7 @@
 namespace sinew {
 namespace {
 
-constexpr std::uintmax_t kMostBytes = std::uintmax_t{4} << 20;
+constexpr std::uintmax_t kPresetJsonMostBytes = std::uintmax_t{4} << 20;
 constexpr std::size_t kMostMuscles = 1000;
 
 /// ["upperArm", 0.56, -5] or with the depth: ["lowerArm", 0.06, 0, 0.75].
@@ -220,7 +220,7 @@ Result<Preset> presetFromJson(const std::string& text) {
 }
 
 Result<Preset> loadPreset(const std::filesystem::path& file) {
-  const auto text = readWholeFile(file, kMostBytes);
+  const auto text = readWholeFile(file, kPresetJsonMostBytes);
   if (!text) return text.error();
   auto preset = presetFromJson(text.value());
   if (!preset) {

@@ -46,11 +46,11 @@ struct SurfaceFormat {
   std::string_view ending;  ///< Lower case.
   Result<void> (*write)(const Surface& surface, const Character& character, const std::filesystem::path& file);
 };
-constexpr SurfaceFormat kFormats[] = {{".obj", writeObj}, {".ply", writePly}, {".glb", writeGlb}};
+constexpr SurfaceFormat kSurfaceExportFormats[] = {{".obj", writeObj}, {".ply", writePly}, {".glb", writeGlb}};
 
 const SurfaceFormat* findFormat(const std::filesystem::path& file) {
-  const auto* const found = std::ranges::find(kFormats, lowerEnding(file), &SurfaceFormat::ending);
-  return found == std::end(kFormats) ? nullptr : found;
+  const auto* const found = std::ranges::find(kSurfaceExportFormats, lowerEnding(file), &SurfaceFormat::ending);
+  return found == std::end(kSurfaceExportFormats) ? nullptr : found;
 }
 
 }  // namespace
@@ -101,7 +101,7 @@ bool isExportName(const std::filesystem::path& file) { return findFormat(file) !
 
 std::string exportNameEndings() {
   std::vector<std::string> endings;
-  for (const SurfaceFormat& format : kFormats) endings.emplace_back(format.ending);
+  for (const SurfaceFormat& format : kSurfaceExportFormats) endings.emplace_back(format.ending);
   return listed(endings, "or");
 }
 

@@ -14,9 +14,9 @@
 namespace sinew {
 namespace {
 
-constexpr int kRows = 28;  ///< From pole to pole.
+constexpr int kSilhouetteRows = 28;  ///< From pole to pole.
 constexpr int kColumns = 36;
-constexpr int kPlaces = kRows * kColumns;
+constexpr int kPlaces = kSilhouetteRows * kColumns;
 
 /// An edge of the grid: down a column (0) or along a row (1), from a node. Nodes are numbered row by row.
 struct Crossing {
@@ -28,10 +28,10 @@ class Contour {
  public:
   Contour(const Shape& shape, const UnitShape& unit, const glm::vec3& eye, bool parallel)
       : shape_(shape), unit_(unit), eye_(eye), parallel_(parallel), crossings_(2 * (kPlaces + kColumns)) {
-    for (int row = 0; row <= kRows; ++row) {
+    for (int row = 0; row <= kSilhouetteRows; ++row) {
       for (int column = 0; column < kColumns; ++column) facing_.push_back(facing(onGrid(row, column)));
     }
-    for (int row = 0; row < kRows; ++row) {
+    for (int row = 0; row < kSilhouetteRows; ++row) {
       for (int column = 0; column < kColumns; ++column) joinCell(row, column);
     }
   }
@@ -60,7 +60,7 @@ class Contour {
 
  private:
   [[nodiscard]] glm::vec3 onGrid(float row, float column) const {
-    const float polar = std::numbers::pi_v<float> * row / kRows;
+    const float polar = std::numbers::pi_v<float> * row / kSilhouetteRows;
     const float turn = 2.0f * std::numbers::pi_v<float> * column / kColumns;
     return onShape(shape_, 1.0f, {std::sin(polar) * std::sin(turn), std::cos(polar), std::sin(polar) * std::cos(turn)});
   }

@@ -32,7 +32,7 @@ constexpr auto kPrimitive = ParameterOwner::kPrimitive;
 constexpr auto kLine = ParameterOwner::kLine;
 
 // In the order of Parameter, without the numbers of shapes. Radii have limits of their own kind (legalNumber).
-constexpr std::array kRows{
+constexpr std::array kParameterRows{
     Row{Parameter::kAmount, kPrimitive, "amount", "Amount", 0.0f, kMostAmount},
     Row{Parameter::kCenterX, kPrimitive, "center.x", "Centre X", -kUnbounded, kUnbounded},
     Row{Parameter::kCenterY, kPrimitive, "center.y", "Centre Y", -kUnbounded, kUnbounded},
@@ -59,7 +59,7 @@ Row rowOf(Parameter parameter) {
     return {parameter, kPrimitive, number.name, number.words, number.low, number.high};
   }
   const auto index = static_cast<std::size_t>(parameter);
-  return kRows[parameter < Parameter::kShape ? index : index - kShapeNumbers];
+  return kParameterRows[parameter < Parameter::kShape ? index : index - kShapeNumbers];
 }
 
 /// Reading through the same table of members changes nothing.

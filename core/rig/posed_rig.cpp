@@ -1,13 +1,90 @@
 // core/rig/posed_rig.cpp: numbers first, then the lines they set, then the muscles on bones and lines.
 #include "core/rig/posed_rig.h"
 
+#include <algorithm>
+#include <cmath>
 #include <string_view>
 #include <unordered_map>
+
+#include <glm/geometric.hpp>
+#include <glm/gtc/quaternion.hpp>
+#include <glm/matrix.hpp>
 
 #include "core/character/morphing.h"
 #include "core/geometry/at.h"
 
 namespace sinew {
+
+// A shift of the middle alone is a bend.
+
+namespace {
+
+constexpr double kAlong =
+    0.9;  ///< Cosine between a muscle's axis and the line from which it bends with it: 26 degrees.
+constexpr double kAcross = 0.7;  ///< Below it, not at all.
+// Bends in radii from which a muscle bends at all, and from which wholly: slighter ones are hardly seen, and plain
+// ellipsoids are much faster.
+constexpr double kSlight = 0.25;
+constexpr double kPlain = 0.5;
+
+double smoothstep(double from, double to, double x) {
+  const double t = std::clamp((x - from) / (to - from), 0.0, 1.0);
+  return t * t * (3.0 - 2.0 * t);
+}
+
+/// A plain ellipsoid has no first axis: y becomes the one that lies nearest to the line.
+Placement alongLine(const Placement& placement, const glm::dmat3& axes, const glm::dvec3& direction) {
+  if (!placement.shape.isPlain()) return placement;
+  const auto cosine = [&](int i) { return std::abs(glm::dot(glm::normalize(axes[i]), direction)); };
+  int along = 1;
+  for (const int i : {0, 2}) {
+    if (cosine(i) > cosine(along)) along = i;
+  }
+  const glm::mat3 turned = glm::mat3_cast(placement.rotation);
+  Placement same = placement;
+  glm::mat3 axesNow;
+  for (int i = 0; i < 3; ++i) {
+    const int from = (along + i + 2) % 3;
+    axesNow[i] = turned[from];
+    same.radii[i] = placement.radii[from];
+  }
+  if (along != 1) same.rotation = glm::normalize(glm::quat_cast(axesNow));
+  return same;
+}
+
+}  // namespace
+
+ViaBend viaBend(const LineRest& rest, const Placement& placement, const glm::mat4& boneInBind) {
+  const glm::dmat3 drawn(glm::mat3(shapeInWorld(placement, 1.0f, boneInBind)));
+  ViaBend bend{alongLine(placement, drawn, rest.direction), 0.0f};
+  const glm::dvec3 axis(glm::vec3(shapeInWorld(bend.placement, 1.0f, boneInBind)[1]));
+  const double radius = glm::length(axis);
+  const glm::dvec2 tendons(rest.settings.tendons);
+  const double belly =
+      rest.bellyStretch * (1.0 - tendons.x - tendons.y) * static_cast<double>(rest.settings.rest) * rest.length;
+  if (!(radius > 0.0) || !(belly > 0.0)) return bend;
+  const double cosine = std::abs(glm::dot(axis, rest.direction)) / radius;
+  // A muscle of a share h of the belly's length sees the share h^2 of a parabola over the belly as a bend.
+  const double share = std::min(2.0 * radius * cosine / belly, 1.0);
+  bend.share = static_cast<float>(share * share * smoothstep(kAcross, kAlong, cosine));
+  return bend;
+}
+
+BentMuscle bentMuscle(const ViaBend& bend, const glm::mat4& carrier, const glm::vec3& shift) {
+  BentMuscle muscle{carrier, bend.placement};
+  const glm::dmat3 axes(glm::mat3(shapeInWorld(bend.placement, 1.0f, carrier)));
+  if (!(std::abs(glm::determinant(axes)) > 0.0)) return muscle;
+  const glm::dvec3 whole = glm::inverse(axes) * glm::dvec3(bend.share * shift);
+  const glm::dvec3 inRadii = smoothstep(kSlight, kPlain, std::hypot(whole.x, whole.z)) * whole;
+  const glm::vec2 drawn = bend.placement.shape.bend;
+  const glm::vec2 wanted = drawn + glm::vec2(static_cast<float>(inRadii.x), static_cast<float>(inRadii.z));
+  if (!std::isfinite(wanted.x) || !std::isfinite(wanted.y)) return muscle;
+  const glm::vec2 now = glm::clamp(wanted, -kMostBend, kMostBend);
+  const glm::dvec2 bent(now - drawn);
+  muscle.placement.shape.bend = now;
+  muscle.carrier[3] -= glm::vec4(glm::vec3(bent.x * axes[0] + bent.y * axes[2]), 0.0f);
+  return muscle;
+}
 
 RigPoser::RigPoser(const Rig& rig, const Character& character)
     : skeleton_(&character.skeleton),

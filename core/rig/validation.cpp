@@ -21,7 +21,7 @@
 namespace sinew {
 namespace {
 
-constexpr double kUnitTolerance = 1e-3;  // On a quaternion's length; files written by hand have few digits.
+constexpr double kValidationUnitTolerance = 1e-3;  // On a quaternion's length; files written by hand have few digits.
 
 /// Bytes of the UTF-8 sequence that begins at `text`, 0 if it is ill-formed (overlong, surrogate, past U+10FFFF).
 std::size_t utf8Length(std::string_view text) {
@@ -58,7 +58,7 @@ Result<void> validateRotation(const glm::quat& rotation, const std::string& plac
     squared += static_cast<double>(parts[i]) * static_cast<double>(parts[i]);
   }
   const double length = std::sqrt(squared);
-  if (std::abs(length - 1.0) <= kUnitTolerance) return {};
+  if (std::abs(length - 1.0) <= kValidationUnitTolerance) return {};
   return outOfRange(place, "a quaternion x, y, z, w of length 1", static_cast<float>(length), "rotation");
 }
 

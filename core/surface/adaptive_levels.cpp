@@ -22,15 +22,15 @@ namespace {
 
 // Samples along an edge: each number divides the next, so that a triangle finds its own among its edges'.
 constexpr int kFewSamples = 2;
-constexpr int kSamples = 6;
+constexpr int kAdaptiveLevelsSamples = 6;
 constexpr int kManySamples = 12;
-constexpr float kLongEdge = 0.015f;        ///< Fraction of H: longer ones can hide more than a few samples show.
-constexpr std::size_t kSmallMesh = 8'000;  ///< Triangles up to which long edges are sampled finely at once.
-constexpr float kNormalCosine = 0.99027f;  ///< 8 degrees.
-constexpr float kWorthALook = 0.3f;        ///< Of the tolerance: few samples that are off by more call for many.
-constexpr float kWorthCosine = 0.99863f;   ///< 3 degrees.
-constexpr float kMargin = 0.7f;            ///< Of the tolerance: inner points do not lie exactly where samples did.
-constexpr float kCheckMargin = 0.9f;       ///< Of the tolerance: there is more between samples.
+constexpr float kLongEdge = 0.015f;            ///< Fraction of H: longer ones can hide more than a few samples show.
+constexpr std::size_t kSmallMesh = 8'000;      ///< Triangles up to which long edges are sampled finely at once.
+constexpr float kNormalCosine = 0.99027f;      ///< 8 degrees.
+constexpr float kWorthALook = 0.3f;            ///< Of the tolerance: few samples that are off by more call for many.
+constexpr float kWorthCosine = 0.99863f;       ///< 3 degrees.
+constexpr float kAdaptiveLevelsMargin = 0.7f;  ///< Of the tolerance: inner points do not lie exactly where samples did.
+constexpr float kCheckMargin = 0.9f;           ///< Of the tolerance: there is more between samples.
 
 /// Which edges and triangles are looked at, and how finely. What a piece shows follows from itself alone, whatever is
 /// looked at beside it.
@@ -45,7 +45,7 @@ class LevelSearch {
   LevelSearch(const Preparation& next, const AdaptiveLevels& asked, RefinementLevels& needed)
       : next_(next), asked_(asked), mesh_(next.mesh()), needed_(needed) {
     const float height = next.character().height;
-    tolerance_ = {kMargin * asked.from.tolerance * height, kNormalCosine};
+    tolerance_ = {kAdaptiveLevelsMargin * asked.from.tolerance * height, kNormalCosine};
     look_ = {kWorthALook * tolerance_.distance, kWorthCosine};
     isLongEdge_.resize(mesh_.edges.size(), false);
     for (const ControlTriangle& triangle : mesh_.triangles) {
@@ -67,9 +67,9 @@ class LevelSearch {
 
  private:
   [[nodiscard]] int samples(bool isLong, bool first) const {
-    if (!first) return isLong ? kManySamples : kSamples;
+    if (!first) return isLong ? kManySamples : kAdaptiveLevelsSamples;
     if (!isLong) return kFewSamples;
-    return mesh_.triangles.size() <= kSmallMesh ? kManySamples : kSamples;
+    return mesh_.triangles.size() <= kSmallMesh ? kManySamples : kAdaptiveLevelsSamples;
   }
 
   /// In all poses.

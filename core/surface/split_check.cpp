@@ -20,10 +20,10 @@ namespace sinew {
 namespace {
 
 constexpr std::size_t kFewSplits = 4096;  ///< For one thread.
-constexpr int kRounds = 6;
-constexpr int kSamples = 12;          ///< Along each side.
-constexpr std::size_t kMany = 8'000;  ///< Triangles of a mesh from which on fewer will do: they are small.
-constexpr int kFewSamples = 6;
+constexpr int kSplitCheckRounds = 6;
+constexpr int kSplitCheckSamples = 12;  ///< Along each side.
+constexpr std::size_t kMany = 8'000;    ///< Triangles of a mesh from which on fewer will do: they are small.
+constexpr int kSplitCheckFewSamples = 6;
 
 SplitLevels splitOf(const ControlMesh& mesh, const RefinementLevels& levels, int t) {
   SplitLevels out;
@@ -45,7 +45,7 @@ class SplitMeter {
       : part_(sampledPart(next, piece)),
         mesh_(part_.mesh()),
         asked_(placesIn(part_.triangles, piece.triangles)),
-        fine_(next.mesh().triangles.size() > kMany ? kFewSamples : kSamples),
+        fine_(next.mesh().triangles.size() > kMany ? kSplitCheckFewSamples : kSplitCheckSamples),
         samples_(part_, samplePoints(mesh_, only(
                                                 0, [&](int) { return fine_; }, [&](int) { return fine_; }))),
         split_(part_, refine(mesh_, only(
@@ -161,7 +161,7 @@ RefinementLevels levelsThatFit(const Preparation& next, const std::vector<Pose>&
   known.resize(mesh.triangles.size());
   const LevelGrader grader(mesh);
   RefinementLevels levels = grader.graded(needed);
-  for (int round = 0; round < kRounds; ++round) {
+  for (int round = 0; round < kSplitCheckRounds; ++round) {
     std::vector<std::uint8_t> unknown(mesh.triangles.size(), 0);
     forEachIndex(unknown.size(), kFewSplits, [&](std::size_t t) {
       const SplitLevels split = splitOf(mesh, levels, static_cast<int>(t));

@@ -1,6 +1,6 @@
 // tests/bodies/mend_drawn_test.cpp: drawn muscles that are laid along one bone: where they lie, and that check() finds
 // nothing of them.
-#include "core/bodies/mend_drawn.h"
+#include "core/bodies/mend.h"
 
 #include <gtest/gtest.h>
 

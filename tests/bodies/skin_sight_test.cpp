@@ -1,5 +1,5 @@
 // tests/bodies/skin_sight_test.cpp: what lies open is in sight, what is covered is not.
-#include "core/bodies/skin_sight.h"
+#include "core/bodies/cloth_check.h"
 
 #include <array>
 #include <vector>

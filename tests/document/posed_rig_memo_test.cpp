@@ -1,9 +1,8 @@
 // tests/document/posed_rig_memo_test.cpp: the document's rig in a pose, made once and never stale.
-#include "app/document/posed_rig_memo.h"
+#include "app/document/document.h"
 
 #include <gtest/gtest.h>
 
-#include "app/document/document.h"
 #include "sinew/rig/rig_edit.h"
 #include "tests/support/characters/synthetic_characters.h"
 #include "tests/support/rigs/random_animation.h"

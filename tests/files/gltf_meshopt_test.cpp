@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 #include <meshoptimizer.h>
 
-#include "core/files/gltf/meshopt_view.h"
+#include "core/files/gltf/unpack.h"
 #include "tests/files/no_harm.h"
 #include "tests/files/same_triangles.h"
 #include "tests/support/characters/compressed_post.h"

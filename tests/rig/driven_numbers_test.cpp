@@ -12,7 +12,7 @@
 #include "core/character/pose_override.h"
 #include "core/rig/animated_edit.h"
 #include "core/rig/attachment.h"
-#include "core/rig/joint_turns.h"
+#include "core/rig/driver_input.h"
 #include "core/rig/line_edit.h"
 #include "core/rig/validation.h"
 #include "sinew/rig/rig_edit.h"

@@ -1,6 +1,6 @@
 // tests/rig/joint_turns_test.cpp: bend, twist and nearness against turns that were put in.
 
-#include "core/rig/joint_turns.h"
+#include "core/rig/driver_input.h"
 
 #include <cmath>
 

@@ -11,7 +11,6 @@
 
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "core/rig/bone_motion.h"
 #include "core/rig/contraction.h"
 
 namespace sinew::test {

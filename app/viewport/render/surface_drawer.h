@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <optional>
 #include <span>
@@ -10,12 +11,37 @@
 
 #include "app/viewport/render/card_vertices.h"
 #include "app/viewport/render/frame.h"
+#include "app/viewport/render/gl_objects.h"
 #include "app/viewport/render/material_textures.h"
 #include "app/viewport/render/seen_triangles.h"
 #include "app/viewport/render/shadow_mesh.h"
-#include "app/viewport/render/surface_programs.h"
 
 namespace sinew::app {
+
+// Shaders/surface.frag in its many kinds.
+
+struct SurfaceKind {
+  Shading shading = Shading::kTextured;
+  bool wired = false;
+  bool marked = false;
+  bool colored = false;  ///< By the vertices: kTextured alone.
+  bool chosen = false;   ///< A light that was chosen, or with occlusion.
+  MapSet maps = 0;
+
+  friend auto operator<=>(const SurfaceKind&, const SurfaceKind&) = default;
+};
+
+class SurfacePrograms {
+ public:
+  /// Makes those that are used most; the others are made when first used.
+  [[nodiscard]] static Result<SurfacePrograms> create();
+
+  /// Of a kind that cannot be made: without maps, and in the usual light.
+  [[nodiscard]] const GlProgram& of(const SurfaceKind& kind) const;
+
+ private:
+  mutable std::map<SurfaceKind, GlProgram> made_;  ///< Those that cannot be made own nothing.
+};
 
 class SurfaceDrawer {
  public:

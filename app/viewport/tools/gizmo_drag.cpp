@@ -19,10 +19,10 @@
 namespace sinew::app {
 namespace {
 
-constexpr float kPi = std::numbers::pi_v<float>;
+constexpr float kGizmoPi = std::numbers::pi_v<float>;
 constexpr float kPrecise = 0.1f;
 constexpr float kMoveStep = 0.01f;  ///< Fraction of H.
-constexpr float kAngleStep = kPi / 12.0f;
+constexpr float kAngleStep = kGizmoPi / 12.0f;
 constexpr float kFactorStep = 0.1f;
 constexpr float kFarthestMove = 50.0f;  ///< Multiple of H: beyond that the pointer is near an axis' vanishing point.
 constexpr float kPlanarRing = 0.2f;     ///< |cosine| of ring normal and sight below which a ring counts as edge-on.
@@ -211,9 +211,9 @@ Placement evaluateMove(const Evaluation& e) {
 Placement evaluateRotation(const Evaluation& e) {
   float angle = e.traveled().x;
   if (e.snaps()) angle = snapped(angle, e.step(kAngleStep));
-  if (e.typed) angle = *e.typed * kPi / 180.0f;
+  if (e.typed) angle = *e.typed * kGizmoPi / 180.0f;
   e.drag.angle = angle;
-  setValue(e, number(angle * 180.0f / kPi) + " deg");
+  setValue(e, number(angle * 180.0f / kGizmoPi) + " deg");
   e.drag.effect.turnAxis = e.frame.ringNormal(e.way);
   e.drag.effect.angle = angle;
   e.drag.effect.pivot = e.frame.origin;

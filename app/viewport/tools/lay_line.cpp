@@ -24,8 +24,8 @@
 namespace sinew::app {
 namespace {
 
-constexpr float kMostBulge = 0.03f;  ///< How far the belly stands out of the skin at most, fraction of H.
-constexpr float kNearPlane = 0.01f;  ///< Fraction of H, as for muscles on one bone.
+constexpr float kMostBulge = 0.03f;         ///< How far the belly stands out of the skin at most, fraction of H.
+constexpr float kLayLineNearPlane = 0.01f;  ///< Fraction of H, as for muscles on one bone.
 
 const Bone& boneOf(const Character& character, int bone) { return at(character.skeleton.bones, bone); }
 
@@ -63,7 +63,7 @@ Placement bellyInWorld(const LineRest& rest, const Surface& skin, float height) 
 
 /// Every anchor in the mirror plane, if they are near it and on center bones.
 void snapToPlane(const MirrorPlan& plan, MuscleLine& line) {
-  if (!liesInPlane(plan, line, kNearPlane)) return;
+  if (!liesInPlane(plan, line, kLayLineNearPlane)) return;
   for (LineAnchor* anchor : {&line.origin, &line.insertion, line.via ? &*line.via : nullptr}) {
     if (anchor == nullptr) continue;
     const Bone& bone = at(plan.skeleton.bones, *plan.skeleton.findBone(anchor->bone));
@@ -130,7 +130,7 @@ Result<MendedLaidLine> mended(const LaidLine& laid, const Motions& motions) {
 
 Result<Rig> withLaidLine(const Rig& rig, const LaidLine& laid, const MirrorPlan* plan) {
   if (laid.belly.line.empty()) {
-    if (plan && !snappedToPlane(*plan, laid.belly, kNearPlane)) return addPair(rig, laid.belly, *plan);
+    if (plan && !snappedToPlane(*plan, laid.belly, kLayLineNearPlane)) return addPair(rig, laid.belly, *plan);
     return addPrimitive(rig, laid.belly);
   }
   MuscleLine line = laid.line;
@@ -141,7 +141,7 @@ Result<Rig> withLaidLine(const Rig& rig, const LaidLine& laid, const MirrorPlan*
   Primitive belly = laid.belly;
   belly.line = lined->lines.back().name;
   if (!mirrored) return addPrimitive(std::move(lined).value(), std::move(belly));
-  if (const auto snapped = snappedToPlane(*plan, belly, kNearPlane)) {
+  if (const auto snapped = snappedToPlane(*plan, belly, kLayLineNearPlane)) {
     belly.placement = *snapped;
     return addPrimitive(std::move(lined).value(), std::move(belly));
   }

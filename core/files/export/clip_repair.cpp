@@ -20,11 +20,11 @@ namespace {
 /// A rotation whose length differs from 1 by more than that is no unit quaternion for others.
 constexpr float kToldWithin = 1e-4f;
 
-enum class Keys { kStep, kLinear, kCubic };
+enum class ClipRepairKeys { kStep, kLinear, kCubic };
 
 /// The keys of a sampler.
 struct KeyTrack {
-  Keys kind = Keys::kLinear;
+  ClipRepairKeys kind = ClipRepairKeys::kLinear;
   bool turns = false;      ///< Rotations.
   std::size_t width = 0;   ///< Numbers of a value.
   std::size_t perKey = 0;  ///< Numbers of a key: cubic ones have a value between two tangents.
@@ -32,7 +32,7 @@ struct KeyTrack {
   std::vector<float> values;
 
   [[nodiscard]] float* key(std::size_t k) { return &values[k * perKey]; }
-  [[nodiscard]] float* value(std::size_t k) { return key(k) + (kind == Keys::kCubic ? width : 0); }
+  [[nodiscard]] float* value(std::size_t k) { return key(k) + (kind == ClipRepairKeys::kCubic ? width : 0); }
 };
 
 /// In rising order; of equal times the last counts.
@@ -58,9 +58,9 @@ glm::quat quatAt(const float* value) { return glm::quat(value[3], value[0], valu
 /// The key that stands at `share` of the way from key k to the next, which is `span` seconds later.
 std::vector<float> keyBetween(KeyTrack& track, std::size_t k, float share, float span) {
   std::vector<float> made(track.key(k), track.key(k) + track.perKey);
-  if (track.kind == Keys::kStep) return made;
-  float* const value = made.data() + (track.kind == Keys::kCubic ? track.width : 0);
-  if (track.kind == Keys::kLinear && track.turns) {
+  if (track.kind == ClipRepairKeys::kStep) return made;
+  float* const value = made.data() + (track.kind == ClipRepairKeys::kCubic ? track.width : 0);
+  if (track.kind == ClipRepairKeys::kLinear && track.turns) {
     const glm::quat turn =
         glm::slerp(glm::normalize(quatAt(track.value(k))), glm::normalize(quatAt(track.value(k + 1))), share);
     const float numbers[] = {turn.x, turn.y, turn.z, turn.w};
@@ -72,7 +72,7 @@ std::vector<float> keyBetween(KeyTrack& track, std::size_t k, float share, float
   for (std::size_t i = 0; i < track.width; ++i) {
     const float a = track.value(k)[i];
     const float b = track.value(k + 1)[i];
-    if (track.kind == Keys::kLinear) {
+    if (track.kind == ClipRepairKeys::kLinear) {
       value[i] = a + (b - a) * share;
       continue;
     }
@@ -109,7 +109,7 @@ bool beginAtZero(KeyTrack& track) {
 /// Not of splines, whose values are not what plays.
 bool makeUnit(KeyTrack& track) {
   bool changed = false;
-  for (std::size_t k = 0; track.turns && track.kind != Keys::kCubic && k < track.times.size(); ++k) {
+  for (std::size_t k = 0; track.turns && track.kind != ClipRepairKeys::kCubic && k < track.times.size(); ++k) {
     float* const value = track.value(k);
     const float length = std::sqrt(std::inner_product(value, value + 4, value, 0.0f));
     if (std::abs(length - 1.0f) <= kToldWithin) continue;
@@ -197,11 +197,13 @@ class ClipRepair {
         source_.accessors.open(sampler.at("output"), place, typeOf(path), TINYGLTF_TYPE_SCALAR);
     KeyTrack track;
     const std::string mode = sampler.at("interpolation").text("LINEAR");
-    track.kind = mode == "STEP" ? Keys::kStep : mode == "CUBICSPLINE" ? Keys::kCubic : Keys::kLinear;
+    track.kind = mode == "STEP"          ? ClipRepairKeys::kStep
+                 : mode == "CUBICSPLINE" ? ClipRepairKeys::kCubic
+                                         : ClipRepairKeys::kLinear;
     track.turns = path == "rotation";
     type_ = output.components() == 1 ? "SCALAR" : output.components() == 3 ? "VEC3" : "VEC4";
     track.width = path == "weights" ? targetsOf(node) : toIndex(output.components());
-    track.perKey = track.width * (track.kind == Keys::kCubic ? 3 : 1);
+    track.perKey = track.width * (track.kind == ClipRepairKeys::kCubic ? 3 : 1);
     given_ = output.count() * toIndex(output.components());
     if (input.count() == 0 || track.perKey == 0 || given_ / track.perKey < input.count()) return std::nullopt;
     for (std::size_t k = 0; k < input.count(); ++k) track.times.push_back(static_cast<float>(input.number(k, 0)));

@@ -4,18 +4,215 @@
 #include <algorithm>
 #include <map>
 #include <set>
+#include <span>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include <glm/vec4.hpp>
 
 #include "core/files/export/clip_json.h"
 #include "core/files/export/clip_repair.h"
-#include "core/files/export/file_morphs.h"
-#include "core/files/export/helper_nodes.h"
+#include "core/files/export/gltf_rewrite.h"
+#include "core/files/export/into_mesh.h"
 #include "core/files/export/line_data.h"
+#include "core/files/export/morph_targets.h"
 #include "core/files/export/out_primitive.h"
 #include "core/files/export/out_skins.h"
+#include "core/files/export/source.h"
+#include "core/files/fit/helper_joint.h"
+#include "core/files/fit/refined_targets.h"
+#include "core/files/gltf/morph.h"
 #include "core/geometry/at.h"
 
 namespace sinew::exporting {
 namespace {
+
+// The added joints as nodes of the file, and their keys in its clips.
+// Nodes, samplers and channels as JSON and bytes.
+
+/// glTF's order.
+glm::vec4 xyzw(const glm::dquat& q) {
+  return {static_cast<float>(q.x), static_cast<float>(q.y), static_cast<float>(q.z), static_cast<float>(q.w)};
+}
+
+std::string freeName(std::set<std::string>& taken, const std::string& wanted) {
+  std::string name = wanted;
+  for (int number = 2; !taken.insert(name).second; ++number) name = wanted + ' ' + std::to_string(number);
+  return name;
+}
+
+/// One clip of the file, with channels to come.
+class ClipKeys {
+ public:
+  ClipKeys(int clip, const HelperClip& keys, GltfRewrite& rewrite)
+      : clip_(clip), rewrite_(rewrite), input_(addTimes(keys.times, rewrite)) {}
+
+  void add(const HelperJoint& joint, int node, const std::vector<Trs>& locals) {
+    std::vector<glm::vec3> translations;
+    std::vector<glm::vec4> rotations;
+    std::vector<glm::vec3> scales;
+    for (const Trs& local : locals) {
+      translations.emplace_back(local.translation);
+      scales.emplace_back(local.scale);
+      const glm::vec4 turn = xyzw(local.rotation);
+      const bool isFar = !rotations.empty() && glm::dot(rotations.back(), turn) < 0.0f;  // The short way between keys.
+      rotations.push_back(isFar ? -turn : turn);
+    }
+    addPath(node, "translation", "VEC3", translations, glm::vec3(joint.rest.translation));
+    addPath(node, "rotation", "VEC4", rotations, xyzw(joint.rest.rotation));
+    addPath(node, "scale", "VEC3", scales, glm::vec3(joint.rest.scale));
+  }
+
+ private:
+  template <class Value>
+  void addPath(int node, const char* path, const char* type, const std::vector<Value>& values, const Value& rest) {
+    if (std::ranges::all_of(values, [&](const Value& value) { return value == rest; })) return;
+    const int output = rewrite_.addAccessor({bytesOf(values), TINYGLTF_COMPONENT_TYPE_FLOAT, type, values.size()});
+    addChannel(clip_, addSampler(clip_, input_, output, rewrite_), node, path, rewrite_);
+  }
+
+  int clip_;
+  GltfRewrite& rewrite_;
+  int input_;
+};
+
+/// A node for each joint, under that of its bone, with a name that no other node has. Returns their numbers.
+std::vector<int> addHelperNodes(const Source& source, std::span<const HelperJoint> joints, GltfRewrite& rewrite) {
+  std::set<std::string> taken;
+  for (const Json& node : rewrite.root().at("nodes").items()) taken.insert(node.at("name").text(""));
+  std::vector<int> nodes;
+  for (const HelperJoint& joint : joints) {
+    const glm::vec4 turn = xyzw(joint.rest.rotation);
+    Json node = Json::object();
+    node.set("name", freeName(taken, joint.name)).set("translation", numbersOf(joint.rest.translation));
+    node.set("rotation", Json::array({static_cast<double>(turn.x), static_cast<double>(turn.y),
+                                      static_cast<double>(turn.z), static_cast<double>(turn.w)}));
+    nodes.push_back(rewrite.append("nodes", std::move(node)));
+    Json& parent = rewrite.element("nodes", source.nodeOfBone(joint.bone));
+    ensureMember(parent, "children", Json::array()).push(nodes.back());
+  }
+  return nodes;
+}
+
+/// Channels for the joints in the file's clips, linear between keys; none where a joint stays as it rests.
+/// @param nodes  [joints]  @param clips  in the order of the file's, which may have more
+void addHelperKeys(std::span<const HelperJoint> joints, std::span<const int> nodes, std::span<const HelperClip> clips,
+                   GltfRewrite& rewrite) {
+  if (joints.empty()) return;
+  const auto inFile = static_cast<int>(rewrite.root().at("animations").items().size());
+  std::size_t next = 0;
+  for (int clip = 0; clip < inFile && next < clips.size(); ++clip) {
+    if (clipName(rewrite.element("animations", clip), clip) != clips[next].clip) continue;
+    ClipKeys keys(clip, clips[next], rewrite);
+    for (std::size_t j = 0; j < joints.size(); ++j) keys.add(joints[j], nodes[j], clips[next].locals[j]);
+    ++next;
+  }
+}
+
+// The file's morph targets on the written meshes, and keys for what the rig adds to
+// them.
+// Surface differences into each mesh's space; weights of one node out of all.
+
+struct FileMorphs {
+  const Source& source;
+  const PlayedMorphs& played;
+  const Surface& bind;  ///< Without any.
+  bool refined = true;  ///< Else the meshes have their own targets still.
+};
+
+std::vector<float> weightsOf(const gltf::NodeTargets& of, std::span<const float> all) {
+  const auto own = all.subspan(toIndex(of.first), toIndex(of.count));
+  return {own.begin(), own.end()};
+}
+
+std::unordered_map<int, glm::vec3> byVertex(const std::vector<int>& vertices, const std::vector<glm::vec3>& values) {
+  std::unordered_map<int, glm::vec3> result;
+  for (std::size_t i = 0; i < vertices.size(); ++i) result.emplace(vertices[i], values[i]);
+  return result;
+}
+
+std::vector<glm::vec3> spread(const std::vector<int>& of, const std::unordered_map<int, glm::vec3>& known) {
+  std::vector<glm::vec3> values;
+  values.reserve(of.size());
+  for (const int vertex : of) {
+    const auto found = known.find(vertex);
+    values.push_back(found == known.end() ? glm::vec3(0.0f) : found->second);
+  }
+  return values;
+}
+
+/// World of the bind pose -> the space of the primitive's mesh.
+TargetDeltas deltasOf(const RefinedTarget& target, const OutPrimitive& primitive, const Surface& bind,
+                      const IntoMesh& into) {
+  TargetDeltas deltas{spread(primitive.refined, byVertex(target.vertices, target.deltas)),
+                      spread(primitive.drawn, byVertex(target.drawn, target.normals))};
+  for (glm::vec3& delta : deltas.positions) delta = glm::vec3(into.way(glm::dvec3(delta)));
+  for (std::size_t v = 0; v < deltas.normals.size(); ++v) {
+    glm::vec3& turn = deltas.normals[v];
+    if (turn == glm::vec3(0.0f)) continue;
+    const glm::vec3 normal = shadingNormal(bind, toIndex(primitive.drawn[v]));
+    turn = into.normal(normal + turn) - into.normal(normal);
+  }
+  return deltas;
+}
+
+void addTargets(int node, const gltf::NodeTargets& of, const FileMorphs& morphs,
+                std::span<const OutPrimitive> primitives, const OutSkins& skins, GltfRewrite& rewrite) {
+  const IntoMesh into(skins.meshToBind(node));
+  MeshTargets mesh;
+  mesh.weights = weightsOf(of, morphs.played.rest);
+  for (int k = of.first; k < of.first + of.count; ++k) mesh.names.push_back(at(morphs.source.morphTargets, k).name);
+  mesh.deltas = [&](std::size_t primitive, std::size_t target) {
+    return deltasOf(at(morphs.played.targets, of.first + static_cast<int>(target)), primitives[primitive], morphs.bind,
+                    into);
+  };
+  addMorphTargets(node, primitives, mesh, rewrite);
+}
+
+void dropChannels(int clip, int node, GltfRewrite& rewrite) {
+  Json* channels = memberOf(rewrite.element("animations", clip), "channels");
+  if (!channels) return;
+  std::erase_if(channels->children, [&](const Json& channel) {
+    const Json& target = channel.at("target");
+    return target.at("path").text("") == "weights" && target.at("node").number(-1.0) == node;
+  });
+}
+
+/// What file and rig give together, in place of the file's channels.
+void replaceKeys(int node, const gltf::NodeTargets& of, const PlayedMorphs& played, GltfRewrite& rewrite) {
+  const std::size_t all = played.rest.size();
+  const auto inFile = static_cast<int>(rewrite.root().at("animations").items().size());
+  std::size_t next = 0;
+  for (int clip = 0; clip < inFile && next < played.clips.size(); ++clip) {
+    const MorphKeys& keys = played.clips[next];
+    if (clipName(rewrite.element("animations", clip), clip) != keys.clip) continue;
+    ++next;
+    dropChannels(clip, node, rewrite);
+    std::vector<float> weights;
+    for (std::size_t key = 0; key < keys.times.size(); ++key) {
+      const std::vector<float> own = weightsOf(of, std::span(keys.weights).subspan(key * all, all));
+      weights.insert(weights.end(), own.begin(), own.end());
+    }
+    addChannel(clip, addWeightSampler(clip, keys.times, weights, rewrite), node, "weights", rewrite);
+  }
+}
+
+/// Targets of refined meshes, under their names; weights and keys of the nodes that the rig changes.
+void addFileMorphs(const FileMorphs& morphs, std::span<const OutPrimitive> primitives, const OutSkins& skins,
+                   GltfRewrite& rewrite) {
+  const PlayedMorphs& played = morphs.played;
+  if (played.targets.empty()) return;
+  const auto targets = gltf::targetsOfNodes(morphs.source.bound.skeletonNode.size(), morphs.source.morphTargets);
+  for (const int node : nodesOf(primitives)) {
+    const gltf::NodeTargets& of = at(targets, node);
+    if (of.count == 0) continue;
+    if (morphs.refined) addTargets(node, of, morphs, primitives, skins, rewrite);
+    if (!at(played.keyed, of.first)) continue;
+    if (!morphs.refined) rewrite.element("nodes", node).set("weights", numbersOf(weightsOf(of, played.rest)));
+    replaceKeys(node, of, played, rewrite);
+  }
+}
 
 constexpr double kFirstTriangleMode = TINYGLTF_MODE_TRIANGLES;
 

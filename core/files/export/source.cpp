@@ -2,15 +2,184 @@
 #include "core/files/export/source.h"
 
 #include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <optional>
+#include <set>
+#include <string>
 #include <utility>
+#include <vector>
 
-#include "core/files/export/plain_source.h"
+#include "core/files/export/gltf_rewrite.h"
 #include "core/files/gltf/animation.h"
+#include "core/files/gltf/file.h"
 #include "core/files/gltf/uri.h"
+#include "core/files/json/json.h"
 #include "core/geometry/at.h"
 
 namespace sinew::exporting {
 namespace {
+
+// A compressed file's JSON as that of the plain file it stands for.
+// Extensions taken out, new views named, bounds told anew.
+
+void removeExtension(Json& element, std::string_view name) {
+  Json* const extensions = memberOf(element, "extensions");
+  if (!extensions) return;
+  removeMember(*extensions, name);
+  if (extensions->children.empty()) removeMember(element, "extensions");
+}
+
+template <class Number>
+double numberAt(const std::uint8_t* from) {
+  Number number;
+  std::memcpy(&number, from, sizeof(Number));
+  return static_cast<double>(number);
+}
+
+double componentAt(int type, const std::uint8_t* from) {
+  switch (type) {
+    case TINYGLTF_COMPONENT_TYPE_BYTE:
+      return numberAt<std::int8_t>(from);
+    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE:
+      return numberAt<std::uint8_t>(from);
+    case TINYGLTF_COMPONENT_TYPE_SHORT:
+      return numberAt<std::int16_t>(from);
+    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT:
+      return numberAt<std::uint16_t>(from);
+    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT:
+      return numberAt<std::uint32_t>(from);
+    default:
+      return numberAt<float>(from);
+  }
+}
+
+/// Least and greatest of each component as they lie in the view; nothing where they reach beyond it or are not finite.
+std::optional<std::pair<Json, Json>> boundsIn(gltf::Bytes view, const tinygltf::Accessor& accessor,
+                                              std::size_t stride) {
+  const std::size_t components = toIndex(tinygltf::GetNumComponentsInType(static_cast<std::uint32_t>(accessor.type)));
+  const std::size_t size =
+      toIndex(tinygltf::GetComponentSizeInBytes(static_cast<std::uint32_t>(accessor.componentType)));
+  if (stride == 0) stride = components * size;
+  // Unused accessors have been compared with nothing.
+  if (accessor.count == 0 || accessor.byteOffset > view.size() || stride < components * size ||
+      (view.size() - accessor.byteOffset) / stride + 1 < accessor.count ||
+      accessor.byteOffset + (accessor.count - 1) * stride + components * size > view.size()) {
+    return std::nullopt;
+  }
+  std::pair<Json, Json> bounds{Json::array(), Json::array()};
+  for (std::size_t c = 0; c < components; ++c) {
+    const std::uint8_t* from = view.data() + accessor.byteOffset + c * size;
+    double low = componentAt(accessor.componentType, from);
+    double high = low;
+    for (std::size_t i = 0; i < accessor.count; ++i) {
+      const double number = componentAt(accessor.componentType, from + i * stride);
+      if (!std::isfinite(number)) return std::nullopt;
+      low = std::min(low, number);
+      high = std::max(high, number);
+    }
+    bounds.first.push(low);
+    bounds.second.push(high);
+  }
+  return bounds;
+}
+
+class PlainMaker {
+ public:
+  PlainMaker(Json& root, const gltf::File& file) : root_(root), file_(file), model_(file.model()) {}
+
+  void run() {
+    plainPrimitives();
+    plainViews();
+    plainAccessors();
+    for (const char* list : {"extensionsUsed", "extensionsRequired"}) {
+      Json* const names = memberOf(root_, list);
+      if (!names) continue;
+      std::erase_if(names->children,
+                    [](const Json& name) { return name.content == gltf::kDraco || name.content == gltf::kMeshopt; });
+      if (names->children.empty()) removeMember(root_, list);
+    }
+  }
+
+ private:
+  void plainPrimitives() {
+    Json* const meshes = memberOf(root_, "meshes");
+    for (std::size_t m = 0; meshes && m < model_.meshes.size(); ++m) {
+      Json* const primitives = memberOf(meshes->children[m], "primitives");
+      for (std::size_t p = 0; primitives && p < model_.meshes[m].primitives.size(); ++p) {
+        Json& primitive = primitives->children[p];
+        const int mode = model_.meshes[m].primitives[p].mode;
+        const Json* const extensions = memberOf(primitive, "extensions");
+        if (!extensions || !extensions->find(gltf::kDraco)) continue;
+        removeExtension(primitive, gltf::kDraco);
+        if (mode == TINYGLTF_MODE_TRIANGLES) removeMember(primitive, "mode");  // Strips have become lists.
+      }
+    }
+  }
+
+  void plainViews() {
+    Json* const views = memberOf(root_, "bufferViews");
+    if (!views) return;
+    for (Json& view : views->children) removeExtension(view, gltf::kMeshopt);
+    // Where all views must stay, those of compressed meshes are only made as small as may be.
+    for (const std::size_t spent : file_.unpacked().spent) {
+      if (isUsed(spent)) continue;
+      Json& view = views->children[spent];
+      for (const char* member : {"byteStride", "target"}) removeMember(view, member);
+      view.set("byteLength", 1);
+    }
+    for (std::size_t added = views->children.size(); added < model_.bufferViews.size(); ++added) {
+      Json view = Json::object();
+      view.set("buffer", 0).set("byteLength", static_cast<long long>(model_.bufferViews[added].byteLength));
+      views->push(std::move(view));
+    }
+  }
+
+  /// By anything but the extension that compressed.
+  [[nodiscard]] bool isUsed(std::size_t view) const {
+    const auto isIt = [&](int index) { return index == static_cast<int>(view); };
+    return std::ranges::any_of(model_.images, isIt, &tinygltf::Image::bufferView) ||
+           std::ranges::any_of(model_.accessors, [&](const tinygltf::Accessor& accessor) {
+             const auto& sparse = accessor.sparse;
+             return isIt(accessor.bufferView) ||
+                    (sparse.isSparse && (isIt(sparse.indices.bufferView) || isIt(sparse.values.bufferView)));
+           });
+  }
+
+  void plainAccessors() {
+    Json* const accessors = memberOf(root_, "accessors");
+    if (!accessors) return;
+    for (std::size_t i = 0; i < model_.accessors.size(); ++i) {
+      const tinygltf::Accessor& from = model_.accessors[i];
+      Json& accessor = accessors->children[i];
+      if (file_.unpacked().accessors.contains(i)) {
+        accessor.set("bufferView", from.bufferView).set("count", static_cast<long long>(from.count));
+        removeMember(accessor, "byteOffset");
+      }
+      if (from.bufferView < 0 || from.sparse.isSparse) continue;
+      const auto view = file_.unpacked().views.find(toIndex(from.bufferView));
+      if (view == file_.unpacked().views.end()) continue;
+      tellBounds(accessor, from, view->second);
+    }
+  }
+
+  /// Those of the file are of the values before they were compressed, where they lost some digits.
+  void tellBounds(Json& accessor, const tinygltf::Accessor& from, gltf::Bytes view) const {
+    if (!memberOf(accessor, "min") && !memberOf(accessor, "max")) return;
+    auto bounds = boundsIn(view, from, at(model_.bufferViews, from.bufferView).byteStride);
+    if (!bounds) return;
+    accessor.set("min", std::move(bounds->first)).set("max", std::move(bounds->second));
+  }
+
+  Json& root_;
+  const gltf::File& file_;
+  const tinygltf::Model& model_;
+};
+
+/// Views, accessors and primitives as in the file's model, where those that were compressed are plain; the extensions
+/// that compressed them are gone. What Draco has taken the place of nothing refers to any more.
+/// @param root  all of the file's JSON, as it stands
+void makePlain(Json& root, const gltf::File& file) { PlainMaker(root, file).run(); }
 
 bool sameMesh(const ControlMesh& a, const ControlMesh& b) {
   return a.positions == b.positions &&

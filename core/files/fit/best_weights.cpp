@@ -83,9 +83,9 @@ class Choice {
   std::array<Sums, kMost> sums_{};
 };
 
-class Search {
+class BestWeightsSearch {
  public:
-  Search(const Gram& gram, std::size_t count, double mu, const CandidateWeights& near)
+  BestWeightsSearch(const Gram& gram, std::size_t count, double mu, const CandidateWeights& near)
       : count_(count), choice_(gram, mu, near) {}
 
   CandidateWeights run() {
@@ -121,7 +121,7 @@ double energyOf(const Gram& gram, const CandidateWeights& weights, std::size_t c
 }
 
 CandidateWeights bestWeights(const Gram& gram, std::size_t count, double mu, const CandidateWeights& near) {
-  return Search(gram, count, mu, near).run();
+  return BestWeightsSearch(gram, count, mu, near).run();
 }
 
 }  // namespace sinew::exporting

@@ -17,15 +17,15 @@
 namespace sinew::exporting {
 namespace {
 
-constexpr double kSpare = 0.5;           ///< Rigid helpers beyond what is asked; the least useful joints go again.
-constexpr double kReach = 0.08;          ///< Times H: how far around its seed a new helper begins.
-constexpr int kRounds = 4;               ///< In so many goes helpers are placed.
-constexpr int kDrops = 3;                ///< In so many the least useful ones go.
-constexpr int kTurns = 3;                ///< Solutions for weights and motions after each.
-constexpr int kLastTurns = 8;            ///< The same once all is chosen.
-constexpr std::size_t kMostSeeds = 400;  ///< Vertices that are looked at as places.
-constexpr std::size_t kMostGains = 4;    ///< Helpers that a vertex may newly follow in a turn.
-constexpr double kTolerance = 1e-5;      ///< Times H: what is as near is not fitted.
+constexpr double kSpare = 0.5;            ///< Rigid helpers beyond what is asked; the least useful joints go again.
+constexpr double kHelperFitReach = 0.08;  ///< Times H: how far around its seed a new helper begins.
+constexpr int kRounds = 4;                ///< In so many goes helpers are placed.
+constexpr int kDrops = 3;                 ///< In so many the least useful ones go.
+constexpr int kTurns = 3;                 ///< Solutions for weights and motions after each.
+constexpr int kLastTurns = 8;             ///< The same once all is chosen.
+constexpr std::size_t kMostSeeds = 400;   ///< Vertices that are looked at as places.
+constexpr std::size_t kMostGains = 4;     ///< Helpers that a vertex may newly follow in a turn.
+constexpr double kTolerance = 1e-5;       ///< Times H: what is as near is not fitted.
 constexpr std::size_t kLeastHelperRange = 64;  ///< Vertices that are worth a thread.
 constexpr float kAlmostAlone = 0.99f;          ///< A weight beside which the others say nothing.
 
@@ -210,7 +210,7 @@ class HelperFit {
 
   /// How much a vertex counts around a place, 0..1.
   [[nodiscard]] double nearness(std::size_t vertex, int place) const {
-    const double reach = kReach * task_.height;
+    const double reach = kHelperFitReach * task_.height;
     const double distance = glm::distance(glm::dvec3(task_.rest[vertex]), glm::dvec3(task_.rest[toIndex(place)]));
     return std::max(0.0, 1.0 - distance / reach);
   }

@@ -8,7 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "core/files/fit/fit_sample.h"
+#include <glm/vec3.hpp>
+
 #include "core/files/fit/four_weights.h"
 #include "core/files/fit/helper_fit.h"
 #include "core/files/fit/helper_motion.h"
@@ -18,10 +19,49 @@
 #include "core/files/fit/poses.h"
 #include "core/files/fit/stage_progress.h"
 #include "core/geometry/at.h"
+#include "sinew/character/character.h"
 #include "sinew/character/character_pose.h"
 #include "sinew/files/skinned_export.h"
+#include "sinew/geometry/result.h"
+#include "sinew/rig/rig.h"
 
 namespace sinew::exporting {
+
+// Which joints a vertex may follow when its weights are fitted.
+
+/// Up to kMostCandidates (best_weights.h) bindings for each refined vertex: its own as interpolatedWeights() gives
+/// them, the four largest first; then the bones of muscles that reach it; then what the vertices around its control
+/// triangles follow, the most followed first; then the bones of the skin nearest in the skeleton to that of its largest
+/// weight. Every binding once. Error: the rig does not fit the character.
+[[nodiscard]] Result<std::vector<std::vector<int>>> weightCandidates(const Character& character, const Rig& rig,
+                                                                     const Refinement& refinement,
+                                                                     const std::vector<std::vector<Share>>& own);
+
+// Some vertices that stand for all while joints are fitted.
+
+/// Vertices spread evenly over all of them: each stands for about as many, so none has to count more than another.
+struct FitSample {
+  std::vector<int> vertices;                  ///< Ascending.
+  std::vector<int> cell;                      ///< [all] index in `vertices` of the nearest along edges.
+  std::vector<std::array<int, 3>> triangles;  ///< Indices in `vertices`: where three cells meet.
+
+  [[nodiscard]] bool isWhole() const { return vertices.size() == cell.size(); }
+};
+
+/// About `most` vertices along a Morton curve, at least one of everything that hangs together; all of them where there
+/// are no more, with their own triangles.
+/// @param triangles  between the vertices; those with a corner beyond them are skipped
+[[nodiscard]] FitSample sampleVertices(std::span<const glm::vec3> rest, std::span<const std::array<int, 3>> triangles,
+                                       std::size_t most);
+
+/// [all] bindings that each vertex may follow: its own, then what its cell and the cells around that follow, the most
+/// followed first; kMostNear, or its own alone if these are more.
+/// @param weights  [sample.vertices]  @param own  [all]
+[[nodiscard]] std::vector<std::vector<int>> candidatesNear(const FitSample& sample,
+                                                           std::span<const FourWeights> weights,
+                                                           std::span<const FourWeights> own);
+
+inline constexpr std::size_t kMostNear = 12;
 
 class ErrorMeter;
 

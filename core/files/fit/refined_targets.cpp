@@ -15,7 +15,7 @@
 namespace sinew::exporting {
 namespace {
 
-constexpr float kSameNormal = 1e-4f;  ///< Turns that are smaller are rounding.
+constexpr float kRefinedTargetsSameNormal = 1e-4f;  ///< Turns that are smaller are rounding.
 
 RefinedTarget differenceOf(const Surface& with, const Surface& without) {
   RefinedTarget target;
@@ -26,7 +26,7 @@ RefinedTarget differenceOf(const Surface& with, const Surface& without) {
   }
   for (std::size_t d = 0; d < without.refinement->drawVertex.size(); ++d) {
     const glm::vec3 turn = shadingNormal(with, d) - shadingNormal(without, d);
-    if (glm::length(turn) <= kSameNormal) continue;
+    if (glm::length(turn) <= kRefinedTargetsSameNormal) continue;
     target.drawn.push_back(static_cast<int>(d));
     target.normals.push_back(turn);
   }

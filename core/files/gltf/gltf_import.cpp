@@ -53,7 +53,7 @@ void noteUnused(const File& file, Notes& notes) {
     notes.add("lights (" + std::to_string(file.lights()) + ") are ignored: the editor lights the character");
 }
 
-constexpr float kLeastHeight = 1e-9f;  ///< Smaller characters leave what sums of squares can tell.
+constexpr float kGltfImportLeastHeight = 1e-9f;  ///< Smaller characters leave what sums of squares can tell.
 
 enum class ReadFor { kCharacter, kClips };
 
@@ -67,7 +67,7 @@ std::vector<int> weldMesh(const TriangleSoup& soup, Character& character, ReadFo
     refuse("meshes", "all triangles have collapsed to lines or points", "cannot be opened");
   character.height = heightOf(character.mesh.positions);
   // Vertices in one place stay apart if they follow different bones.
-  if (!(character.height > kLeastHeight))
+  if (!(character.height > kGltfImportLeastHeight))
     refuse("meshes", "all vertices are in one place: the mesh has no extent", "cannot be opened");
   return standsFor;
 }

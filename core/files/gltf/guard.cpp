@@ -20,11 +20,11 @@ constexpr std::size_t kMaxFaults = 1000;
 constexpr Rule kAttribute = {.type = Type::kIndex, .list = "accessors", .otherwise = "-1", .whenUsed = true};
 constexpr std::array<double, 6> kComponentTypes{5120, 5121, 5122, 5123, 5125, 5126};
 // MAT2 and MAT3 have padded columns and nothing Sinew reads uses them.
-constexpr std::array<std::string_view, 5> kShapes{"SCALAR", "VEC2", "VEC3", "VEC4", "MAT4"};
+constexpr std::array<std::string_view, 5> kGuardShapes{"SCALAR", "VEC2", "VEC3", "VEC4", "MAT4"};
 
 /// Where the walk is; spelled out only when something is refused.
-struct Place {
-  const Place* above = nullptr;
+struct GuardPlace {
+  const GuardPlace* above = nullptr;
   std::string_view key{};  // "" for an element
   std::size_t index = 0;   // of an element
 
@@ -48,7 +48,7 @@ class Guard {
   }
 
   Guarded run() && {
-    const Place place;
+    const GuardPlace place;
     out() += '{';
     writeMember(root_, assetRule(), place);
     checkVersion(root_.at("asset").at("version").text(""));
@@ -70,8 +70,8 @@ class Guard {
     if (out().back() != '{' && out().back() != '[') out() += ',';
   }
 
-  void writeMember(const Json& object, const Rule& rule, const Place& above) {
-    const Place place{.above = &above, .key = rule.key};
+  void writeMember(const Json& object, const Rule& rule, const GuardPlace& above) {
+    const GuardPlace place{.above = &above, .key = rule.key};
     const Json* value = object.find(rule.key);
     if (!value && rule.needed) refuse(place.text(), "missing");
     if (!value && rule.otherwise.empty()) return;
@@ -83,7 +83,7 @@ class Guard {
     if (rule.aside) out().resize(before);
   }
 
-  void write(const Json& value, const Rule& rule, const Place& place) {
+  void write(const Json& value, const Rule& rule, const GuardPlace& place) {
     const std::size_t before = out().size();
     try {
       writeSound(value, rule, place);
@@ -95,7 +95,7 @@ class Guard {
     }
   }
 
-  void writeSound(const Json& value, const Rule& rule, const Place& place) {
+  void writeSound(const Json& value, const Rule& rule, const GuardPlace& place) {
     switch (rule.type) {
       case Type::kAnything:
         return void(out() += "null");
@@ -117,7 +117,7 @@ class Guard {
       case Type::kComponentType:
         return writeComponentType(value, place);
       case Type::kShape:
-        if (std::ranges::find(kShapes, expectText(value, place).content) == kShapes.end()) {
+        if (std::ranges::find(kGuardShapes, expectText(value, place).content) == kGuardShapes.end()) {
           refuse(place.text(), "unknown or unusable type " + shortened(value.dump()));
         }
         return void(out() += value.dump());
@@ -133,21 +133,21 @@ class Guard {
     }
   }
 
-  static void expectObject(const Json& value, const Place& place) {
+  static void expectObject(const Json& value, const GuardPlace& place) {
     if (value.kind != Kind::kObject) refuse(place.text(), "expected an object");
   }
 
-  static const Json& expectText(const Json& value, const Place& place) {
+  static const Json& expectText(const Json& value, const GuardPlace& place) {
     if (value.kind != Kind::kString) refuse(place.text(), "expected a string");
     return value;
   }
 
-  static const std::vector<Json>& itemsOf(const Json& value, const Place& place) {
+  static const std::vector<Json>& itemsOf(const Json& value, const GuardPlace& place) {
     if (value.kind != Kind::kArray) refuse(place.text(), "expected an array");
     return value.children;
   }
 
-  static std::uint64_t wholeOf(const Json& value, const Place& place) {
+  static std::uint64_t wholeOf(const Json& value, const GuardPlace& place) {
     if (value.kind != Kind::kNumber) refuse(place.text(), "expected a number");
     const double number = value.number(0.0);
     if (number < 0.0 || number > static_cast<double>(kMaxWhole) || number != std::floor(number)) {
@@ -157,13 +157,13 @@ class Guard {
   }
 
   /// Always with a point or an exponent: tinygltf cuts whole numbers in extensions to an int.
-  void writeNumber(const Json& value, const Place& place) {
+  void writeNumber(const Json& value, const GuardPlace& place) {
     if (value.kind != Kind::kNumber) refuse(place.text(), "expected a number");
     out() += value.content;
     if (value.content.find_first_of(".eE") == std::string::npos) out() += ".0";
   }
 
-  void writeNumbers(const Json& value, const Rule& rule, const Place& place) {
+  void writeNumbers(const Json& value, const Rule& rule, const GuardPlace& place) {
     const std::vector<Json>& items = itemsOf(value, place);
     if (items.size() != rule.limit) refuse(place.text(), "expected " + std::to_string(rule.limit) + " numbers");
     out() += '[';
@@ -174,7 +174,7 @@ class Guard {
     out() += ']';
   }
 
-  void writeWhole(const Json& value, const Rule& rule, const Place& place) {
+  void writeWhole(const Json& value, const Rule& rule, const GuardPlace& place) {
     const std::uint64_t whole = wholeOf(value, place);
     if (whole > rule.limit && rule.whenUsed) {  // an index into a list that the guard does not know
       refuse(place.text(), "there is no " + std::string(rule.key) + " " + std::to_string(whole));
@@ -182,7 +182,7 @@ class Guard {
     out() += std::to_string(std::min(whole, rule.limit));
   }
 
-  void writeIndex(const Json& value, const Rule& rule, const Place& place) {
+  void writeIndex(const Json& value, const Rule& rule, const GuardPlace& place) {
     const std::uint64_t index = wholeOf(value, place);
     const std::size_t size = sizes_.at(rule.list);
     if (index >= size) {
@@ -192,7 +192,7 @@ class Guard {
     out() += std::to_string(index);
   }
 
-  void writeComponentType(const Json& value, const Place& place) {
+  void writeComponentType(const Json& value, const GuardPlace& place) {
     const std::uint64_t type = wholeOf(value, place);
     if (std::ranges::find(kComponentTypes, static_cast<double>(type)) == kComponentTypes.end()) {
       refuse(place.text(), "unknown component type " + std::to_string(type));
@@ -201,7 +201,7 @@ class Guard {
   }
 
   /// Those that are read, with their accessors; those that are noted, without. All have plain names.
-  void writeAttributes(const Json& value, const Place& place) {
+  void writeAttributes(const Json& value, const GuardPlace& place) {
     expectObject(value, place);
     out() += '{';
     for (const Json& attribute : value.children) {
@@ -218,7 +218,7 @@ class Guard {
     out() += '}';
   }
 
-  void writeList(const Json& value, const Rule& rule, const Place& place) {
+  void writeList(const Json& value, const Rule& rule, const GuardPlace& place) {
     const std::vector<Json>& items = itemsOf(value, place);
     if (rule.limit != 0 && items.size() > rule.limit) refuse(place.text(), std::string(rule.beyond));
     if (rule.element->type == Type::kObject) {

@@ -1,19 +1,45 @@
 // core/files/gltf/image.cpp: stb_image and libwebp, guarded against images made to exhaust memory or time.
-
 #include "core/files/gltf/image.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <memory>
+#include <optional>
+#include <span>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include <stb_image.h>
+#include <webp/decode.h>
 
 #include "core/files/gltf/image_bytes.h"
-#include "core/files/gltf/webp_image.h"
 #include "core/geometry/at.h"
 
 namespace sinew::gltf {
 namespace {
+
+// WebP -> RGBA.
+// Libwebp's simple decoder, into memory of the size that its header tells.
+
+/// Width and height of a still image; nothing where the header is damaged or the image moves.
+std::optional<std::pair<int, int>> webpSize(std::span<const std::uint8_t> bytes) {
+  WebPBitstreamFeatures features;
+  if (WebPGetFeatures(bytes.data(), bytes.size(), &features) != VP8_STATUS_OK || features.has_animation != 0) {
+    return std::nullopt;
+  }
+  return std::pair(features.width, features.height);
+}
+
+/// Its pixels, 4 bytes each; empty where it is damaged. The size has been found to be bearable.
+std::vector<std::uint8_t> webpPixels(std::span<const std::uint8_t> bytes) {
+  const auto size = webpSize(bytes);
+  if (!size) return {};
+  std::vector<std::uint8_t> rgba(4 * toIndex(size->first) * toIndex(size->second));
+  const bool whole =
+      WebPDecodeRGBAInto(bytes.data(), bytes.size(), rgba.data(), rgba.size(), 4 * size->first) != nullptr;
+  return whole ? rgba : std::vector<std::uint8_t>();
+}
 
 /// Deflate shrinks at most this much.
 constexpr std::uint64_t kMaxDeflateRatio = 1032;

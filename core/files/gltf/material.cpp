@@ -1,14 +1,158 @@
 // core/files/gltf/material.cpp: glTF's metallic-roughness materials (glTF 2.0, 3.9).
-
 #include "core/files/gltf/material.h"
 
 #include <algorithm>
+#include <cmath>
+#include <map>
+#include <tuple>
+#include <vector>
 
+#include "core/files/gltf/file.h"
+#include "core/files/gltf/image.h"
 #include "core/files/gltf/loose_values.h"
-#include "core/files/gltf/texture_reader.h"
+#include "core/files/gltf/notes.h"
 #include "core/geometry/at.h"
+#include "sinew/character/material.h"
 
 namespace sinew::gltf {
+namespace {
+
+// The textures of a file, each decoded once.
+// Samplers, images, and what all images may take together.
+
+/// Reads textures as they are asked for, within one budget for all.
+class TextureReader {
+ public:
+  TextureReader(File& file, Notes& notes) : file_(file), notes_(notes) {}
+
+  /// Index into take(), or -1: one that cannot be read is noted and left out. Refuses an unsound texture, and a uri
+  /// outside the folder.
+  int read(int index);
+  [[nodiscard]] std::vector<Texture> take() && { return std::move(textures_); }
+
+ private:
+  [[nodiscard]] Texture readSampler(int index) const;
+  int decode(std::size_t image, Texture texture);
+
+  File& file_;
+  Notes& notes_;
+  std::map<std::tuple<int, TextureWrap, TextureWrap, bool>, int> known_;
+  std::size_t pixels_ = 0;
+  std::size_t encodedBytes_ = 0;
+  std::vector<Texture> textures_;
+};
+
+constexpr std::size_t kMaxPixels = 96U << 20;         // of all textures: 384 MiB as RGBA
+constexpr std::size_t kMaxEncodedBytes = 256U << 20;  // kept for export
+
+TextureWrap wrapOf(int mode) {
+  switch (mode) {
+    case TINYGLTF_TEXTURE_WRAP_CLAMP_TO_EDGE:
+      return TextureWrap::kClampToEdge;
+    case TINYGLTF_TEXTURE_WRAP_MIRRORED_REPEAT:
+      return TextureWrap::kMirroredRepeat;
+    default:
+      return TextureWrap::kRepeat;
+  }
+}
+
+/// The WebP image where there is one: the other is for programs that cannot read it.
+int sourceOf(const tinygltf::Texture& texture) {
+  const auto* webp = findExtension(texture.extensions, "EXT_texture_webp");
+  return webp && webp->Has("source") ? webp->Get("source").GetNumberAsInt() : texture.source;
+}
+
+int TextureReader::read(int index) {
+  const std::string place = placeOf("textures", toIndex(index));
+  file_.expectSound(place);
+  const tinygltf::Texture& texture = file_.model().textures[toIndex(index)];
+  const int source = sourceOf(texture);
+  if (source < 0) {
+    notes_.add(place + " has no PNG, JPEG or WebP source and is ignored: the material is drawn without");
+    return -1;
+  }
+  const Texture settings = readSampler(texture.sampler);
+  const auto key = std::tuple(source, settings.wrapU, settings.wrapV, settings.nearest);
+  const auto known = known_.find(key);
+  return known != known_.end() ? known->second : known_[key] = decode(toIndex(source), settings);
+}
+
+Texture TextureReader::readSampler(int index) const {
+  Texture settings;
+  if (index < 0) return settings;
+  file_.expectSound(placeOf("samplers", toIndex(index)));
+  const tinygltf::Sampler& sampler = file_.model().samplers[toIndex(index)];
+  settings.wrapU = wrapOf(sampler.wrapS);
+  settings.wrapV = wrapOf(sampler.wrapT);
+  settings.nearest = sampler.magFilter == TINYGLTF_TEXTURE_FILTER_NEAREST;
+  return settings;
+}
+
+int TextureReader::decode(std::size_t image, Texture texture) {
+  const auto leaveOut = [&](const std::string& why) {
+    notes_.add(placeOf("images", image) + ": " + why + "; it is ignored: the material is drawn without");
+    return -1;
+  };
+  Result<EncodedImage> encoded = file_.encodedImage(image);
+  if (!encoded) return leaveOut(encoded.error().reason);
+  const Bytes bytes = encoded->bytes;
+  if (bytes.size() > kMaxEncodedBytes - encodedBytes_) return leaveOut("the images are too large together");
+  Result<Image> decoded = decodeImage(bytes, kMaxPixels - pixels_);
+  if (!decoded) return leaveOut(decoded.error().reason);
+  texture.name = file_.model().images[image].name;
+  if (texture.name.empty()) texture.name = "image " + std::to_string(image);
+  texture.width = decoded->width;
+  texture.height = decoded->height;
+  texture.rgba = std::move(decoded.value().rgba);
+  texture.mimeType = decoded->mimeType;
+  texture.encoded.assign(bytes.begin(), bytes.end());
+  pixels_ += texture.rgba.size() / 4;
+  encodedBytes_ += texture.encoded.size();
+  textures_.push_back(std::move(texture));
+  return static_cast<int>(textures_.size()) - 1;
+}
+
+}  // namespace
+
+// Transforms of texture coordinates, and from one to another.
+
+glm::vec2 UvSource::apply(double u, double v) const {
+  return {static_cast<float>(transform[0] * u + transform[1] * v + transform[2]),
+          static_cast<float>(transform[3] * u + transform[4] * v + transform[5])};
+}
+
+/// Rotation about the origin, counter-clockwise in uv, then offset (KHR_texture_transform).
+UvSource uvSourceOf(int set, const tinygltf::Value* transform) {
+  UvSource uv{.set = set};
+  if (transform == nullptr) return uv;
+  std::array<double, 2> offset{0.0, 0.0};
+  std::array<double, 2> scale{1.0, 1.0};
+  looseNumbers(*transform, "offset", offset);
+  looseNumbers(*transform, "scale", scale);
+  const double angle = looseNumber(*transform, "rotation", 0.0);
+  const double c = std::cos(angle);
+  const double s = std::sin(angle);
+  uv.transform = {c * scale[0], s * scale[1], offset[0], -s * scale[0], c * scale[1], offset[1]};
+  if (transform->Has("texCoord")) uv.set = transform->Get("texCoord").GetNumberAsInt();
+  return uv;
+}
+
+std::optional<std::array<glm::vec3, 2>> placeFrom(const UvSource& from, const UvSource& to) {
+  if (from.set != to.set) return std::nullopt;
+  if (from.transform == to.transform) return TextureMap{}.place;
+  const auto& [a, b, c, d, e, f] = from.transform;
+  const double determinant = a * e - b * d;
+  std::array<glm::vec3, 2> place{};
+  for (std::size_t row = 0; row < 2; ++row) {
+    const double x = to.transform[3 * row], y = to.transform[3 * row + 1];
+    const double u = (x * e - y * d) / determinant;
+    const double v = (y * a - x * b) / determinant;
+    place[row] = glm::vec3(u, v, to.transform[3 * row + 2] - u * c - v * f);
+    if (!std::isfinite(place[row].x + place[row].y + place[row].z)) return std::nullopt;
+  }
+  return place;
+}
+
 namespace {
 
 constexpr double kMaxGlow = 1e4;  // KHR_materials_emissive_strength: beyond, nothing is seen but white

@@ -1,20 +1,324 @@
 // core/files/gltf/unpack.cpp: the JSON of the two extensions, checked by hand, and where their decoded bytes go.
-
 #include "core/files/gltf/unpack.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
 #include <limits>
+#include <memory>
+#include <span>
+#include <utility>
+#include <vector>
 
-#include "core/files/gltf/draco_mesh.h"
-#include "core/files/gltf/meshopt_view.h"
+#include <draco/attributes/attribute_quantization_transform.h>
+#include <draco/compression/mesh/mesh_edgebreaker_decoder.h>
+#include <draco/compression/mesh/mesh_sequential_decoder.h>
+#include <draco/core/varint_decoding.h>
+#include <meshoptimizer.h>
+
 #include "core/files/gltf/rules.h"
 #include "core/geometry/at.h"
 #include "sinew/files/gltf_import.h"
+#include "sinew/geometry/result.h"
 
 namespace sinew::gltf {
+
+// Meshoptimizer's decoders behind the rules of EXT_meshopt_compression.
+
 namespace {
+
+/// Bytes of vertices shrink at most this much: two bits for sixteen of them.
+constexpr std::uint64_t kMostRatio = 64;
+constexpr std::uint64_t kMostStride = 256;
+
+/// The library asserts what it is told; this is all of that, and what EXT_meshopt_compression asks besides.
+const char* faultOf(const MeshoptView& view) {
+  if (view.count == 0) return "has no elements";
+  if (view.mode != MeshoptMode::kAttributes) {
+    if (view.stride != 2 && view.stride != 4) return "is of indices; 2 or 4 bytes are expected for each";
+    if (view.filter != MeshoptFilter::kNone) return "is of indices, which have no filter";
+    const bool whole = view.mode == MeshoptMode::kIndices || view.count % 3 == 0;
+    return whole ? nullptr : "is of triangles; a multiple of 3 indices is expected";
+  }
+  if (view.stride == 0 || view.stride > kMostStride || view.stride % 4 != 0) {
+    return "has a byteStride that is no multiple of 4 up to 256";
+  }
+  if (view.filter == MeshoptFilter::kOctahedral && view.stride != 4 && view.stride != 8) {
+    return "has the filter OCTAHEDRAL, for 4 or 8 bytes";
+  }
+  return view.filter == MeshoptFilter::kQuaternion && view.stride != 8 ? "has the filter QUATERNION, for 8 bytes"
+                                                                       : nullptr;
+}
+
+/// Whether so few bytes can hold so many elements.
+bool holdsElements(std::uint64_t bytes, const MeshoptView& view) {
+  if (view.mode == MeshoptMode::kAttributes) return view.count * view.stride / kMostRatio <= bytes;
+  return (view.mode == MeshoptMode::kTriangles ? view.count / 3 : view.count) <= bytes;
+}
+
+bool decodeInto(std::vector<std::uint8_t>& to, std::span<const std::uint8_t> bytes, const MeshoptView& view) {
+  switch (view.mode) {
+    case MeshoptMode::kAttributes:
+      return meshopt_decodeVertexBuffer(to.data(), view.count, view.stride, bytes.data(), bytes.size()) == 0;
+    case MeshoptMode::kTriangles:
+      return meshopt_decodeIndexBuffer(to.data(), view.count, view.stride, bytes.data(), bytes.size()) == 0;
+    case MeshoptMode::kIndices:
+      return meshopt_decodeIndexSequence(to.data(), view.count, view.stride, bytes.data(), bytes.size()) == 0;
+  }
+  return false;
+}
+
+void undoFilter(std::vector<std::uint8_t>& values, const MeshoptView& view) {
+  switch (view.filter) {
+    case MeshoptFilter::kNone:
+      return;
+    case MeshoptFilter::kOctahedral:
+      return meshopt_decodeFilterOct(values.data(), view.count, view.stride);
+    case MeshoptFilter::kQuaternion:
+      return meshopt_decodeFilterQuat(values.data(), view.count, view.stride);
+    case MeshoptFilter::kExponential:
+      return meshopt_decodeFilterExp(values.data(), view.count, view.stride);
+  }
+}
+
+}  // namespace
+
+Result<std::vector<std::uint8_t>> decodeMeshopt(std::span<const std::uint8_t> bytes, const MeshoptView& view) {
+  if (const char* const fault = faultOf(view)) return errorAt("", std::string("the compressed view ") + fault);
+  if (!holdsElements(bytes.size(), view)) {
+    return errorAt(
+        "", std::to_string(bytes.size()) + " compressed bytes cannot hold " + std::to_string(view.count) + " elements");
+  }
+  std::vector<std::uint8_t> result(view.count * view.stride);
+  if (!decodeInto(result, bytes, view)) return errorAt("", "the compressed view is damaged");
+  undoFilter(result, view);
+  return result;
+}
+
+namespace {
+
+// Triangles and attributes out of Draco's bytes.
+// Draco's decoders, stopped where they would exceed what the file declares.
+
+/// An attribute of a compressed mesh, as the accessor it is for declares it.
+struct DracoAttribute {
+  std::uint64_t id = 0;   ///< Its number in the compressed bytes.
+  int components = 1;     ///< 1 to 16.
+  int componentType = 0;  ///< TINYGLTF_COMPONENT_TYPE_*, one that glTF knows.
+};
+
+/// What the file says of the mesh. Whatever the bytes say beyond it is refused before memory is taken for it.
+struct DracoRequest {
+  std::size_t vertices = 0;       ///< Exactly so many.
+  std::size_t mostTriangles = 0;  ///< At most so many.
+  std::size_t mostBytes = 0;      ///< All attributes in the bytes together, decoded.
+  std::vector<DracoAttribute> attributes;
+};
+
+struct DracoMesh {
+  std::vector<std::uint32_t> indices;                 ///< [triangles * 3], each below DracoRequest::vertices
+  std::vector<std::vector<std::uint8_t>> attributes;  ///< [attributes] tightly packed values of all vertices
+  std::vector<float> steps;                           ///< [attributes] that values were rounded to; 0: not rounded
+};
+
+constexpr std::uint16_t kDracoVersion = 0x0202;
+constexpr int kMostComponents = 16;
+constexpr int kMostAttributes = 64;
+
+/// Triangles times tables of connectivity, which Draco keeps for each attribute with seams: about 1 GiB.
+constexpr std::uint64_t kMostTableTriangles = 20'000'000;
+
+/// Bytes that Draco keeps for a vertex and attribute beside the value's.
+constexpr std::uint64_t kBytesBeside = 8;
+
+/// What the bytes say before anything is decoded.
+struct DracoSizes {
+  std::uint32_t vertices = 0;  ///< Those that are encoded: no more than there are in the end.
+  std::uint32_t triangles = 0;
+  std::uint64_t tables = 1;
+};
+
+/// A decoder of Draco's that compares what the bytes declare with what the file does, once it knows and before it
+/// allocates.
+template <class Decoder>
+class GuardedDecoder : public Decoder {
+ public:
+  explicit GuardedDecoder(const DracoRequest& request) : request_(request) {}
+
+  [[nodiscard]] const std::string& reason() const { return reason_; }
+
+ protected:
+  bool DecodeGeometryData() override {
+    draco::DecoderBuffer ahead = *this->buffer();
+    DracoSizes sizes;
+    if (!readSizes(ahead, sizes)) return false;
+    if (sizes.triangles > request_.mostTriangles) {
+      return stop("has " + std::to_string(sizes.triangles) + " triangles; the file declares " +
+                  std::to_string(request_.mostTriangles));
+    }
+    if (sizes.vertices > request_.vertices) return stop(otherVertices(sizes.vertices));
+    if (sizes.triangles * sizes.tables > kMostTableTriangles) return stop("has too many seams to be read");
+    return Decoder::DecodeGeometryData();
+  }
+
+  bool DecodeAllAttributes() override {
+    const draco::PointCloud& cloud = *this->point_cloud();
+    if (cloud.num_points() != request_.vertices) return stop(otherVertices(cloud.num_points()));
+    if (cloud.num_attributes() > kMostAttributes) return stop("has more than 64 attributes");
+    std::uint64_t bytes = 0;
+    for (int i = 0; i < cloud.num_attributes(); ++i) {
+      const draco::PointAttribute& attribute = *cloud.attribute(i);
+      const int components = attribute.num_components();
+      if (components < 1 || components > kMostComponents) return stop("has an attribute of more than 16 components");
+      const auto size = static_cast<std::uint64_t>(draco::DataTypeLength(attribute.data_type()));
+      // Quantized values stand beside those that they become.
+      bytes += static_cast<std::uint64_t>(components) * (size + 4) + kBytesBeside;
+    }
+    if (bytes * request_.vertices > request_.mostBytes) return stop("needs more memory than a character may");
+    return Decoder::DecodeAllAttributes();
+  }
+
+ private:
+  bool stop(std::string reason) {
+    reason_ = std::move(reason);
+    return false;
+  }
+
+  [[nodiscard]] std::string otherVertices(std::uint64_t count) const {
+    return "has " + std::to_string(count) + " vertices; the file declares " + std::to_string(request_.vertices);
+  }
+
+  static bool readSizes(draco::DecoderBuffer& ahead, DracoSizes& sizes) {
+    if constexpr (std::is_same_v<Decoder, draco::MeshSequentialDecoder>) {
+      return draco::DecodeVarint(&sizes.triangles, &ahead) && draco::DecodeVarint(&sizes.vertices, &ahead);
+    } else {
+      std::uint8_t seams = 0;
+      if (!draco::DecodeVarint(&sizes.vertices, &ahead) || !draco::DecodeVarint(&sizes.triangles, &ahead) ||
+          !ahead.Decode(&seams)) {
+        return false;
+      }
+      sizes.tables += seams;
+      return true;
+    }
+  }
+
+  const DracoRequest& request_;
+  std::string reason_;
+};
+
+template <class Number>
+bool copyValues(const draco::PointAttribute& from, std::size_t vertices, int components,
+                std::vector<std::uint8_t>& to) {
+  const std::size_t size = static_cast<std::size_t>(components) * sizeof(Number);
+  to.resize(vertices * size);
+  Number value[kMostComponents]{};
+  for (std::size_t v = 0; v < vertices; ++v) {
+    const draco::AttributeValueIndex index = from.mapped_index(draco::PointIndex(static_cast<std::uint32_t>(v)));
+    if (index.value() >= from.size()) return false;
+    if (!from.ConvertValue<Number>(index, static_cast<std::int8_t>(components), value)) return false;
+    std::memcpy(&to[v * size], value, size);
+  }
+  return true;
+}
+
+bool copyValues(const draco::PointAttribute& from, std::size_t vertices, const DracoAttribute& as,
+                std::vector<std::uint8_t>& to) {
+  switch (as.componentType) {
+    case 5120:
+      return copyValues<std::int8_t>(from, vertices, as.components, to);
+    case 5121:
+      return copyValues<std::uint8_t>(from, vertices, as.components, to);
+    case 5122:
+      return copyValues<std::int16_t>(from, vertices, as.components, to);
+    case 5123:
+      return copyValues<std::uint16_t>(from, vertices, as.components, to);
+    case 5125:
+      return copyValues<std::uint32_t>(from, vertices, as.components, to);
+    default:
+      return copyValues<float>(from, vertices, as.components, to);
+  }
+}
+
+/// Index of the attribute of that number, or -1.
+int findAttribute(const draco::Mesh& mesh, std::uint64_t id) {
+  for (int i = 0; i < mesh.num_attributes(); ++i) {
+    if (mesh.attribute(i)->unique_id() == id) return i;
+  }
+  return -1;
+}
+
+/// What values of an attribute were rounded to. @param rounded  the attribute as it was decoded, or null
+float stepOf(const draco::PointAttribute* rounded) {
+  const draco::AttributeTransformData* const data = rounded ? rounded->GetAttributeTransformData() : nullptr;
+  if (!data || data->transform_type() != draco::ATTRIBUTE_QUANTIZATION_TRANSFORM) return 0.0f;
+  draco::AttributeQuantizationTransform transform;
+  if (!transform.InitFromAttribute(*rounded)) return 0.0f;
+  const int bits = transform.quantization_bits();
+  if (bits < 1 || bits > 30 || !(transform.range() > 0.0f)) return 0.0f;
+  return transform.range() / static_cast<float>((1u << static_cast<unsigned>(bits)) - 1u);
+}
+
+Result<DracoMesh> take(draco::MeshDecoder& decoder, const draco::Mesh& mesh, const DracoRequest& request) {
+  DracoMesh result;
+  result.indices.reserve(std::size_t{3} * mesh.num_faces());
+  for (std::uint32_t f = 0; f < mesh.num_faces(); ++f) {
+    for (const draco::PointIndex& corner : mesh.face(draco::FaceIndex(f))) {
+      if (corner.value() >= request.vertices) return errorAt("", "a triangle names a vertex that is not there");
+      result.indices.push_back(corner.value());
+    }
+  }
+  for (const DracoAttribute& wanted : request.attributes) {
+    const std::string name = "attribute " + std::to_string(wanted.id);
+    const int index = findAttribute(mesh, wanted.id);
+    if (index < 0) return errorAt("", "there is no " + name + " in the compressed mesh");
+    const draco::PointAttribute* const from = mesh.attribute(index);
+    if (from->num_components() != wanted.components) {
+      return errorAt("", name + " has " + std::to_string(from->num_components()) +
+                             " components; its accessor declares " + std::to_string(wanted.components));
+    }
+    if (!copyValues(*from, request.vertices, wanted, result.attributes.emplace_back())) {
+      return errorAt("", name + " has values that do not fit its accessor's component type");
+    }
+    result.steps.push_back(stepOf(decoder.GetPortableAttribute(index)));
+  }
+  return result;
+}
+
+template <class Decoder>
+Result<DracoMesh> decodeWith(draco::DecoderBuffer& buffer, const DracoRequest& request) {
+  GuardedDecoder<Decoder> decoder(request);
+  draco::Mesh mesh;
+  const draco::DecoderOptions options;
+  const draco::Status status = decoder.Decode(options, &buffer, &mesh);
+  if (!decoder.reason().empty()) return errorAt("", "the compressed mesh " + decoder.reason());
+  if (!status.ok()) return errorAt("", "the compressed mesh is damaged");
+  return take(decoder, mesh, request);
+}
+
+/// Triangle meshes of Draco's version 2.2, the one that glTF allows. Error: reason only.
+Result<DracoMesh> decodeDraco(std::span<const std::uint8_t> bytes, const DracoRequest& request) {
+  draco::DecoderBuffer buffer;
+  buffer.Init(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+  draco::DecoderBuffer ahead = buffer;
+  draco::DracoHeader header;
+  if (!draco::PointCloudDecoder::DecodeHeader(&ahead, &header).ok()) return errorAt("", "not a Draco mesh");
+  if ((header.version_major << 8 | header.version_minor) != kDracoVersion) {
+    return errorAt("", "Draco version " + std::to_string(header.version_major) + '.' +
+                           std::to_string(header.version_minor) + "; 2.2 expected");
+  }
+  if (header.encoder_type != draco::TRIANGULAR_MESH) return errorAt("", "a Draco point cloud; a mesh is expected");
+  switch (header.encoder_method) {
+    case draco::MESH_SEQUENTIAL_ENCODING:
+      return decodeWith<draco::MeshSequentialDecoder>(buffer, request);
+    case draco::MESH_EDGEBREAKER_ENCODING:
+      return decodeWith<draco::MeshEdgebreakerDecoder>(buffer, request);
+    default:
+      return errorAt("", "an unknown kind of Draco mesh");
+  }
+}
 
 /// Of all compressed parts of a file together, decoded; no more than a file may have in the first place.
 constexpr std::uint64_t kMostUnpacked = 1ULL << 30;

@@ -1,11 +1,13 @@
 // core/files/gltf/unpack.h: compressed views and meshes -> plain ones, once, when a file is opened.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <map>
 #include <optional>
 #include <set>
+#include <span>
 #include <string_view>
 #include <vector>
 
@@ -13,8 +15,27 @@
 
 #include "core/files/gltf/glb.h"
 #include "core/files/gltf/guard.h"
+#include "sinew/geometry/result.h"
 
 namespace sinew::gltf {
+
+// Bytes of a buffer view out of meshoptimizer's.
+
+enum class MeshoptMode { kAttributes, kTriangles, kIndices };
+enum class MeshoptFilter { kNone, kOctahedral, kQuaternion, kExponential };
+
+/// What EXT_meshopt_compression says of a view.
+struct MeshoptView {
+  std::uint64_t count = 0;   ///< Elements.
+  std::uint64_t stride = 0;  ///< Bytes of an element.
+  MeshoptMode mode = MeshoptMode::kAttributes;
+  MeshoptFilter filter = MeshoptFilter::kNone;
+};
+
+/// count * stride bytes, which the caller has found to be no more than it wants. Strides and modes that the extension
+/// does not allow are refused, and bytes too few for the count, before memory is taken. Error: reason only.
+[[nodiscard]] Result<std::vector<std::uint8_t>> decodeMeshopt(std::span<const std::uint8_t> bytes,
+                                                              const MeshoptView& view);
 
 inline constexpr std::string_view kMeshopt = "EXT_meshopt_compression";
 inline constexpr std::string_view kDraco = "KHR_draco_mesh_compression";

@@ -15,7 +15,7 @@ namespace sinew::usd {
 namespace {
 
 /// Vertices of a primitive, as the import allows them.
-constexpr std::size_t kMostVertices = 200'000'000;
+constexpr std::size_t kMeshesMostVertices = 200'000'000;
 constexpr std::size_t kFour = 4;
 
 class MeshReader {
@@ -75,7 +75,7 @@ class MeshReader {
 
   const gltf::Accessor& open(const std::string& name, int type, int orType = -1) {
     const gltf::Accessor& accessor = accessors_.open(attributes_->at(name), place_ + name, type, orType);
-    if (accessor.count() > kMostVertices) gltf::refuse(accessor.place(), "too many vertices");
+    if (accessor.count() > kMeshesMostVertices) gltf::refuse(accessor.place(), "too many vertices");
     return accessor;
   }
 

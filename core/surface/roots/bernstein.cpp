@@ -9,12 +9,12 @@
 namespace sinew {
 namespace {
 
-constexpr std::size_t kRows = Bernstein::kMostDegree + 1;
+constexpr std::size_t kBernsteinRows = Bernstein::kMostDegree + 1;
 
 /// Pascal's triangle.
-constexpr std::array<std::array<double, kRows>, kRows> kBinomials = [] {
-  std::array<std::array<double, kRows>, kRows> rows{};
-  for (std::size_t n = 0; n < kRows; ++n) {
+constexpr std::array<std::array<double, kBernsteinRows>, kBernsteinRows> kBinomials = [] {
+  std::array<std::array<double, kBernsteinRows>, kBernsteinRows> rows{};
+  for (std::size_t n = 0; n < kBernsteinRows; ++n) {
     rows[n][0] = 1.0;
     for (std::size_t k = 1; k <= n; ++k) rows[n][k] = rows[n - 1][k - 1] + rows[n - 1][k];
   }
@@ -52,7 +52,7 @@ void Bernstein::addScaled(const Bernstein& other, double factor) {
 }
 
 double Bernstein::at(double u) const {
-  std::array<double, kRows> row = b;
+  std::array<double, kBernsteinRows> row = b;
   for (std::size_t left = degree; left > 0; --left) {
     for (std::size_t i = 0; i < left; ++i) row[i] += (row[i + 1] - row[i]) * u;
   }
@@ -60,7 +60,7 @@ double Bernstein::at(double u) const {
 }
 
 ValueAndSlope Bernstein::Evaluator::operator()(double u) const {
-  std::array<double, kRows> row = polynomial.b;
+  std::array<double, kBernsteinRows> row = polynomial.b;
   for (std::size_t left = polynomial.degree; left > 1; --left) {
     for (std::size_t i = 0; i < left; ++i) row[i] += (row[i + 1] - row[i]) * u;
   }
@@ -69,7 +69,7 @@ ValueAndSlope Bernstein::Evaluator::operator()(double u) const {
 }
 
 void Bernstein::split(double u, Bernstein& left, Bernstein& right) const {
-  std::array<double, kRows> row = b;
+  std::array<double, kBernsteinRows> row = b;
   left.degree = right.degree = degree;
   left.b[0] = row[0];
   right.b[degree] = row[degree];

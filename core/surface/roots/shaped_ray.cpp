@@ -10,7 +10,7 @@
 namespace sinew {
 namespace {
 
-constexpr double kRootTolerance = 1e-12;  ///< Fraction of a part's length: f is flat where an influence ends.
+constexpr double kShapedRayRootTolerance = 1e-12;  ///< Fraction of a part's length: f is flat where an influence ends.
 
 /// An interval of t.
 struct Interval {
@@ -66,7 +66,7 @@ double sideOf(const UnitShape& shape, double y) {
 /// Adds the stretches of one part, on which 1 - r^2 is `w`.
 void addWherePositive(const Bernstein& w, const Interval& part, ShapedStretches& out) {
   isolation::Roots roots;
-  isolation::allRoots(w, 0.0, 1.0, kRootTolerance, roots);
+  isolation::allRoots(w, 0.0, 1.0, kShapedRayRootTolerance, roots);
   double from = 0.0;
   bool wasInside = false;
   const auto length = part.end - part.begin;

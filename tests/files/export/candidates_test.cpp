@@ -1,5 +1,5 @@
 // tests/files/export/candidates_test.cpp: which joints the fit may choose from.
-#include "core/files/fit/candidates.h"
+#include "core/files/fit/joint_fit.h"
 
 #include <algorithm>
 #include <set>

@@ -1,5 +1,5 @@
 // tests/files/export/fit_sample_test.cpp: the vertices that stand for all are spread evenly and leave no part out.
-#include "core/files/fit/fit_sample.h"
+#include "core/files/fit/joint_fit.h"
 
 #include <algorithm>
 

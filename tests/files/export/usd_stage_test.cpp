@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "core/files/disk/atomic_file.h"
-#include "core/files/export/refined_primitive.h"
+#include "core/files/export/out_primitive.h"
 #include "core/files/usd/joints.h"
 #include "core/files/usd/text.h"
 #include "sinew/surface/smoother.h"

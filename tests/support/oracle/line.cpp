@@ -6,7 +6,7 @@
 
 #include <glm/gtc/quaternion.hpp>
 
-#include "core/rig/bone_motion.h"
+#include "core/rig/line_pose.h"
 
 namespace sinew::oracle {
 namespace {

@@ -1,6 +1,6 @@
 // tests/viewport/tools/pick_list_test.cpp: what is picked first is seen there; a slow search along each ray is the
 // judge.
-#include "app/viewport/tools/pick_list.h"
+#include "app/viewport/tools/select.h"
 
 #include <algorithm>
 #include <cmath>

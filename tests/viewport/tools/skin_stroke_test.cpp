@@ -1,6 +1,6 @@
 // tests/viewport/tools/skin_stroke_test.cpp: a stroke stays on the skin it began on, and a muscle lies along it.
 
-#include "app/viewport/tools/skin_stroke.h"
+#include "app/viewport/tools/add_muscle.h"
 
 #include <algorithm>
 #include <array>
