@@ -1,5 +1,5 @@
 // app/command/batch.h: a job of many files, whole or a share of it: what every verb that writes files in series has in
-// common. docs/farm.md.
+// common. docs/install.md.
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,4 @@
-// app/document/farm_job.h: a batch job as the text that a farm's own tools take. docs/farm.md.
+// app/document/farm_job.h: a batch job as the text that a farm's own tools take. docs/install.md.
 #pragma once
 
 #include <filesystem>

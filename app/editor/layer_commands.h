@@ -1,4 +1,4 @@
-// app/editor/layer_commands.h: what the parts of the mesh are to the muscles: shown, set, guessed. docs/layers.md.
+// app/editor/layer_commands.h: what the parts of the mesh are to the muscles: shown, set, guessed. docs/characters.md.
 #pragma once
 
 #include <optional>

@@ -1,4 +1,4 @@
-// app/panels/layers_panel.cpp: the parts of the mesh: skin, cloth or rigid, guessed or set. docs/layers.md.
+// app/panels/layers_panel.cpp: the parts of the mesh: skin, cloth or rigid, guessed or set. docs/characters.md.
 
 #include "app/panels/inspector.h"
 

@@ -13,7 +13,7 @@
 
 namespace sinew::app {
 
-/// Follows the open document. The OpenGL context must be current. docs/gpu.md
+/// Follows the open document. The OpenGL context must be current. docs/performance.md
 class SurfaceOnCard {
  public:
   /// After the frame's surface is up to date, before its picture: decides, and makes the surface on the card if it is

@@ -1,4 +1,4 @@
-# blender/sinew_blender/line_joints.py: where the joints of a muscle line are in a pose. docs/lines.md, docs/export.md.
+# blender/sinew_blender/line_joints.py: where the joints of a muscle line are in a pose. docs/muscles.md, docs/export.md.
 """Kept in the .blend file as a text that registers itself, so that a file with such drivers needs no add-on.
 
 A record describes one joint. "line" is as in the export's line data, but in the spaces of Blender's bones; "parent"

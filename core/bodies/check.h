@@ -1,4 +1,4 @@
-// core/bodies/check.h: what goes wrong with a rig's muscles while its character moves. docs/check.md.
+// core/bodies/check.h: what goes wrong with a rig's muscles while its character moves. docs/muscles.md.
 #pragma once
 
 #include <array>

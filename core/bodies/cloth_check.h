@@ -1,4 +1,4 @@
-// core/bodies/cloth_check.h: how much cloth is below the skin while a character moves. docs/layers.md.
+// core/bodies/cloth_check.h: how much cloth is below the skin while a character moves. docs/characters.md.
 #pragma once
 
 #include <array>

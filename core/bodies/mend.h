@@ -1,4 +1,4 @@
-// core/bodies/mend.h: muscle lines changed until their bellies stay in the flesh. docs/check.md.
+// core/bodies/mend.h: muscle lines changed until their bellies stay in the flesh. docs/muscles.md.
 #pragma once
 
 #include <optional>
@@ -22,7 +22,7 @@ struct DrawnMuscle {
   bool isClean = true;
 };
 
-/// The first that stays in the flesh in all poses (docs/check.md): muscles that go with one bone of the line, while a
+/// The first that stays in the flesh in all poses (docs/muscles.md): muscles that go with one bone of the line, while a
 /// tendon crosses the joint; the same with an end of a line over several joints on a bone between; one that rides a
 /// bone, the best of these if none is clean. Full contraction is learned from the motions. nullopt: there is no skin to
 /// follow.

@@ -1,4 +1,4 @@
-// core/bodies/mend_belly.h: muscles that ride the wrong bone, or skin that they should not reach. docs/check.md.
+// core/bodies/mend_belly.h: muscles that ride the wrong bone, or skin that they should not reach. docs/muscles.md.
 #pragma once
 
 #include <optional>

@@ -1,4 +1,4 @@
-// core/bodies/mend_rig.h: all that is found of a rig's muscles, mended. docs/check.md.
+// core/bodies/mend_rig.h: all that is found of a rig's muscles, mended. docs/muscles.md.
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,4 @@
-// core/bodies/preset.h: a set of muscles that fits any body: marks instead of coordinates. docs/presets.md.
+// core/bodies/preset.h: a set of muscles that fits any body: marks instead of coordinates. docs/muscles.md.
 #pragma once
 
 #include <optional>

@@ -20,7 +20,7 @@ struct TransferredClips {
 /// Where the nodes that a clip moves, and all above them, stand in both files alike, its channels are the same. Else
 /// rotations are transferred against the bind pose, in the world, with both bodies brought to one stance
 /// (common_stance.h), and of all translations that of the hips, scaled by their height above the feet. Weights of morph
-/// targets go by name. Clips that move nothing here are left out, which is a note. docs/clips.md.
+/// targets go by name. Clips that move nothing here are left out, which is a note. docs/characters.md.
 /// @param from  of importClips(); its mesh may be empty
 /// @param corrections  of the character's rig: which bone is which part
 /// @param file  as the rig names it

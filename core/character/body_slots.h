@@ -55,7 +55,7 @@ struct BodySlots {
 
 /// By names and by where bones lie in the bind pose: legs are the mirrored chains that end lowest, hips what carries
 /// both, arms the other pair, trunk and neck what lies between and above. A quadruped is a body whose trunk lies level
-/// and whose front limbs reach the ground too. What is not clear stays missing. docs/presets.md.
+/// and whose front limbs reach the ground too. What is not clear stays missing. docs/muscles.md.
 [[nodiscard]] BodySlots findBodySlots(const Skeleton& skeleton, const SlotHints& hints);
 
 /// "sure", "named", "placed", "missing", "given"

@@ -1,4 +1,4 @@
-// core/files/preset_json.h: preset files: sets of muscles as marks. docs/presets.md.
+// core/files/preset_json.h: preset files: sets of muscles as marks. docs/muscles.md.
 #pragma once
 
 #include <filesystem>

@@ -33,7 +33,7 @@ template <class Real>
 }
 
 /// s: factor that puts the iso surface of a lone primitive on its visible ellipsoid, T / g(1 / reach). reach > 1.
-/// docs/field.md.
+/// docs/design.md.
 [[nodiscard]] inline float strengthFor(float iso, float reach) { return iso / potential(1.0f / (reach * reach)); }
 
 }  // namespace sinew

@@ -1,5 +1,5 @@
 // core/geometry/shape.cpp: the table of numbers, the unit space of a shape, its bounds and volume. Formulas:
-// docs/field.md.
+// docs/design.md.
 #include "sinew/geometry/shape.h"
 
 #include <array>
@@ -146,7 +146,7 @@ Shape legalShape(const Shape& shape, float reach) {
 float thickestAt(const Shape& shape) {
   if (shape.belly == 0.0f) return 0.0f;
   const Numbers numbers(shape);
-  const double beyond = std::abs(numbers.belly) * numbers.nu * numbers.end * numbers.end;  // v of docs/field.md.
+  const double beyond = std::abs(numbers.belly) * numbers.nu * numbers.end * numbers.end;  // v of docs/design.md.
   return static_cast<float>(std::copysign(numbers.core + beyond, numbers.belly));
 }
 

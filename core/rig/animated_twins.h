@@ -1,4 +1,4 @@
-// core/rig/animated_twins.h: keys and drivers on the other side of the mirror plane. docs/drivers.md.
+// core/rig/animated_twins.h: keys and drivers on the other side of the mirror plane. docs/muscles.md.
 #pragma once
 
 #include <vector>

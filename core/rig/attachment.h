@@ -41,7 +41,7 @@ struct MissingBone : Error {
 
 /// Bones of a primitive's territory: those the rig names (unknown names are skipped), or by default the primitive's
 /// bone, its nearest joint ancestor and its nearest joint children; on a line those of both ends, and the bones between
-/// them. Sorted. docs/field.md.
+/// them. Sorted. docs/design.md.
 /// @param line  that carries it, or null
 [[nodiscard]] std::vector<int> territoryBones(const Primitive& primitive, int bone, const MuscleLine* line,
                                               const Skeleton& skeleton);

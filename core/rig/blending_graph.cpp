@@ -18,7 +18,7 @@ using Groups = std::vector<int>;  // sorted
 /// `excluded` are those whose extensions have been listed already, and a clique is maximal when both lists are empty. A
 /// maximal clique contains the pivot or a group not linked to it, so only those branch (the pivot's choice: Tomita,
 /// Tanaka and Takahashi 2006). A graph can have 3^(n/3) maximal cliques (Moon and Moser 1965), hence the limit.
-/// docs/field.md, Many muscles.
+/// docs/design.md, Many muscles.
 class CliqueSearch {
  public:
   CliqueSearch(std::vector<Groups> neighbors, std::vector<Groups>& found)

@@ -10,10 +10,10 @@
 
 namespace sinew {
 
-/// More maximal cliques than this are refused: nobody draws such a graph on purpose. docs/field.md.
+/// More maximal cliques than this are refused: nobody draws such a graph on purpose. docs/design.md.
 inline constexpr int kMaxCliques = 4096;
 
-/// The blending graph after Guy & Wyvill 1995, read as docs/field.md does: the field is the maximum over cliques of
+/// The blending graph after Guy & Wyvill 1995, read as docs/design.md does: the field is the maximum over cliques of
 /// sums.
 struct BlendingGraph {
   int groupCount = 0;

@@ -12,7 +12,7 @@
 
 namespace sinew {
 
-// How far a joint is bent, twisted and turned in a pose. docs/drivers.md.
+// How far a joint is bent, twisted and turned in a pose. docs/muscles.md.
 
 /// Degrees between the directions of a bone and its parent, less that of the bind pose; of a root: from its direction
 /// in the bind pose. Continuous in the pose. 0 where a bone is flattened.

@@ -29,7 +29,7 @@ struct PosedPrimitive {
 /// A primitive seen from one place of the skin.
 struct Candidate {
   int primitive = 0;
-  float weight = 1.0f;  ///< Territory weight there, m_i (docs/field.md), 0..1.
+  float weight = 1.0f;  ///< Territory weight there, m_i (docs/design.md), 0..1.
   int slot = 0;         ///< Its group, numbered among the groups present at that place.
 };
 

@@ -1,4 +1,4 @@
-// core/rig/layer_guess.h: what the parts of a mesh probably are: skin, cloth over it, or rigid. docs/layers.md.
+// core/rig/layer_guess.h: what the parts of a mesh probably are: skin, cloth over it, or rigid. docs/characters.md.
 #pragma once
 
 #include <vector>

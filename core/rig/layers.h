@@ -1,4 +1,4 @@
-// core/rig/layers.h: what the parts of a mesh are to the muscles: guessed, or chosen in the rig. docs/layers.md.
+// core/rig/layers.h: what the parts of a mesh are to the muscles: guessed, or chosen in the rig. docs/characters.md.
 #pragma once
 
 #include <optional>

@@ -1,4 +1,4 @@
-// core/rig/line_pose.cpp: the virtual bone that two anchors span. docs/lines.md.
+// core/rig/line_pose.cpp: the virtual bone that two anchors span. docs/muscles.md.
 #include "core/rig/line_pose.h"
 
 #include <algorithm>

@@ -2,7 +2,7 @@
 //
 // A muscle line is a virtual bone: its deformation takes the bind pose's world to the posed one, as a bone's motion
 // does, but stretches with the line and thickens as the line shortens. It is affine, so that an ellipsoid on it stays
-// one. Formulas: docs/lines.md.
+// one. Formulas: docs/muscles.md.
 #pragma once
 
 #include <optional>

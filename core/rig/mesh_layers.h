@@ -1,4 +1,4 @@
-// core/rig/mesh_layers.h: the layer of each piece of the control mesh, and what lies over what. docs/layers.md.
+// core/rig/mesh_layers.h: the layer of each piece of the control mesh, and what lies over what. docs/characters.md.
 #pragma once
 
 #include <span>

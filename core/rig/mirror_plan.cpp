@@ -215,7 +215,7 @@ std::vector<std::array<int, 2>> pairsByName(const Skeleton& skeleton) {
 /// Pairs by name come first, unless the bones are far from opposite: a name that lies should not win against the
 /// skeleton. The rest is paired by place. Center bones go first, so that none is paired with another one near the
 /// plane; then the children of counterparts, best fit first, as long as a new pair makes its children eligible; bones
-/// without such kin come last. docs/symmetry.md, The plane and the pairs.
+/// without such kin come last. docs/muscles.md, The plane and the pairs.
 void pairAll(MirrorPlan& plan, const std::vector<std::array<int, 2>>& named) {
   Placing placing{plan, endsOfBones(plan.skeleton), static_cast<double>(plan.characterHeight)};
   for (const auto& [left, right] : named) {
@@ -405,7 +405,7 @@ struct Found {
 /// Tries a few planes: each likely normal with each likely offset. The misfit of one is the mean distance of skin
 /// samples and bones from their mirror images' counterparts; a distance counts up to a cap, so that a bag on one
 /// shoulder does not decide. The simplest plane comes first and stays unless another fits noticeably better: in a plane
-/// through the origin across an axis, mirrored numbers are the originals with other signs. docs/symmetry.md, The plane
+/// through the origin across an axis, mirrored numbers are the originals with other signs. docs/muscles.md, The plane
 /// and the pairs.
 Found bestPlane(const Finder& finder) {
   Found best;

@@ -16,7 +16,7 @@
 
 namespace sinew {
 
-// A via point bends the muscles on its line. docs/lines.md, Via point.
+// A via point bends the muscles on its line. docs/muscles.md, Via point.
 
 /// How a muscle takes what its via point adds to the line's shift (PosedLine::aside).
 struct ViaBend {

@@ -2,7 +2,7 @@
 #
 # A child of the character's Skeleton3D: Godot runs it after the animation, before drawing. Godot's import drops the
 # extras of skins; the Importer below keeps them as the skeleton's metadata (README.md says how to register it). The
-# formulas are those of docs/lines.md, the numbers those of docs/export.md, "Line data". Tests run this text translated
+# formulas are those of docs/muscles.md, the numbers those of docs/export.md, "Line data". Tests run this text translated
 # into Python, with stubs of Godot's types; it was not run in Godot itself.
 @tool
 class_name SinewMuscles

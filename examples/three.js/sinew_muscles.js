@@ -3,7 +3,7 @@
 //   const muscles = new SinewMuscles(gltf);              // what GLTFLoader gave; for a clone: (gltf, clone)
 //   mixer.update(seconds); muscles.update();             // each frame, after the animation, before rendering
 //
-// Formulas: docs/lines.md; the numbers in skins[].extras.sinew: docs/export.md, "Line data". Vectors are arrays of
+// Formulas: docs/muscles.md; the numbers in skins[].extras.sinew: docs/export.md, "Line data". Vectors are arrays of
 // three, matrices [x, y, z, origin]. Nothing is imported: poseLine and localOf are plain mathematics.
 const add = (a, b, t = 1) => [a[0] + t * b[0], a[1] + t * b[1], a[2] + t * b[2]];
 const scaled = (a, t) => [a[0] * t, a[1] * t, a[2] * t];

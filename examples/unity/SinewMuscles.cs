@@ -2,7 +2,7 @@
 //
 // Goes on the root of the imported character. Importers drop the extras of skins, so `gltf` is the file's JSON: export
 // hero.gltf and keep a copy of it as hero.json, a TextAsset. Nodes are found by name; names must be unique. UnityGLTF and
-// glTFast turn the sign of x: it is turned back here, so that formulas (docs/lines.md) and numbers (docs/export.md, "Line
+// glTFast turn the sign of x: it is turned back here, so that formulas (docs/muscles.md) and numbers (docs/export.md, "Line
 // data") are those of the file. Runs after the animation, before rendering.
 using System;
 using System.Linq;

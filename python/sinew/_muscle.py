@@ -68,7 +68,7 @@ class Muscle(Part):
 
 
 class Line(Part):
-    """A muscle line, from a point on one bone to a point on another: docs/lines.md. Points are (bone, (x, y, z))."""
+    """A muscle line, from a point on one bone to a point on another: docs/muscles.md. Points are (bone, (x, y, z))."""
 
     __slots__ = ()
     _kind = "line"

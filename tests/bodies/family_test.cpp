@@ -1,4 +1,4 @@
-// tests/bodies/family_test.cpp: people of one family play each other's clips; prints the figures of docs/clips.md.
+// tests/bodies/family_test.cpp: people of one family play each other's clips; prints the figures of docs/characters.md.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>

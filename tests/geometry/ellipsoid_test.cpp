@@ -30,7 +30,7 @@ TEST(Potential, StrengthPutsTheIsoValueOnTheVisibleSurface) {
       EXPECT_NEAR(strengthFor(iso, reach) * potential(1.0f / (reach * reach)), iso, 1e-5f);
     }
   }
-  EXPECT_NEAR(strengthFor(0.25f, std::sqrt(2.0f)), 1.0f, 1e-5f) << "docs/field.md: default reach, default iso";
+  EXPECT_NEAR(strengthFor(0.25f, std::sqrt(2.0f)), 1.0f, 1e-5f) << "docs/design.md: default reach, default iso";
 }
 
 TEST(UnitBallMap, TakesTheInfluenceSurfaceToTheUnitSphereUnderAnyBone) {

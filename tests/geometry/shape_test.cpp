@@ -1,4 +1,4 @@
-// tests/geometry/shape_test.cpp: shapes against the formulas of docs/field.md, their bounds, and their images.
+// tests/geometry/shape_test.cpp: shapes against the formulas of docs/design.md, their bounds, and their images.
 #include "sinew/geometry/shape.h"
 
 #include <cstdio>

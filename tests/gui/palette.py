@@ -17,7 +17,7 @@ def palette(t):
     editor.wait_until("a character", lambda s: s["document"]["primitives"] > 10)
     editor.tap("space", "a pause", lambda s: not s["playing"])
     editor.palette("opening a char", "page/opening")
-    driver.wait_for("the page", lambda: noted.exists() and noted.read_text().endswith("docs/opening.md\n"))
+    driver.wait_for("the page", lambda: noted.exists() and noted.read_text().endswith("docs/editor.md\n"))
     editor.palette("biceps L", "muscle/biceps L")
     editor.key("n")
     editor.wait_until("no panels at the right", lambda s: "surface/iso" not in s["widgets"])

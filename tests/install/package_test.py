@@ -20,7 +20,7 @@ EXPECTED = """usr/bin/sinew usr/share/applications/sinew.desktop usr/share/mime/
     usr/share/icons/hicolor/256x256/apps/sinew.png usr/share/man/man1/sinew.1.gz
     usr/share/bash-completion/completions/sinew usr/share/zsh/vendor-completions/_sinew
     usr/share/fish/vendor_completions.d/sinew.fish usr/share/doc/sinew/copyright usr/share/doc/sinew/changelog.gz
-    usr/share/doc/sinew/changelog.Debian.gz usr/share/doc/sinew/examples/three.js/sinew_muscles.js usr/share/doc/sinew/docs/keyboard.md usr/share/sinew/shaders/surface.frag
+    usr/share/doc/sinew/changelog.Debian.gz usr/share/doc/sinew/examples/three.js/sinew_muscles.js usr/share/doc/sinew/docs/editor.md usr/share/sinew/shaders/surface.frag
     usr/share/sinew/assets/humanoid.rig.json usr/share/sinew/assets/presets/athlete.json""".split()
 
 

@@ -358,7 +358,7 @@ TEST_F(PalettePages, OpenInWhatTheDesktopHasFromTheMenuAndFromThePalette) {
   click("help/pages/shapes");
   untilDone();
   std::getline(std::ifstream(noted()), path);
-  EXPECT_TRUE(path.ends_with("docs/shapes.md")) << path;
+  EXPECT_TRUE(path.ends_with("docs/characters.md")) << path;
 }
 
 TEST_F(PalettePages, WhereNothingOpensThemAMessageSaysWhereTheyLie) {

@@ -1,4 +1,4 @@
-// tests/rig/random_lines_test.cpp: lines and poses at random are as docs/lines.md has them; one line has the bits of
+// tests/rig/random_lines_test.cpp: lines and poses at random are as docs/muscles.md has them; one line has the bits of
 // many; what degenerates.
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// app/viewport/gpu/coverage.h: which surfaces the graphics card computes. docs/gpu.md.
+// app/viewport/gpu/coverage.h: which surfaces the graphics card computes. docs/performance.md.
 #pragma once
 
 #include <optional>

@@ -1,5 +1,5 @@
 // core/files/fit/line_joints.h: muscle lines as joints. A line's deformation is a rotation, a translation and a
-// scale along its own axes (docs/lines.md), so a joint can do what the line does.
+// scale along its own axes (docs/muscles.md), so a joint can do what the line does.
 #pragma once
 
 #include <optional>

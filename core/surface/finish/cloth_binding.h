@@ -1,5 +1,5 @@
 // core/surface/finish/cloth_binding.h: which skin is under refined vertices of cloth, and which cloth over skin.
-// Made once per refinement. docs/layers.md.
+// Made once per refinement. docs/characters.md.
 #pragma once
 
 #include <span>

@@ -1,4 +1,4 @@
-// core/surface/finish/cloth_lift.h: cloth moves with the skin under it and does not sink in. docs/layers.md.
+// core/surface/finish/cloth_lift.h: cloth moves with the skin under it and does not sink in. docs/characters.md.
 #pragma once
 
 #include <span>

@@ -1,5 +1,5 @@
 // core/surface/finish/skin_walls.h: how far a place is above the skin around it in a pose, and how far below.
-// docs/layers.md.
+// docs/characters.md.
 #pragma once
 
 #include <array>

@@ -24,7 +24,7 @@ std::vector<Pose> posesOf(const std::shared_ptr<const Character>& character, flo
   return poses;
 }
 
-/// The deformation of a line against that of the bind pose, by docs/lines.md.
+/// The deformation of a line against that of the bind pose, by docs/muscles.md.
 glm::dmat4 motionOf(const Rig& rig, const Character& character, const Pose& pose, int line) {
   const RigPoser poser(rig, character);
   const std::vector<PosedLine> now = poser.pose(pose).lines;

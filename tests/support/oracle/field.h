@@ -1,4 +1,4 @@
-// tests/support/oracle/field.h: F of docs/field.md by brute force in double.
+// tests/support/oracle/field.h: F of docs/design.md by brute force in double.
 #pragma once
 
 #include <span>
@@ -17,7 +17,7 @@ double g(double r);
 double gSlope(double r);
 
 /// All attached primitives of a rig, their groups' cliques and, once posed, their places in the world.
-/// Weights everywhere are m_i, one per attached primitive, as docs/field.md wants them at the asking vertex.
+/// Weights everywhere are m_i, one per attached primitive, as docs/design.md wants them at the asking vertex.
 class Field {
  public:
   Field(const Character& character, const Rig& rig);

@@ -1,4 +1,4 @@
-// tests/support/oracle/line.h: the virtual bone of docs/lines.md, formula by formula, in double.
+// tests/support/oracle/line.h: the virtual bone of docs/muscles.md, formula by formula, in double.
 #pragma once
 
 #include "core/rig/line_rest.h"

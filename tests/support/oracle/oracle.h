@@ -1,6 +1,6 @@
 // tests/support/oracle/oracle.h: what every refined vertex should be, in double, by brute force.
 //
-// Written from docs/design.md, docs/field.md and the paper alone. It shares no code with the smoothing: own skinning,
+// Written from docs/design.md, docs/design.md and the paper alone. It shares no code with the smoothing: own skinning,
 // patches, field, anchors and root search (thousands of samples and halving). Slow on purpose; tests ask it about some
 // of the vertices.
 #pragma once

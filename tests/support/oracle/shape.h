@@ -1,4 +1,4 @@
-// tests/support/oracle/shape.h: the shapes of docs/field.md, formula by formula, in double.
+// tests/support/oracle/shape.h: the shapes of docs/design.md, formula by formula, in double.
 #pragma once
 
 #include "sinew/geometry/shape.h"

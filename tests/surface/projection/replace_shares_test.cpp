@@ -29,7 +29,7 @@ double smoothstep(double t) {
   return x * x * (3.0 - 2.0 * x);
 }
 
-/// F of docs/field.md at a distance from the ball's center.
+/// F of docs/design.md at a distance from the ball's center.
 double fieldAt(double distance) {
   const auto g = [](double r) { return r < 1.0 ? (1.0 - r * r) * (1.0 - r * r) : 0.0; };
   return kIso / g(1.0 / kReach) * g(distance / (kReach * kRadius));

@@ -52,7 +52,7 @@ class OnCard : public ::testing::Test {
     return std::move(made).value();
   }
 
-  /// What docs/gpu.md promises of every moment.
+  /// What docs/performance.md promises of every moment.
   static void expectClose(const app::CardDifference& difference, const std::string& what) {
     EXPECT_LE(difference.roots, 1e-5) << what;
     EXPECT_LE(difference.farVertices, difference.vertices / 1000) << what << ", worst " << difference.surface;

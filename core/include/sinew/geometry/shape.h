@@ -1,4 +1,4 @@
-// core/include/sinew/geometry/shape.h: what makes a capsule, an egg or a bent spindle of an ellipsoid. docs/field.md.
+// core/include/sinew/geometry/shape.h: what makes a capsule, an egg or a bent spindle of an ellipsoid. docs/design.md.
 #pragma once
 
 #include <algorithm>

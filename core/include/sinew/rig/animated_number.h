@@ -1,4 +1,4 @@
-// core/include/sinew/rig/animated_number.h: keys and drivers of a number, and channels that drive. docs/drivers.md.
+// core/include/sinew/rig/animated_number.h: keys and drivers of a number, and channels that drive. docs/muscles.md.
 #pragma once
 
 #include <cstddef>

@@ -35,7 +35,7 @@ class MirrorEdits {
   std::unique_ptr<State> state_;
 };
 
-/// A clip "Range of motion" that takes every joint through what it can do (docs/posing.md). Without channels if nothing
+/// A clip "Range of motion" that takes every joint through what it can do (docs/editor.md). Without channels if nothing
 /// can turn.
 [[nodiscard]] AnimationClip rangeOfMotion(const Character& character);
 

@@ -33,7 +33,7 @@ inline constexpr float kLeastFlex = -0.9f;  ///< Girth stays positive.
 inline constexpr float kMostFlex = 4.0f;
 inline constexpr float kMostGain = 4.0f;
 
-/// How the belly answers to its line's length. docs/lines.md.
+/// How the belly answers to its line's length. docs/muscles.md.
 struct LineSettings {
   float rest = 1.0f;                ///< Rest length / length in the bind pose, kLeastRest..kMostRest.
   glm::vec2 tendons{0.13f, 0.15f};  ///< At origin and insertion, of the rest length; >= 0, together <= kMostTendons.

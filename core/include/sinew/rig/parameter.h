@@ -1,4 +1,4 @@
-// core/include/sinew/rig/parameter.h: the numbers of a rig that keys and drivers may change. docs/drivers.md.
+// core/include/sinew/rig/parameter.h: the numbers of a rig that keys and drivers may change. docs/muscles.md.
 #pragma once
 
 #include <optional>

@@ -121,7 +121,7 @@ struct MorphWeight {
   friend bool operator==(const MorphWeight&, const MorphWeight&) = default;
 };
 
-/// What the designer says of a part of the body, where its bone was not found or is another (docs/presets.md).
+/// What the designer says of a part of the body, where its bone was not found or is another (docs/muscles.md).
 struct SlotCorrection {
   std::string slot;  ///< Name of a body slot: "upperArm.L"; each at most once.
   std::string bone;  ///< Name or path (Skeleton::findBone). Empty: the character has no such part.
@@ -129,7 +129,7 @@ struct SlotCorrection {
   friend bool operator==(const SlotCorrection&, const SlotCorrection&) = default;
 };
 
-/// What a part of the mesh is to the muscles. docs/layers.md.
+/// What a part of the mesh is to the muscles. docs/characters.md.
 enum class SkinLayer {
   kSkin,   ///< Muscles push it.
   kCloth,  ///< It lies over the skin and moves with it.
