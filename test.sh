@@ -1,10 +1,13 @@
 #!/usr/bin/env bash
-# test.sh: installs, builds with warnings fatal, runs every test. Arguments go to ctest: ./test.sh -R smoothing
+# test.sh: installs, builds with warnings fatal, runs the tests. Arguments go to ctest: ./test.sh -R surface
+# -C ci adds other programs that open what Sinew writes, -C long everything. Without either what takes long is left out.
 set -euo pipefail
 root=$(cd -- "$(dirname -- "$(readlink -f -- "${BASH_SOURCE[0]}")")" && pwd)
 source "$root/cmake/packages.sh"
 
-sinewInstallPackages "${sinewTestPackages[@]}"
+packages=("${sinewTestPackages[@]}")
+[[ " $* " == *" -C "* ]] && packages+=("${sinewPartsPackages[@]}")
+sinewInstallPackages "${packages[@]}"
 began=$SECONDS
 sinewBuild "$root" ci
 sinewSay "the build took $((SECONDS - began)) s"

@@ -24,6 +24,11 @@ sinewTestPackages=("${sinewRunPackages[@]}" libgtest-dev libbenchmark-dev python
   parallel slurm-wlm  # jobs shared out
   git dpkg-dev binutils lintian desktop-file-utils appstream shared-mime-info man-db util-linux fish zsh)
 
+# For .ci/run and the long run besides: other programs that open what Sinew writes. Node's own packages come from npm while tests run.
+# shellcheck disable=SC2034  # test.sh reads it
+sinewPartsPackages=(blender chromium mono-mcs mono-runtime clang-14 libclang-rt-14-dev)
+command -v npm >/dev/null || sinewPartsPackages+=(nodejs npm)  # Node from elsewhere brings its own npm.
+
 # Progress goes to stderr, so that a verb's result has stdout for itself.
 sinewSay() { printf 'sinew: %s\n' "$*" >&2; }
 

@@ -3,7 +3,7 @@
 bl_info = {
     "name": "Sinew: muscles for glTF characters",
     "author": "Sinew contributors",
-    "version": (0, 1, 0),
+    "version": (0, 2, 0),
     "blender": (3, 4, 0),
     "location": "File > Import; 3D View > Sidebar > Sinew",
     "description": "A surface with muscles that follows the armature; bakes; muscle joints with drivers",

@@ -3,8 +3,6 @@ import importlib
 import os
 import sys
 
-VERSION = (0, 1)  # Of the module, as of this add-on: what comes after is no matter.
-
 
 def find(folder=""):
     """(the module, "") or (None, why not). folder: where to look besides where Python looks."""
@@ -19,9 +17,10 @@ def find(folder=""):
                       "folder in the preferences of the add-on." % _line(error))
     except AttributeError:
         return None, "Another Python package is called sinew: %s." % getattr(sinew, "__path__", ["?"])[0]
-    if tuple(map(int, found.split(".")[:2])) != VERSION:
-        return None, "The Python module sinew is %s, and this add-on is for %d.%d: install both of one version." % (
-            found, *VERSION)
+    from . import bl_info  # Complete by now.
+    own = bl_info["version"][:2]
+    if tuple(map(int, found.split(".")[:2])) != own:
+        return None, "The Python module sinew is %s, and this add-on is for %d.%d: install both of one version." % (found, *own)
     return sinew, ""
 
 

@@ -28,11 +28,10 @@ class SinewImportRig(bpy.types.Operator, ImportHelper):
 
     def execute(self, context):
         sinew, why = preferences.find()
+        if sinew is None:
+            self.report({"ERROR"}, why)
+            return {"CANCELLED"}
         try:
-            if sinew is None:
-                made = gltf_import.import_gltf(character_of(self.filepath))
-                self.report({"WARNING"}, why + " The plain glTF was opened.")
-                return {"FINISHED"}
             rig = sinew.load_rig(self.filepath)
             made = gltf_import.import_gltf(rig.character.path)
             _build(context, self, rig, made)
@@ -42,15 +41,6 @@ class SinewImportRig(bpy.types.Operator, ImportHelper):
             self.report({"ERROR"}, " ".join(str(error).split()))
             return {"CANCELLED"}
         return {"FINISHED"}
-
-
-def character_of(rig_path):
-    """The character's file, as the rig says, where the module is not there to tell."""
-    path = pathlib.Path(rig_path)
-    told = json.loads(path.read_text(encoding="utf-8"))
-    if not isinstance(told, dict) or not isinstance(told.get("character"), str):
-        raise ValueError("%s: names no character" % rig_path)
-    return str(path.parent / told["character"])
 
 
 def _build(context, options, rig, made):

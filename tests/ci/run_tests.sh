@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# tests/ci/run_tests.sh: tests of core under sanitizers, but for those of sanitized_without.txt. A process takes half of a
+# tests/ci/run_tests.sh: tests of core under sanitizers, but for those of sanitized_without.txt and long_tests.txt. A process takes half of a
 # suite: one for each test, as ctest has it, would begin two thousand times.
 # Usage: run_tests.sh DIRECTORY SUFFIX: the programs DIRECTORY/SUITE_SUFFIX
 set -euo pipefail
@@ -24,7 +24,7 @@ export shards
 
 for program in "$directory"/*_"$suffix"; do
   suite=$(basename -- "${program%_"$suffix"}")
-  filter=$({ grep "^$suite/" "$here/sanitized_without.txt" || true; } | cut -d/ -f2- | paste -sd :)
+  filter=$({ cat "$here/sanitized_without.txt" "$here/../long_tests.txt" | grep "^$suite/" || true; } | cut -d/ -f2- | paste -sd :)
   for ((shard = 0; shard < shards; ++shard)); do
     printf '%s\0' "$program" "$suite" "$shard" "${filter:+-}${filter:-*}" "$logs/$suite.$shard"
   done

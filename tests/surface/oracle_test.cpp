@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "sinew/surface/smoother.h"
+#include "tests/support/long_run.h"
 #include "tests/support/characters/real_characters.h"
 #include "tests/support/characters/synthetic_characters.h"
 #include "tests/support/oracle/compare.h"
@@ -170,7 +171,7 @@ TEST(Oracle, ComparisonNoticesUnfinishedSurfaces) {
 
 TEST(Oracle, SwellOnSyntheticCharacters) {
   for (const CharacterPtr& character : {makeLimb(), makeTwoLegged(), makeStrip(), makeTube()}) {
-    for (const int primitives : {1, 5, 40}) expectSwellAgrees(character, primitives, 2500);
+    for (const int primitives : {1, 5, 40}) expectSwellAgrees(character, primitives, longRun() ? 2500 : 600);
   }
 }
 

@@ -9,6 +9,7 @@
 #include <glm/geometric.hpp>
 
 #include "sinew/surface/smoother.h"
+#include "tests/support/long_run.h"
 #include "tests/support/characters/synthetic_characters.h"
 #include "tests/support/oracle/oracle.h"
 #include "tests/support/rigs/random_rigs.h"
@@ -124,7 +125,7 @@ class Bounds {
 TEST(Property, RandomRigsAndPosesStayWholeAndWithinTheirBounds) {
   const std::vector<CharacterPtr> characters{makeLimb(), makeTwoLegged(), makeTube(), makeStrip()};
   int moved[2] = {0, 0};
-  for (std::uint64_t seed = 0; seed < 1000; ++seed) {
+  for (std::uint64_t seed = 0; seed < (longRun() ? 1000u : 200u); ++seed) {
     const CharacterPtr& character = characters[seed % characters.size()];
     const Rig rig = anyRig(*character, seed);
     Smoother smoother(character);
@@ -139,8 +140,8 @@ TEST(Property, RandomRigsAndPosesStayWholeAndWithinTheirBounds) {
     ASSERT_GE(count, 0) << "seed " << seed;
     moved[static_cast<std::size_t>(rig.surface.mode)] += count;
   }
-  EXPECT_GT(moved[0], 10'000);
-  EXPECT_GT(moved[1], 10'000);
+  EXPECT_GT(moved[0], 2'000);
+  EXPECT_GT(moved[1], 2'000);
 }
 
 // The corners of what a rig may say.

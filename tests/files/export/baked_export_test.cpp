@@ -275,9 +275,9 @@ TEST_P(BakedExport, PointCachesHoldTheLiveVertices) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Characters, BakedExport,
-                         ::testing::Values("humanoid-flex", "horse", "Fox.glb", "greenman.glb", "cesium_man.gltf",
-                                           "robot.glb"),
+INSTANTIATE_TEST_SUITE_P(Characters, BakedExport, ::testing::Values("demo", "greenman.glb"), nameOfScene);
+INSTANTIATE_TEST_SUITE_P(Large, BakedExport,
+                         ::testing::Values("humanoid-flex", "horse", "Fox.glb", "cesium_man.gltf", "robot.glb"),
                          nameOfScene);
 
 }  // namespace

@@ -103,8 +103,14 @@ inline ExportScene laidScene(const std::string& file) {
   return scene;
 }
 
-/// Names without an ending are bundled rigs.
+/// Names without an ending are bundled rigs, with "-coarse" at depth 1.
 inline ExportScene sceneNamed(const std::string& name) {
+  if (const auto coarse = name.find("-coarse"); coarse != std::string::npos) {
+    ExportScene scene = bundledScene(name.substr(0, coarse));
+    scene.rig.smoothing.detail = DetailKind::kUniform;
+    scene.rig.smoothing.depth = 1;
+    return scene;
+  }
   return name.find('.') == std::string::npos ? bundledScene(name) : laidScene(name);
 }
 

@@ -271,9 +271,9 @@ TEST(SkinnedExportGuard, RefusesAFileThatHasChangedSinceItWasImported) {
   ASSERT_TRUE(good.writeQuickly(out, {.weights = ExportWeights::kTransferred}).ok());
 }
 
-INSTANTIATE_TEST_SUITE_P(Characters, SkinnedExport,
-                         ::testing::Values("horse", "humanoid-flex", "Fox.glb", "greenman.glb", "cesium_man.gltf",
-                                           "robot.glb"),
+INSTANTIATE_TEST_SUITE_P(Characters, SkinnedExport, ::testing::Values("demo", "greenman.glb"), nameOfScene);
+INSTANTIATE_TEST_SUITE_P(Large, SkinnedExport,
+                         ::testing::Values("horse", "humanoid-flex", "Fox.glb", "cesium_man.gltf", "robot.glb"),
                          nameOfScene);
 
 }  // namespace

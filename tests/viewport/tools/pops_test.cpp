@@ -48,7 +48,7 @@ TEST(Pops, ThereAreNoneOverMusclesLaidWithTheToolsDefaults) {
     const auto character = bundled(name);
     const Rig rig = layMuscles(character);
     for (const DetailKind detail : kDetails) {
-      // Adaptive detail has five times the vertices: the rest is looked at with MORE=1.
+      // Adaptive detail has five times the vertices: the rest is looked at with POPS=1.
       const Pops seen = popsOf(character, rig, detail, detail == DetailKind::kAdaptive ? 40 : 240);
       print(name, "by tool", detail, seen);
       EXPECT_GT(seen.moved, 10'000) << name;
@@ -79,9 +79,9 @@ TEST(Pops, AreRareOverRandomMusclesOfShortReach) {
 constexpr double kRarely = 3e-6;
 constexpr double kRarelyAtRandom = 4e-5;
 
-/// From the environment: which rigs, MORE=2-4; 0 is the one laid by the tool, MORE=1 all of 0 to 10. Null: none.
+/// From the environment: which rigs, POPS=2-4; 0 is the one laid by the tool, POPS=1 all of 0 to 10. Null: none.
 std::optional<std::pair<int, int>> rigsAskedFor() {
-  const char* more = std::getenv("MORE");
+  const char* more = std::getenv("POPS");
   if (!more) return std::nullopt;
   int first = 0;
   int last = 0;
@@ -94,7 +94,7 @@ class PopsOfAdaptiveDetail : public testing::TestWithParam<const char*> {};
 // A random rig takes up to a minute or two, the horse's half a minute.
 TEST_P(PopsOfAdaptiveDetail, AreRareOnEveryCharacterAtHand) {
   const auto rigs = rigsAskedFor();
-  if (!rigs) GTEST_SKIP() << "left out without MORE=1 in the environment: ten random rigs take many minutes";
+  if (!rigs) GTEST_SKIP() << "left out without POPS=1 in the environment: ten random rigs take many minutes";
   const std::string name = GetParam();
   const auto character = name == "horse" || name == "humanoid" ? bundled(name) : realCharacter(fileOf(name));
   if (!character) GTEST_SKIP() << "left out: " << name << " is not at hand";
