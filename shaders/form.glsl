@@ -1,6 +1,6 @@
 // shaders/form.glsl: what a primitive's shape makes of the unit ball, as core's shape.h has it.
 
-#define FORM_VECTORS 1  // Of four numbers each, in the order of core/geometry/shape_numbers.cpp.
+#define FORM_VECTORS 1  // Of four numbers each, in the order of core/geometry/affine_image.cpp.
 
 struct Form {
   float core;

@@ -12,7 +12,7 @@
 #include "app/document/document.h"
 #include "core/bodies/check.h"
 #include "core/bodies/cloth_check.h"
-#include "core/bodies/mend_rig.h"
+#include "core/bodies/mend.h"
 #include "core/files/json/json.h"
 #include "core/geometry/at.h"
 

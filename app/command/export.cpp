@@ -13,7 +13,7 @@
 #include "app/command/verb.h"
 #include "app/document/document.h"
 #include "app/document/export_report.h"
-#include "core/geometry/lower_case.h"
+#include "core/geometry/nearest_name.h"
 
 namespace sinew::app {
 namespace {

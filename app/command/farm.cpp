@@ -12,7 +12,6 @@
 #include "app/command/verb.h"
 #include "app/document/farm_job.h"
 #include "core/files/disk/atomic_file.h"
-#include "core/geometry/listed.h"
 #include "core/geometry/nearest_name.h"
 
 namespace sinew::app {

@@ -3,11 +3,10 @@
 
 #include <algorithm>
 
-#include "core/character/skin_bones.h"
+#include "core/character/bindings.h"
 #include "core/geometry/creases.h"
 #include "core/geometry/weld.h"
-#include "core/rig/layer_guess.h"
-#include "core/rig/layers.h"
+#include "core/rig/mesh_layers.h"
 #include "core/rig/morphs.h"
 #include "core/rig/motion_clip.h"
 

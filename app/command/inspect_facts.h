@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "app/document/document.h"
-#include "core/bodies/character_slots.h"
+#include "core/bodies/body_map.h"
 #include "core/files/json/json.h"
 #include "core/geometry/topology.h"
 #include "core/rig/attachment.h"

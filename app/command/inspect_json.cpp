@@ -2,7 +2,7 @@
 #include <algorithm>
 
 #include "app/command/inspect_facts.h"
-#include "core/rig/layers.h"
+#include "core/rig/mesh_layers.h"
 
 namespace sinew::app {
 namespace {

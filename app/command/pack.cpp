@@ -10,7 +10,7 @@
 #include "app/command/verb.h"
 #include "app/document/document.h"
 #include "core/files/disk/atomic_file.h"
-#include "core/geometry/lower_case.h"
+#include "core/geometry/nearest_name.h"
 #include "core/rig/attachment.h"
 #include "sinew/runtime/game_file.h"
 

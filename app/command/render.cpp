@@ -22,8 +22,7 @@
 #include "app/viewport/render/viewport.h"
 #include "core/character/skinning.h"
 #include "core/geometry/stopwatch.h"
-#include "core/rig/layer_guess.h"
-#include "core/rig/layers.h"
+#include "core/rig/mesh_layers.h"
 #include "sinew/character/pose_check.h"
 #include "sinew/surface/smoother.h"
 

@@ -11,7 +11,7 @@
 
 #include "app/viewport/render/movie.h"
 #include "app/viewport/render/shading_names.h"
-#include "core/geometry/lower_case.h"
+#include "core/geometry/nearest_name.h"
 
 namespace sinew::app {
 namespace {

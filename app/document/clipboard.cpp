@@ -4,7 +4,6 @@
 #include <utility>
 
 #include "core/geometry/at.h"
-#include "core/rig/excerpt.h"
 #include "core/rig/merge.h"
 #include "sinew/files/rig_json.h"
 

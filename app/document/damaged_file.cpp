@@ -16,7 +16,7 @@ std::string lineOf(const std::string& place) {
   return place.substr(from + 1, place.size() - from - 2);
 }
 
-/// What the parser says (core/files/json/json_parse.cpp), and what it means.
+/// What the parser says (core/files/json/json.cpp), and what it means.
 struct Meaning {
   std::string_view said;
   const char* meant;

@@ -8,7 +8,7 @@
 
 #include "app/document/character_files.h"
 #include "core/geometry/at.h"
-#include "core/geometry/lower_case.h"
+#include "core/geometry/nearest_name.h"
 #include "core/rig/morphs.h"
 #include "core/rig/twins.h"
 #include "sinew/files/gltf_import.h"

@@ -9,7 +9,7 @@
 
 #include "core/character/clip_names.h"
 #include "core/geometry/at.h"
-#include "core/geometry/listed.h"
+#include "core/geometry/nearest_name.h"
 #include "core/rig/attachment.h"
 #include "core/rig/motion_clip.h"
 

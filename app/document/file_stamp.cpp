@@ -7,7 +7,7 @@
 #include <cstdio>
 #include <system_error>
 
-#include "core/files/buffer_files.h"
+#include "core/files/clip_files.h"
 #include "core/files/disk/atomic_file.h"
 
 namespace sinew::app {

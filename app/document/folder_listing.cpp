@@ -12,7 +12,7 @@
 #include <tuple>
 
 #include "app/document/character_files.h"
-#include "core/geometry/lower_case.h"
+#include "core/geometry/nearest_name.h"
 
 namespace sinew::app {
 namespace {

@@ -8,7 +8,7 @@
 #include <string_view>
 
 #include "app/document/shown_names.h"
-#include "core/character/side_names.h"
+#include "core/character/bone_names.h"
 #include "core/geometry/at.h"
 #include "core/rig/twins.h"
 #include "sinew/rig/rig_edit.h"

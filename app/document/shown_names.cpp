@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "app/ui/readable_names.h"
-#include "core/geometry/lower_case.h"
+#include "core/geometry/nearest_name.h"
 
 namespace sinew::app {
 namespace {

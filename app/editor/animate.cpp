@@ -8,7 +8,6 @@
 
 #include "app/editor/animated_names.h"
 #include "app/editor/edit.h"
-#include "core/rig/driven_numbers.h"
 #include "core/rig/driver_input.h"
 
 namespace sinew::app {

@@ -6,7 +6,7 @@
 #include <cstdio>
 
 #include "app/document/shown_names.h"
-#include "core/geometry/lower_case.h"
+#include "core/geometry/nearest_name.h"
 
 namespace sinew::app {
 namespace {

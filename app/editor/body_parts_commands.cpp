@@ -7,7 +7,7 @@
 #include "app/editor/check_commands.h"
 #include "app/editor/edit.h"
 #include "app/editor/muscle_set_commands.h"
-#include "core/bodies/character_slots.h"
+#include "core/bodies/body_map.h"
 
 namespace sinew::app {
 namespace {

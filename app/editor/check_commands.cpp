@@ -5,7 +5,7 @@
 
 #include "app/editor/edit.h"
 #include "app/editor/pose_commands.h"
-#include "core/bodies/mend_rig.h"
+#include "core/bodies/mend.h"
 #include "core/geometry/at.h"
 #include "core/rig/motion_clip.h"
 

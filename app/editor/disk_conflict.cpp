@@ -11,7 +11,7 @@
 #include "app/document/file_stamp.h"
 #include "app/editor/commands.h"
 #include "app/editor/edit.h"
-#include "core/files/buffer_files.h"
+#include "core/files/clip_files.h"
 
 namespace sinew::app {
 namespace {

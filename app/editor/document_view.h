@@ -23,7 +23,7 @@
 #include "core/bodies/check.h"
 #include "core/bodies/fit_preset.h"
 #include "core/bodies/motions.h"
-#include "core/rig/line_lengths.h"
+#include "core/rig/line_fitting.h"
 #include "sinew/rig/rig.h"
 
 namespace sinew::app {
@@ -194,7 +194,7 @@ struct DocumentView {
   ShapesState shapes;
   LayersState layers;
   LibraryState library;
-  std::vector<bool> helperBones;  ///< [bones] core/character/skin_bones.h
+  std::vector<bool> helperBones;  ///< [bones] core/character/bindings.h
   TimelineState timeline;
   RenameState rename;
   EulerState euler;

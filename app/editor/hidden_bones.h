@@ -7,7 +7,7 @@
 
 namespace sinew::app {
 
-/// [bones] Helper bones (core/character/helper_bones.h) while they are not asked for. Those that carry a muscle, are
+/// [bones] Helper bones (core/character/joint_roles.h) while they are not asked for. Those that carry a muscle, are
 /// selected, turned by hand or part of the territory that is being edited are never hidden. Empty: none is.
 [[nodiscard]] std::vector<bool> hiddenBones(const EditorState& state);
 /// @param hidden  of hiddenBones()

@@ -12,7 +12,7 @@
 #include "app/editor/edit.h"
 #include "app/editor/open_file.h"
 #include "core/bodies/retarget.h"
-#include "core/geometry/lower_case.h"
+#include "core/geometry/nearest_name.h"
 
 namespace sinew::app {
 namespace {

@@ -6,7 +6,7 @@
 #include "app/editor/edit.h"
 #include "app/ui/readable_names.h"
 #include "core/geometry/at.h"
-#include "core/rig/layers.h"
+#include "core/rig/mesh_layers.h"
 
 namespace sinew::app {
 

@@ -14,7 +14,7 @@ void readLibrary(EditorState& state);
 void layFromLibrary(EditorState& state, int set, int muscle);
 
 /// The pointer has taken a muscle, moves with it, lets it go. What is let go over the character is laid there, with its
-/// twin (core/bodies/muscle_at.h).  @param pointer  window coordinates
+/// twin (core/bodies/muscle_set.h).  @param pointer  window coordinates
 void takeFromLibrary(EditorState& state, int set, int muscle);
 void carryFromLibrary(EditorState& state, const glm::vec2& pointer);
 void dropFromLibrary(EditorState& state, const glm::vec2& pointer);

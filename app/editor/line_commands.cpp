@@ -15,7 +15,7 @@
 #include "core/rig/line_edit.h"
 #include "core/rig/line_fitting.h"
 #include "core/rig/line_rest.h"
-#include "core/rig/line_twins.h"
+#include "core/rig/twins.h"
 
 namespace sinew::app {
 namespace {

@@ -8,7 +8,7 @@
 #include "app/document/muscle_sets.h"
 #include "app/editor/check_commands.h"
 #include "app/editor/edit.h"
-#include "core/bodies/character_slots.h"
+#include "core/bodies/body_map.h"
 #include "core/bodies/muscle_set.h"
 #include "core/geometry/at.h"
 

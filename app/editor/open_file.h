@@ -11,7 +11,7 @@ namespace sinew::app {
 
 /// Opens at once, without asking about changes. On an error the open document stays, and a message says why; where
 /// only the character is missing, Dialogs::locate asks for it.
-/// A walk plays if there is one (core/character/first_clip.h); a file that was open before looks as it was left
+/// A walk plays if there is one (core/character/clip_names.h); a file that was open before looks as it was left
 /// (view_memory.h). @return whether it was opened.
 bool openFile(EditorState& state, const std::filesystem::path& file);
 /// The same with what has been read already.

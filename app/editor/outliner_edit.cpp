@@ -11,7 +11,7 @@
 #include "app/editor/edit.h"
 #include "app/editor/territory.h"
 #include "core/geometry/at.h"
-#include "core/rig/reparent.h"
+#include "core/rig/line_edit.h"
 #include "core/rig/rig_edit_several.h"
 
 namespace sinew::app {

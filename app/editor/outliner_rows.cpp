@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "core/geometry/lower_case.h"
+#include "core/geometry/nearest_name.h"
 
 #include "core/character/bone_names.h"
 #include "core/character/joint_roles.h"

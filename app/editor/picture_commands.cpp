@@ -12,7 +12,7 @@
 
 #include "app/document/folder_listing.h"
 #include "app/document/rig_list.h"
-#include "core/geometry/lower_case.h"
+#include "core/geometry/nearest_name.h"
 
 namespace sinew::app {
 namespace {

@@ -16,7 +16,7 @@
 #include "app/viewport/render/movie.h"
 #include "app/viewport/render/shading_names.h"
 #include "core/geometry/at.h"
-#include "core/geometry/lower_case.h"
+#include "core/geometry/nearest_name.h"
 #include "sinew/files/rig_json.h"
 #include "sinew/geometry/threads.h"
 

@@ -12,7 +12,7 @@
 #include "app/editor/body_parts_commands.h"
 #include "app/panels/bone_list.h"
 #include "app/panels/overlay.h"
-#include "core/character/skin_bones.h"
+#include "core/character/bindings.h"
 #include "core/geometry/at.h"
 
 namespace sinew::app {

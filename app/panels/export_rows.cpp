@@ -14,7 +14,7 @@
 #include "app/ui/number_field.h"
 #include "app/ui/reading_order.h"
 #include "core/geometry/at.h"
-#include "core/geometry/grouped.h"
+#include "core/geometry/index_table.h"
 
 namespace sinew::app {
 namespace {

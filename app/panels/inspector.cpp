@@ -16,7 +16,7 @@
 #include "app/ui/readable_names.h"
 #include "app/ui/reading_order.h"
 #include "core/geometry/at.h"
-#include "core/geometry/shape_numbers.h"
+#include "core/geometry/affine_image.h"
 
 namespace sinew::app {
 namespace {

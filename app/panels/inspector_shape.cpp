@@ -9,7 +9,6 @@
 #include "app/panels/inspector_lines.h"
 #include "core/geometry/affine_image.h"
 #include "core/geometry/at.h"
-#include "core/geometry/shape_numbers.h"
 
 namespace sinew::app {
 namespace {

@@ -11,7 +11,7 @@
 
 #include "app/editor/key_capture.h"
 #include "app/panels/dialogs.h"
-#include "core/geometry/lower_case.h"
+#include "core/geometry/nearest_name.h"
 
 namespace sinew::app {
 namespace {

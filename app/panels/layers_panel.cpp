@@ -17,7 +17,7 @@
 #include "app/ui/readable_names.h"
 #include "app/viewport/render/color_scales.h"
 #include "core/geometry/at.h"
-#include "core/rig/layers.h"
+#include "core/rig/mesh_layers.h"
 
 namespace sinew::app {
 namespace {

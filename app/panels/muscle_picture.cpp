@@ -12,7 +12,7 @@
 
 #include "core/geometry/affine_image.h"
 #include "core/geometry/at.h"
-#include "core/geometry/flatness.h"
+#include "core/geometry/normals.h"
 
 namespace sinew::app {
 namespace {

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "app/panels/overlay.h"
-#include "core/geometry/grouped.h"
+#include "core/geometry/index_table.h"
 
 namespace sinew::app {
 namespace {

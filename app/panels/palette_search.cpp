@@ -6,7 +6,7 @@
 #include <cctype>
 #include <tuple>
 
-#include "core/geometry/lower_case.h"
+#include "core/geometry/nearest_name.h"
 
 namespace sinew::app {
 namespace {

@@ -12,7 +12,7 @@
 #include <string_view>
 
 #include "app/ui/reading_order.h"
-#include "core/geometry/lower_case.h"
+#include "core/geometry/nearest_name.h"
 
 namespace sinew::app {
 namespace {

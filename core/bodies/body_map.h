@@ -2,16 +2,25 @@
 #pragma once
 
 #include <optional>
+#include <span>
 
 #include <glm/mat3x3.hpp>
 
 #include "core/bodies/body_frame.h"
 #include "core/bodies/flesh.h"
+#include "core/character/body_slots.h"
 #include "core/rig/mirror.h"
 #include "sinew/character/character.h"
 #include "sinew/rig/rig.h"
 
 namespace sinew {
+
+// The parts of a character's body, with what a rig says of them.
+
+/// @param plan  of the character
+/// @param corrections  of the rig: a bone that the character lacks leaves its part as it was found
+[[nodiscard]] BodySlots bodySlots(const Character& character, const MirrorPlan& plan,
+                                  std::span<const SlotCorrection> corrections = {});
 
 /// A character with what is known of its body. The flesh refers to the frame: it stays where it is made.
 struct MeasuredBody {

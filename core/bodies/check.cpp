@@ -12,7 +12,7 @@
 
 #include "core/bodies/belly_motion.h"
 #include "core/character/bindings.h"
-#include "core/character/bones_between.h"
+#include "core/character/bone_segments.h"
 #include "core/geometry/at.h"
 #include "core/geometry/parallel.h"
 #include "core/rig/attachment.h"

@@ -15,8 +15,7 @@
 #include "core/geometry/at.h"
 #include "core/geometry/parallel.h"
 #include "core/geometry/triangle_tree.h"
-#include "core/rig/layer_guess.h"
-#include "core/rig/layers.h"
+#include "core/rig/mesh_layers.h"
 #include "sinew/geometry/geometry.h"
 #include "sinew/surface/smoother.h"
 

@@ -1,12 +1,13 @@
 // core/bodies/mend.h: muscle lines changed until their bellies stay in the flesh. docs/muscles.md.
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
-#include "core/bodies/belly_trial.h"
+#include "core/bodies/belly_motion.h"
 #include "core/bodies/check.h"
 #include "core/bodies/motions.h"
 #include "core/rig/mirror.h"
@@ -52,7 +53,7 @@ struct Mended {
 /// that fades where the bone is far; a via point at the belly's middle on the bones that carry the skin there; one
 /// beside the joint. If none does, the best of them; none if that is twice as bad as what is found. Then tendons,
 /// flex, volume and limits are taken back until the belly swells to a ball no more. Twins stay as they are
-/// (core/rig/line_twins.h).
+/// (core/rig/twins.h).
 /// A line that has just been made learns its full contraction from the motions. Where no candidate is clean and it
 /// carries one muscle, that lies deeper or goes with one of the line's bones (mend_drawn.h), and what is still found is
 /// said.
@@ -68,5 +69,16 @@ struct MendedRig {
 /// @param findings  check() of this rig  @param plan  null: twins stay as they are
 [[nodiscard]] Result<MendedRig> withMendedFindings(Rig rig, std::span<const Finding> findings, const Motions& motions,
                                                    const MirrorPlan* plan);
+
+// All that is found of a rig's muscles, mended. docs/muscles.md.
+
+/// check(), of the primitives from `first` on.
+[[nodiscard]] std::vector<Finding> findingsFrom(const Rig& rig, std::size_t first, const Motions& motions);
+
+/// Lines first (withMendedFindings); of what is still found, what a muscle rides and how deep it lies
+/// (withMendedBelly); skin of another limb goes from territories. Something may be left.
+/// @param plan  null: twins stay as they are
+[[nodiscard]] Result<MendedRig> withMendedRig(Rig rig, std::size_t first, const Motions& motions,
+                                              const MirrorPlan* plan);
 
 }  // namespace sinew

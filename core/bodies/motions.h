@@ -1,6 +1,7 @@
 // core/bodies/motions.h: what a character does: poses of all its clips, and spots of its skin in each.
 #pragma once
 
+#include <cstddef>
 #include <memory>
 #include <optional>
 #include <span>
@@ -10,8 +11,17 @@
 #include "core/character/range_of_motion.h"
 #include "sinew/character/character.h"
 #include "sinew/character/pose.h"
+#include "sinew/rig/muscle_line.h"
+#include "sinew/rig/rig.h"
 
 namespace sinew {
+
+// What muscle lines do over all clips, learned for many at once.
+
+/// Lines from `first` on learn their full contraction (withLearned). Twins learn alike: from whichever side gets
+/// shorter. One that never shortens keeps what it has.
+/// @param character  with the range of motion as a clip
+[[nodiscard]] Rig withLearnedLengths(Rig rig, std::size_t first, const Character& character);
 
 /// All clips of a character and its range of motion, fifteen poses a second, each with its clip and time.
 class Motions {
@@ -37,5 +47,10 @@ class Motions {
   SkinRuns skin_;
   std::vector<Pose> poses_;
 };
+
+// How short a line gets in what its character does.
+
+/// Full contraction from the 2nd percentile of its lengths. A line that never shortens keeps what it has.
+void learnFull(MuscleLine& line, const Motions& motions);
 
 }  // namespace sinew

@@ -12,11 +12,10 @@
 #include <glm/geometric.hpp>
 
 #include "core/bodies/body_map.h"
-#include "core/bodies/part_place.h"
-#include "core/character/side_names.h"
+#include "core/bodies/fit_preset.h"
+#include "core/character/bone_names.h"
 #include "core/geometry/affine_image.h"
 #include "core/geometry/at.h"
-#include "core/rig/line_twins.h"
 #include "core/rig/twins.h"
 #include "sinew/rig/rig_edit.h"
 

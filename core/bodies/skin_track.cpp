@@ -13,7 +13,7 @@
 
 #include "core/character/bindings.h"
 #include "core/geometry/at.h"
-#include "core/geometry/nearest_on_triangle.h"
+#include "core/geometry/triangle_tree.h"
 
 namespace sinew {
 namespace {

@@ -4,11 +4,20 @@
 #include <algorithm>
 #include <cstddef>
 #include <span>
+#include <vector>
 
 #include "sinew/character/character.h"
 #include "sinew/character/pose.h"
 
 namespace sinew {
+
+// Which bones of a character carry its skin.
+
+/// [bones] Skin follows it.
+[[nodiscard]] std::vector<bool> bonesWithSkin(const Character& character);
+
+/// [bones] No skin follows it nor any bone below it (core/character/joint_roles.h).
+[[nodiscard]] std::vector<bool> helperBones(const Character& character);
 
 /// One bone that a vertex follows. A bone may come twice, if two skins bind it differently.
 struct WeightedBinding {

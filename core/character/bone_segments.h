@@ -7,8 +7,14 @@
 #include <glm/geometric.hpp>
 
 #include "sinew/character/pose.h"
+#include "sinew/character/skeleton.h"
 
 namespace sinew {
+
+// The bones on the way from one to another.
+
+/// Both bones and those between them in the tree, ascending; the two alone where they have no common ancestor.
+[[nodiscard]] std::vector<int> bonesBetween(const Skeleton& skeleton, int from, int to);
 
 /// A piece of a straight line; may have no length.
 struct Segment {

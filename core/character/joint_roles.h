@@ -5,10 +5,18 @@
 #include <span>
 #include <vector>
 
-#include "core/character/body_slot.h"
+#include "core/character/body_slots.h"
 #include "sinew/character/skeleton.h"
 
 namespace sinew {
+
+// Bones that move no skin: targets, poles, sockets, ends.
+
+/// [bones] Skin follows the bone or one below it. @param carriesSkin  [bones] skin follows it; empty: all do.
+[[nodiscard]] std::vector<bool> bonesThatMoveSkin(const Skeleton& skeleton, const std::vector<bool>& carriesSkin);
+
+/// [bones] The others: what a designer of muscles need not see. None where no bone moves skin.
+[[nodiscard]] std::vector<bool> helperBones(const Skeleton& skeleton, const std::vector<bool>& carriesSkin);
 
 enum class JointRole {
   kStill,  ///< Moves the whole body (root, hips) or nothing that is seen (targets, sockets, ends).

@@ -6,7 +6,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "core/character/helper_bones.h"
+#include "core/character/joint_roles.h"
 #include "core/geometry/at.h"
 
 namespace sinew {

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "core/character/body_slot.h"
+#include "core/character/body_slots.h"
 #include "sinew/character/animation_clip.h"
 #include "sinew/character/skeleton.h"
 

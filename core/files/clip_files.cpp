@@ -2,14 +2,48 @@
 #include "core/files/clip_files.h"
 
 #include <algorithm>
+#include <cstdint>
+#include <exception>
 #include <span>
+#include <string>
+#include <system_error>
 #include <utility>
 
 #include "core/bodies/transfer_clips.h"
+#include "core/files/gltf/file.h"
+#include "core/geometry/nearest_name.h"
 #include "sinew/files/gltf_import.h"
 #include "sinew/files/rig_json.h"
 
 namespace sinew {
+
+// By the JSON alone.
+
+std::vector<std::filesystem::path> bufferFilesOf(const std::filesystem::path& file) {
+  std::vector<std::filesystem::path> files;
+  if (lowerCase(file.extension().string()) != ".gltf") return files;
+  try {
+    const std::vector<std::uint8_t> contents = gltf::contentsOf(file);
+    const Json root = gltf::parseJson(gltf::openContainer(contents).json, "extras");
+    for (const Json& buffer : root.at("buffers").items()) {
+      const std::string uri = buffer.at("uri").text("");
+      if (uri.empty() || gltf::isDataUri(uri) || gltf::isFallback(buffer)) continue;
+      const Result<std::filesystem::path> relative = gltf::relativePathOf(uri);
+      if (!relative) continue;
+      const std::filesystem::path folder = gltf::folderOf(file);
+      const std::filesystem::path named = folder / relative.value();
+      std::error_code failed;
+      if (gltf::placeInside(folder, relative.value()) || !std::filesystem::exists(named, failed))
+        files.push_back(named);
+    }
+  } catch (const gltf::Refusal&) {
+    files.clear();
+  } catch (const std::exception&) {
+    files.clear();
+  }
+  return files;
+}
+
 namespace {
 
 bool isAdded(const AnimationClip& clip) { return !clip.addedFrom.empty(); }

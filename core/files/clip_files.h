@@ -13,6 +13,12 @@
 
 namespace sinew {
 
+// The files that a .gltf has its numbers in.
+
+/// The buffers that a .gltf names in its own folder, in its order, there or not; no link that leads out
+/// of it. None of other files, nor where it cannot be read. Never throws.
+[[nodiscard]] std::vector<std::filesystem::path> bufferFilesOf(const std::filesystem::path& file);
+
 /// What became of one of Rig::clipFiles.
 struct ClipFileReport {
   std::string file;                      ///< As the rig names it; AnimationClip::addedFrom of its clips.

@@ -11,8 +11,8 @@
 #include "core/files/json/reader.h"
 #include "core/files/rig_json_animated.h"
 #include "core/files/rig_json_lines.h"
-#include "core/geometry/shape_numbers.h"
-#include "core/rig/layers.h"
+#include "core/geometry/affine_image.h"
+#include "core/rig/mesh_layers.h"
 #include "core/rig/validation.h"
 
 namespace sinew {

@@ -12,8 +12,7 @@
 #include "core/files/gltf/image_bytes.h"
 #include "core/files/surface_formats.h"
 #include "core/geometry/at.h"
-#include "core/geometry/listed.h"
-#include "core/geometry/lower_case.h"
+#include "core/geometry/nearest_name.h"
 
 namespace sinew {
 namespace {

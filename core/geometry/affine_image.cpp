@@ -10,8 +10,6 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/quaternion.hpp>
 
-#include "core/geometry/shape_numbers.h"
-
 namespace sinew {
 namespace {
 

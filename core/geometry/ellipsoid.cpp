@@ -7,7 +7,7 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "core/geometry/flatness.h"
+#include "core/geometry/normals.h"
 
 namespace sinew {
 namespace {

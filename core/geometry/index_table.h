@@ -5,11 +5,25 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <string>
 #include <vector>
 
 #include "core/geometry/split_mix.h"
 
 namespace sinew {
+
+// Counts for people.
+
+/// 12345 -> "12,345".
+[[nodiscard]] inline std::string grouped(long long number) {
+  const std::string digits = std::to_string(number < 0 ? -number : number);
+  std::string out = number < 0 ? "-" : "";
+  for (std::size_t i = 0; i < digits.size(); ++i) {
+    if (i > 0 && (digits.size() - i) % 3 == 0) out += ',';
+    out += digits[i];
+  }
+  return out;
+}
 
 /// Spreads the bits of `value` over the whole word and folds them into `seed`.
 [[nodiscard]] inline std::uint64_t hashCombine(std::uint64_t seed, std::uint64_t value) {

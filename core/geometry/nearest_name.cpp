@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <cstddef>
 
-#include "core/geometry/lower_case.h"
-
 namespace sinew {
 namespace {
 

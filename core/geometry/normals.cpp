@@ -1,15 +1,27 @@
 // core/geometry/normals.cpp: angle-weighted vertex normals.
 // Source: G. Thuermer, C. A. Wuethrich, "Computing vertex normals from polygonal facets", J. Graphics Tools 3(1), 1998.
-
 #include "core/geometry/normals.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+
 #include "core/geometry/at.h"
 
 namespace sinew {
+
+// Volume of a matrix's columns against their lengths.
+
+bool isFlat(const glm::dmat3& matrix) {
+  constexpr double kFlat = 1e-6;
+  const double lengths = glm::length(matrix[0]) * glm::length(matrix[1]) * glm::length(matrix[2]);
+  const double volume = std::abs(glm::determinant(matrix));
+  return !(volume > kFlat * lengths) || !std::isfinite(volume);
+}
+
 namespace {
 
 /// Angle at `a` between the directions to b and c; 0 where one has no length.

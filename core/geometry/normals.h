@@ -4,9 +4,18 @@
 #include <span>
 #include <vector>
 
+#include <glm/mat3x3.hpp>
+
 #include "sinew/geometry/control_mesh.h"
 
 namespace sinew {
+
+// Whether a matrix leaves three dimensions.
+
+/// The columns span no volume, but for what rounding to float leaves: their determinant is at most a millionth of the
+/// product of their lengths. Scale, even or uneven along the columns, does not matter. True for what is not finite.
+/// One answer for all: a bone whose muscles can be edited is one whose muscles can be mirrored and are seen.
+[[nodiscard]] bool isFlat(const glm::dmat3& matrix);
 
 /// One unit normal per vertex: face normals weighted by the corner's angle (Thuermer & Wuethrich 1998), so that it does
 /// not depend on how the faces are cut into triangles. A vertex whose faces cancel or have no area gets +Y.

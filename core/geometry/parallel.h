@@ -1,12 +1,46 @@
 // core/geometry/parallel.h: loops whose rounds do not need each other, on all cores.
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <cstddef>
+#include <memory>
 #include <type_traits>
 
 #include "sinew/geometry/threads.h"
 
 namespace sinew {
+
+// Memory that takes none until it is written.
+
+/// Items without values: reading one that was not written is an error. A copy starts without any.
+template <class Item>
+requires std::is_trivially_default_constructible_v<Item>
+class ScratchArray {
+ public:
+  ScratchArray() = default;
+  ScratchArray(const ScratchArray&) {}
+  ScratchArray(ScratchArray&&) noexcept = default;
+  ScratchArray& operator=(const ScratchArray& other) {
+    if (this != &other) *this = ScratchArray();
+    return *this;
+  }
+  ScratchArray& operator=(ScratchArray&&) noexcept = default;
+  ~ScratchArray() = default;
+
+  /// Loses what was written where the size changes.
+  void resize(std::size_t size) {
+    if (size == size_) return;
+    items_ = std::make_unique_for_overwrite<Item[]>(size);
+    size_ = size;
+  }
+  [[nodiscard]] Item* data() { return items_.get(); }
+
+ private:
+  std::unique_ptr<Item[]> items_;
+  std::size_t size_ = 0;
+};
+
 namespace parallel {
 
 using Call = void (*)(void* use, std::size_t begin, std::size_t end);
@@ -32,6 +66,35 @@ void forEachIndex(std::size_t count, std::size_t least, Use&& use) {
   forRanges(count, least, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) use(i);
   });
+}
+
+// Lists that several threads write, in the order of one.
+
+/// Has 0..count-1 listed in blocks, on all cores, and closes up what the blocks have left. Allocates nothing.
+/// @param least  for one thread; blocks begin at multiples of 64.
+/// @param out  room for `count`.
+/// @param list  (begin, end, out): writes what it lists of begin..end-1, at most end - begin, and returns how many;
+///              it may also write anything up to out[end - begin - 1].
+/// @return  how many are listed
+template <class T, class List>
+std::size_t listInBlocks(std::size_t count, std::size_t least, T* out, const List& list) {
+  constexpr std::size_t kMostBlocks = 64;
+  constexpr std::size_t kMultiple = 64;
+  const std::size_t even = std::max({least, kMultiple, (count + kMostBlocks - 1) / kMostBlocks});
+  const std::size_t size = (even + kMultiple - 1) / kMultiple * kMultiple;
+  const std::size_t blocks = (count + size - 1) / size;
+  std::array<std::size_t, kMostBlocks> listed{};
+  forEachIndex(blocks, 1, [&](std::size_t block) {
+    const std::size_t begin = block * size;
+    listed[block] = list(begin, std::min(begin + size, count), out + begin);
+  });
+  std::size_t total = 0;
+  for (std::size_t block = 0; block < blocks; ++block) {
+    const T* from = out + block * size;
+    if (from != out + total) std::copy(from, from + listed[block], out + total);
+    total += listed[block];
+  }
+  return total;
 }
 
 }  // namespace sinew

@@ -2,9 +2,18 @@
 // its formula beside these functions: CONTRIBUTING.md, Another potential g.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 
 namespace sinew {
+
+// A step without corners.
+
+/// 0 up to `from`, 1 from `to` on, between them 3 t^2 - 2 t^3. from < to.
+[[nodiscard]] inline float smoothstep(float from, float to, float x) {
+  const float t = std::clamp((x - from) / (to - from), 0.0f, 1.0f);
+  return t * t * (3.0f - 2.0f * t);
+}
 
 /// g(r) = (1 - r^2)^2 for r < 1, else 0 (paper 3.1), from r squared. C1; support radius 1; g(0) = 1.
 template <class Real>

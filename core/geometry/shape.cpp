@@ -9,7 +9,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "core/geometry/shape_numbers.h"
+#include "core/geometry/affine_image.h"
 
 namespace sinew {
 namespace {

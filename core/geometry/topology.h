@@ -9,6 +9,11 @@
 
 namespace sinew {
 
+// The edges of a triangle list.
+
+/// Fills the mesh's edges, in order of first use, and those of its triangles, from the triangles' vertices.
+void findEdges(ControlMesh& mesh);
+
 /// Counts over a triangle list whose indices name shared (welded) vertices.
 struct Topology {
   int vertices = 0;  ///< Used by at least one triangle.

@@ -7,7 +7,6 @@
 #include <numbers>
 
 #include "core/geometry/at.h"
-#include "core/geometry/longest_axis.h"
 
 namespace sinew {
 namespace {

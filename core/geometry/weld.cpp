@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "core/geometry/at.h"
-#include "core/geometry/edges.h"
+#include "core/geometry/topology.h"
 #include "core/geometry/index_table.h"
 #include "core/geometry/normals.h"
 

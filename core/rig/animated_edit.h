@@ -7,7 +7,7 @@
 #include <string>
 #include <unordered_set>
 
-#include "core/rig/rig_numbers.h"
+#include "core/rig/rig_edit_several.h"
 #include "sinew/geometry/result.h"
 #include "sinew/rig/rig.h"
 

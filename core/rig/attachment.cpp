@@ -4,11 +4,10 @@
 #include <algorithm>
 
 #include "core/character/bindings.h"
-#include "core/character/bones_between.h"
+#include "core/character/bone_segments.h"
 #include "core/geometry/at.h"
 #include "core/geometry/nearest_name.h"
 #include "core/geometry/potential.h"
-#include "core/geometry/smoothstep.h"
 
 namespace sinew {
 namespace {

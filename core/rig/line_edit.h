@@ -9,10 +9,22 @@
 #include <unordered_set>
 #include <vector>
 
+#include "sinew/character/skeleton.h"
+#include "sinew/geometry/geometry.h"
 #include "sinew/geometry/result.h"
 #include "sinew/rig/rig.h"
 
 namespace sinew {
+
+// What becomes of a muscle that moves to another bone.
+
+/// The placement in `to` that looks as `inFrom` does in `from`, in one pose: the same ellipsoid in the world, whatever
+/// the bones' scale and shear (affine_image.h). A flattened bone: the placement as it was.
+[[nodiscard]] Placement carryToBone(const Placement& inFrom, const glm::mat4& fromInWorld, const glm::mat4& toInWorld);
+
+/// The primitive at the same place along another bone, as much larger as that bone is longer (keyed and driven lengths
+/// too), with its default territory. From a bone that is not there: as large as it was.
+[[nodiscard]] Primitive scaleToBone(Primitive primitive, const Skeleton& skeleton, int bone);
 
 /// Appends; the name is made unique. If `mirror` names a line of the rig, the two become each other's twins.
 [[nodiscard]] Result<Rig> addLine(Rig rig, MuscleLine line);

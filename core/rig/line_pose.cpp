@@ -7,7 +7,7 @@
 #include <glm/geometric.hpp>
 
 #include "core/geometry/at.h"
-#include "core/geometry/flatness.h"
+#include "core/geometry/normals.h"
 #include "core/rig/contraction.h"
 #include "sinew/geometry/geometry.h"
 

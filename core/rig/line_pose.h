@@ -5,17 +5,42 @@
 // one. Formulas: docs/muscles.md.
 #pragma once
 
+#include <algorithm>
 #include <optional>
 #include <span>
 #include <vector>
 
+#include <glm/gtc/quaternion.hpp>
 #include <glm/mat3x3.hpp>
 #include <glm/mat4x4.hpp>
 
 #include "core/rig/line_rest.h"
 #include "sinew/character/pose.h"
+#include "sinew/geometry/ellipsoid.h"
 
 namespace sinew {
+
+// The muscle that a line gets where none was drawn: from under the line to over the skin.
+
+/// How far it stands out of the skin, of its half length.
+inline constexpr float kBellyBulge = 0.22f;
+
+/// Its long axis (y) lies along the line, its height (z) points out. World.
+/// @param middle  on the line  @param along, out  unit, square to each other
+/// @param top  from the middle to the highest point  @param half  half its length
+[[nodiscard]] inline Placement bellyOnLine(const glm::vec3& middle, const glm::vec3& along, const glm::vec3& out,
+                                           float top, float half) {
+  constexpr float kThick = 0.55f;      // Half thickness, of `top`.
+  constexpr float kLeastThick = 0.2f;  // Of the half length.
+  constexpr float kMostThick = 0.5f;
+  constexpr float kWide = 1.1f;  // Width over thickness.
+  const float thick = std::clamp(kThick * top, kLeastThick * half, kMostThick * half);
+  Placement belly;
+  belly.center = middle + (top - thick) * out;
+  belly.rotation = glm::normalize(glm::quat_cast(glm::mat3(glm::cross(along, out), along, out)));
+  belly.radii = {kWide * thick, half, thick};
+  return belly;
+}
 
 // How far a bone has turned and grown since the bind pose.
 

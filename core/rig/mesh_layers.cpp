@@ -2,13 +2,361 @@
 #include "core/rig/mesh_layers.h"
 
 #include <algorithm>
+#include <array>
+#include <cassert>
+#include <cmath>
+#include <optional>
+#include <set>
+#include <span>
+#include <string_view>
+#include <unordered_map>
+#include <unordered_set>
+#include <utility>
+
+#include <glm/geometric.hpp>
 
 #include "core/character/bindings.h"
+#include "core/character/bone_names.h"
 #include "core/geometry/at.h"
 #include "core/geometry/parallel.h"
 #include "core/geometry/triangle_tree.h"
+#include "core/rig/refusals.h"
+#include "core/rig/validation.h"
 
 namespace sinew {
+
+// Choices found by the parts' names.
+
+namespace {
+
+constexpr std::size_t kMostLayers = 65536;
+
+}  // namespace
+
+const char* nameOf(SkinLayer layer) {
+  switch (layer) {
+    case SkinLayer::kCloth:
+      return "cloth";
+    case SkinLayer::kRigid:
+      return "rigid";
+    case SkinLayer::kSkin:
+      break;
+  }
+  return "skin";
+}
+
+std::optional<SkinLayer> skinLayerNamed(const std::string& name) {
+  for (const SkinLayer layer : {SkinLayer::kSkin, SkinLayer::kCloth, SkinLayer::kRigid}) {
+    if (name == nameOf(layer)) return layer;
+  }
+  return std::nullopt;
+}
+
+int findLayer(const Rig& rig, const std::string& part) {
+  const auto found = std::ranges::find(rig.layers, part, &LayerChoice::part);
+  return found == rig.layers.end() ? -1 : static_cast<int>(found - rig.layers.begin());
+}
+
+std::vector<SkinLayer> layersOf(const Rig& rig, const Character& character, std::span<const SkinLayer> guessed) {
+  assert(guessed.size() == character.parts.size());
+  std::vector<SkinLayer> layers(guessed.begin(), guessed.end());
+  if (rig.layers.empty()) return layers;
+  std::unordered_map<std::string, SkinLayer> chosen;
+  for (const LayerChoice& choice : rig.layers) chosen.emplace(choice.part, choice.layer);
+  for (std::size_t i = 0; i < layers.size(); ++i) {
+    if (const auto found = chosen.find(character.parts[i].name); found != chosen.end()) layers[i] = found->second;
+  }
+  return layers;
+}
+
+Result<Rig> setLayer(Rig rig, const std::string& part, std::optional<SkinLayer> layer) {
+  const int index = findLayer(rig, part);
+  if (!layer) {
+    if (index >= 0) rig.layers.erase(rig.layers.begin() + index);
+    return rig;
+  }
+  if (index >= 0) at(rig.layers, index).layer = *layer;
+  else rig.layers.push_back({part, *layer});
+  if (auto valid = validateLayers(rig); !valid) return valid.error();
+  return rig;
+}
+
+Rig withoutLayers(Rig rig) {
+  rig.layers.clear();
+  return rig;
+}
+
+Result<void> validateLayers(const Rig& rig) {
+  if (rig.layers.size() > kMostLayers) {
+    return errorAt(
+        "layers",
+        "expected at most " + std::to_string(kMostLayers) + " parts, got " + std::to_string(rig.layers.size()),
+        "the rig");
+  }
+  std::unordered_set<std::string> known;
+  for (const LayerChoice& choice : rig.layers) {
+    const std::string place = "layers." + choice.part;
+    if (auto name = validateName(choice.part, place); !name) return about("layers", name.error());
+    if (!known.insert(choice.part).second) {
+      return errorAt(place, "expected each part once, but \"" + choice.part + "\" is there twice", "layers");
+    }
+  }
+  return {};
+}
+
+std::vector<std::string> missingParts(const Rig& rig, const Character& character) {
+  std::vector<std::string> missing;
+  for (const LayerChoice& choice : rig.layers) {
+    const bool known = std::ranges::find(character.parts, choice.part, &MeshPart::name) != character.parts.end();
+    if (!known) missing.push_back(choice.part);
+  }
+  return missing;
+}
+
+// Samples of each part against the triangles of the others.
+
+namespace {
+
+constexpr std::size_t kPartSamples = 160;       ///< Triangles of a part that are looked at, at most,
+constexpr std::size_t kFewPartSamples = 8;      ///< and where there are very many parts,
+constexpr std::size_t kAllPartSamples = 8'000;  ///< of all parts together.
+constexpr float kOverWithin = 0.05f;    ///< Fraction of H: how far a garment lies off the skin under it, at most.
+constexpr float kOverAlong = 0.4f;      ///< Cosine between normals, and between a normal and the way to the skin.
+constexpr float kOverShare = 0.5f;      ///< Of its area over another part: cloth.
+constexpr float kNamedShare = 0.25f;    ///< The same if its name is a garment's.
+constexpr float kInsideShare = 0.5f;    ///< Of its area inside of others: rigid.
+constexpr float kInsideWinding = 0.4f;  ///< An eye looks out of its socket.
+constexpr float kSmallPart = 0.25f;     ///< Of the body's area: more is no eye.
+constexpr float kSewnShare = 0.5f;      ///< Of its border.
+
+constexpr std::array<std::string_view, 16> kRigidWords{"eye",   "eyes",   "eyeball", "eyeballs", "iris",  "cornea",
+                                                       "pupil", "pupils", "sclera",  "tooth",    "teeth", "tongue",
+                                                       "gum",   "gums",   "denture", "glasses"};
+constexpr std::array<std::string_view, 14> kHairWords{"hair",    "beard",     "moustache", "mustache", "brow",
+                                                      "brows",   "eyebrow",   "eyebrows",  "lash",     "lashes",
+                                                      "eyelash", "eyelashes", "haircut",   "ponytail"};
+constexpr std::array<std::string_view, 33> kGarmentWords{
+    "shirt", "tshirt",  "trousers", "pants",   "shorts", "dress", "skirt", "jacket", "coat", "hat",    "cap",
+    "cloth", "clothes", "clothing", "outfit",  "sock",   "socks", "shoe",  "shoes",  "boot", "boots",  "footwear",
+    "glove", "gloves",  "jeans",    "sweater", "hoodie", "vest",  "top",   "bottom", "suit", "sleeve", "armor"};
+
+template <std::size_t N>
+bool hasWordOf(const std::vector<std::string>& words, const std::array<std::string_view, N>& wanted) {
+  return std::ranges::any_of(words,
+                             [&](const std::string& word) { return std::ranges::find(wanted, word) != wanted.end(); });
+}
+
+/// A point in the middle of a triangle that stands for some of its part's area.
+struct PartSample {
+  glm::vec3 middle{0.0f};
+  glm::vec3 normal{0.0f};  ///< Unit.
+  float area = 0.0f;
+};
+
+struct PartFacts {
+  std::vector<int> triangles;
+  std::vector<PartSample> samples;
+  float area = 0.0f;
+  std::set<int> bones;
+  int border = 0;         ///< Edges with a single triangle of this part,
+  int sewn = 0;           ///< and those of them with one of another.
+  float over = 0.0f;      ///< Share of its area.
+  float nearSkin = 0.0f;  ///< Share of its area close to other parts.
+  std::vector<std::string> words;
+
+  [[nodiscard]] bool isSewn() const {
+    return border > 0 && static_cast<float>(sewn) >= kSewnShare * static_cast<float>(border);
+  }
+  [[nodiscard]] float weight() const { return area * static_cast<float>(bones.size()) * (1.0f - over); }
+};
+
+class LayerGuesser {
+ public:
+  explicit LayerGuesser(const Character& character)
+      : character_(character), mesh_(character.mesh), height_(character.height), facts_(character.parts.size()) {
+    gatherTriangles();
+    gatherBorders();
+    for (std::size_t p = 0; p < facts_.size(); ++p) {
+      facts_[p].words = wordsOf(character.parts[p].name);
+      const auto material = wordsOf(at(character.materials, character.parts[p].material).name);
+      facts_[p].words.insert(facts_[p].words.end(), material.begin(), material.end());
+    }
+  }
+
+  std::vector<SkinLayer> guess() {
+    for (std::size_t p = 0; p < facts_.size(); ++p) measureOver(static_cast<int>(p));
+    std::vector<SkinLayer> layers(facts_.size(), SkinLayer::kSkin);
+    const auto body =
+        static_cast<std::size_t>(std::ranges::max_element(facts_, {}, &PartFacts::weight) - facts_.begin());
+    for (std::size_t p = 0; p < facts_.size(); ++p) {
+      const PartFacts& part = facts_[p];
+      if (p == body || part.isSewn()) continue;
+      const bool hair = hasWordOf(part.words, kHairWords);
+      if (!hair && hasWordOf(part.words, kRigidWords)) layers[p] = SkinLayer::kRigid;
+      else if (part.over >= kOverShare || (hair && part.nearSkin >= kNamedShare) ||
+               (part.over >= kNamedShare && hasWordOf(part.words, kGarmentWords))) {
+        layers[p] = SkinLayer::kCloth;
+      }
+    }
+    findInside(facts_[body].area, body, layers);
+    return layers;
+  }
+
+ private:
+  [[nodiscard]] TriangleCorners cornersOf(int triangle) const {
+    const auto& v = at(mesh_.triangles, triangle).vertices;
+    return {at(mesh_.positions, v[0]), at(mesh_.positions, v[1]), at(mesh_.positions, v[2])};
+  }
+
+  void gatherTriangles() {
+    for (int t = 0; t < static_cast<int>(mesh_.triangles.size()); ++t) {
+      PartFacts& part = at(facts_, at(mesh_.triangles, t).part);
+      part.triangles.push_back(t);
+      const TriangleCorners c = cornersOf(t);
+      part.area += 0.5f * glm::length(glm::cross(c[1] - c[0], c[2] - c[0]));
+    }
+    const std::size_t most = std::clamp(kAllPartSamples / facts_.size(), kFewPartSamples, kPartSamples);
+    for (PartFacts& part : facts_) {
+      const std::size_t step = (part.triangles.size() + most - 1) / most;
+      for (std::size_t i = 0; i < part.triangles.size(); i += std::max<std::size_t>(step, 1)) addSample(i, part);
+    }
+  }
+
+  void addSample(std::size_t i, PartFacts& part) const {
+    const int t = part.triangles[i];
+    const TriangleCorners c = cornersOf(t);
+    const glm::vec3 face = glm::cross(c[1] - c[0], c[2] - c[0]);
+    const float area = 0.5f * glm::length(face);
+    if (!(area > 0.0f)) return;
+    part.samples.push_back({(c[0] + c[1] + c[2]) / 3.0f, face / (2.0f * area), area});
+    for (const int v : at(mesh_.triangles, t).vertices) {
+      for (const WeightedBinding& follows : bindingsOf(character_, v)) part.bones.insert(follows.bone());
+    }
+  }
+
+  void gatherBorders() {
+    struct AtEdge {
+      std::array<int, 2> parts{-1, -1};
+      std::array<int, 2> counts{0, 0};
+    };
+    std::vector<AtEdge> edges(mesh_.edges.size());
+    for (const ControlTriangle& triangle : mesh_.triangles) {
+      for (const int e : triangle.edges) {
+        AtEdge& edge = at(edges, e);
+        const std::size_t slot = edge.parts[0] == triangle.part || edge.parts[0] < 0 ? 0 : 1;
+        edge.parts[slot] = triangle.part;
+        ++edge.counts[slot];
+      }
+    }
+    for (const AtEdge& edge : edges) {
+      for (std::size_t slot = 0; slot < 2; ++slot) {
+        if (edge.counts[slot] != 1) continue;
+        PartFacts& part = at(facts_, edge.parts[slot]);
+        ++part.border;
+        if (edge.parts[1 - slot] >= 0) ++part.sewn;
+      }
+    }
+  }
+
+  [[nodiscard]] TriangleTree treeOf(const std::vector<int>& triangles) const {
+    std::vector<TriangleCorners> corners;
+    for (const int t : triangles) corners.push_back(cornersOf(t));
+    return {corners, triangles};
+  }
+
+  /// The triangles of all parts that `isIn`.
+  template <class IsIn>
+  [[nodiscard]] std::vector<int> trianglesOf(IsIn isIn) const {
+    std::vector<int> triangles;
+    for (int t = 0; t < static_cast<int>(mesh_.triangles.size()); ++t) {
+      if (isIn(toIndex(at(mesh_.triangles, t).part))) triangles.push_back(t);
+    }
+    return triangles;
+  }
+
+  [[nodiscard]] glm::vec3 normalOf(int triangle) const {
+    const TriangleCorners c = cornersOf(triangle);
+    return normalizeOr(glm::cross(c[1] - c[0], c[2] - c[0]), glm::vec3(0.0f));
+  }
+
+  /// How much of a part has skin of others under it, that faces as it does.
+  void measureOver(int p) {
+    PartFacts& part = at(facts_, p);
+    const TriangleTree& all = wholeTree();
+    const float within = kOverWithin * height_;
+    float over = 0.0f;
+    float nearby = 0.0f;
+    float whole = 0.0f;
+    for (const PartSample& sample : part.samples) {
+      whole += sample.area;
+      const auto own = [&](int t) { return at(mesh_.triangles, t).part == p ? 2.0f * within : 0.0f; };
+      const NearestPoint found = all.nearest(sample.middle, within, own);
+      if (found.triangle < 0) continue;
+      nearby += sample.area;
+      const glm::vec3 way = sample.middle - mixed(cornersOf(found.triangle), found.shares);
+      const glm::vec3 under = normalOf(found.triangle);
+      const float along = glm::dot(way, under);
+      const bool isAbove = along > kOverAlong * found.distance && glm::dot(under, sample.normal) > kOverAlong;
+      if (isAbove) over += sample.area;
+    }
+    if (whole > 0.0f) {
+      part.over = over / whole;
+      part.nearSkin = nearby / whole;
+    }
+  }
+
+  [[nodiscard]] const TriangleTree& wholeTree() {
+    if (!whole_) whole_.emplace(treeOf(trianglesOf([](std::size_t) { return true; })));
+    return *whole_;
+  }
+
+  void findInside(float bodyArea, std::size_t body, std::vector<SkinLayer>& layers) const {
+    const auto isSmall = [&](std::size_t p) {
+      return p != body && layers[p] == SkinLayer::kSkin && !facts_[p].isSewn() &&
+             facts_[p].area < kSmallPart * bodyArea;
+    };
+    bool any = false;
+    for (std::size_t p = 0; p < facts_.size(); ++p) any |= isSmall(p);
+    if (!any) return;
+    const std::vector<SkinLayer> before = layers;
+    const TriangleTree tree = treeOf(trianglesOf([&](std::size_t p) { return before[p] == SkinLayer::kSkin; }));
+    std::vector<std::size_t> inside;
+    for (std::size_t p = 0; p < facts_.size(); ++p) {
+      if (isSmall(p) && shareInside(p, tree) >= kInsideShare) inside.push_back(p);
+    }
+    for (const std::size_t p : inside) layers[p] = SkinLayer::kRigid;
+  }
+
+  /// Without the part's own winding: just off it on either side, that is the same but for 1.
+  [[nodiscard]] float shareInside(std::size_t p, const TriangleTree& tree) const {
+    float inside = 0.0f;
+    float whole = 0.0f;
+    const TriangleTree own = treeOf(facts_[p].triangles);
+    constexpr std::size_t kFew = 24;
+    const std::span<const PartSample> samples = facts_[p].samples;
+    const std::size_t step = std::max<std::size_t>(1, samples.size() / kFew);
+    for (std::size_t i = 0; i < samples.size(); i += step) {
+      const glm::vec3 off = samples[i].middle + 1e-3f * height_ * samples[i].normal;
+      whole += samples[i].area;
+      if (tree.windingAt(off) - own.windingAt(off) > kInsideWinding) inside += samples[i].area;
+    }
+    return whole > 0.0f ? inside / whole : 0.0f;
+  }
+
+  const Character& character_;
+  const ControlMesh& mesh_;
+  float height_;
+  std::vector<PartFacts> facts_;  ///< [parts]
+  std::optional<TriangleTree> whole_{};
+};
+
+}  // namespace
+
+std::vector<SkinLayer> guessLayers(const Character& character) {
+  if (character.parts.size() < 2) return std::vector<SkinLayer>(character.parts.size(), SkinLayer::kSkin);
+  return LayerGuesser(character).guess();
+}
+
 namespace {
 
 /// The layer that wins where parts meet: the enumerators' order.

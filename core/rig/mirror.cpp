@@ -7,11 +7,11 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/quaternion.hpp>
 
-#include "core/character/side_names.h"
+#include "core/character/bone_names.h"
 #include "core/geometry/at.h"
-#include "core/geometry/flatness.h"
-#include "core/geometry/shape_numbers.h"
-#include "core/rig/animated_twins.h"
+#include "core/geometry/normals.h"
+#include "core/geometry/affine_image.h"
+#include "core/rig/twins.h"
 
 namespace sinew {
 namespace {

@@ -12,9 +12,9 @@
 
 #include <glm/geometric.hpp>
 
-#include "core/character/side_names.h"
+#include "core/character/bone_names.h"
 #include "core/geometry/at.h"
-#include "core/geometry/lower_case.h"
+#include "core/geometry/nearest_name.h"
 #include "core/rig/mirror.h"
 
 namespace sinew {

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "core/character/body_slots.h"
-#include "core/character/skin_bones.h"
+#include "core/character/bindings.h"
 #include "core/geometry/at.h"
 
 namespace sinew {

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <limits>
 
-#include "core/geometry/shape_numbers.h"
-#include "core/rig/rig_numbers.h"
+#include "core/geometry/affine_image.h"
+#include "core/rig/rig_edit_several.h"
 #include "sinew/rig/rig.h"
 
 namespace sinew {

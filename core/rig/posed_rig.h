@@ -8,10 +8,10 @@
 #include <span>
 #include <vector>
 
-#include "core/rig/driven_numbers.h"
+#include "core/rig/driver_input.h"
 #include "core/rig/field.h"
 #include "core/rig/line_pose.h"
-#include "core/rig/rig_numbers.h"
+#include "core/rig/rig_edit_several.h"
 #include "sinew/character/character.h"
 
 namespace sinew {

@@ -2,23 +2,346 @@
 #include "core/rig/twins.h"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <cmath>
 #include <string_view>
 #include <unordered_map>
 #include <utility>
 
-#include "core/character/side_names.h"
+#include <glm/gtc/quaternion.hpp>
+
+#include "core/character/bone_names.h"
+#include "core/character/pose_override.h"
+#include "core/geometry/affine_image.h"
 #include "core/geometry/at.h"
-#include "core/geometry/shape_numbers.h"
-#include "core/rig/animated_twins.h"
 #include "core/rig/identity.h"
 #include "core/rig/line_edit.h"
-#include "core/rig/line_twins.h"
 #include "core/rig/validation.h"
 #include "sinew/rig/rig_edit.h"
 
 namespace sinew {
+
+// Inputs through the plane, values through the image's own axes.
+
+namespace {
+
+/// value there = factor * value here + offset.
+struct NumberMap {
+  Parameter parameter = Parameter::kAmount;
+  float factor = 1.0f;
+  float offset = 0.0f;
+};
+
+constexpr float kStray = 1e-3f;  // How much of a step along one axis may appear on another.
+
+bool mirrorBone(const MirrorPlan& plan, std::string& bone) {
+  Result<std::string> twin = twinBone(plan, bone);
+  if (!twin) return false;
+  bone = std::move(twin).value();
+  return true;
+}
+
+bool mirrorAnchor(const MirrorPlan& plan, LineAnchor& anchor) {
+  Result<LineAnchor> image = mirroredAnchor(plan, anchor);
+  if (!image) return false;
+  anchor = std::move(image).value();
+  return true;
+}
+
+glm::quat mirroredTurn(const MirrorPlan& plan, const glm::quat& turn, int bone) {
+  const int twin = at(plan.twinOf, bone);
+  return sinew::mirroredTurn(turn, at(plan.skeleton.bones, bone), at(plan.skeleton.bones, twin),
+                             glm::vec3(plan.plane.normal));
+}
+
+/// The curve of -x.
+void reverse(Curve& curve) {
+  std::vector<glm::vec2>& points = curve.points;
+  for (glm::vec2& point : points) point.x = -point.x;
+  std::ranges::reverse(points);
+  if (curve.kind != CurveKind::kStep) return;
+  // A step's value holds after its point; now it must hold before it.
+  for (std::size_t i = points.size() - 1; i > 0; --i) points[i].x = points[i - 1].x;
+  points.front().x -= std::max(1.0f, 1e-3f * std::abs(points.front().x));
+}
+
+float stepFor(const Primitive& primitive, Parameter parameter) {
+  const glm::vec3& radii = primitive.placement.radii;
+  const float size = std::min({radii.x, radii.y, radii.z});
+  return isLength(parameter) ? 0.125f * size : 0.03125f;
+}
+
+constexpr int kFirst = static_cast<int>(Parameter::kCenterX);
+constexpr int kLast = static_cast<int>(shapeParameter(kShapeNumbers - 1));
+
+/// What a number of a primitive is on its image, found by taking a step: exactly one number of the image may move.
+std::optional<NumberMap> mapOf(const MirrorPlan& plan, const Primitive& primitive, Parameter parameter) {
+  if (parameter == Parameter::kAmount || parameter == Parameter::kReach) return NumberMap{parameter, 1.0f, 0.0f};
+  const std::optional<int> bone = plan.skeleton.findBone(primitive.bone);
+  if (!bone || at(plan.twinOf, *bone) < 0) return std::nullopt;
+  const AffineMap& map = *at(plan.mirrors, *bone);
+  Primitive before = primitive;
+  before.placement = imageOf(primitive.placement, map);
+  Primitive stepped = primitive;
+  const float step = stepFor(primitive, parameter);
+  *numberIn(stepped, parameter) += step;
+  stepped.placement = imageOf(stepped.placement, map);
+
+  std::optional<NumberMap> found;
+  float most = 0.0f;
+  for (int i = kFirst; i <= kLast; ++i) {
+    const auto other = static_cast<Parameter>(i);
+    const float moved = numberOf(stepped, other) - numberOf(before, other);
+    if (std::abs(moved) <= most) continue;
+    most = std::abs(moved);
+    found = NumberMap{other, moved / step, 0.0f};
+  }
+  if (!found) return std::nullopt;
+  for (int i = kFirst; i <= kLast; ++i) {
+    const auto other = static_cast<Parameter>(i);
+    if (other == found->parameter) continue;
+    if (std::abs(numberOf(stepped, other) - numberOf(before, other)) > kStray * most) return std::nullopt;
+  }
+  // What a float's step says of 1 and -1 is not exact.
+  const float rounded = std::round(found->factor);
+  if (std::abs(found->factor - rounded) < kStray) found->factor = rounded;
+  found->offset = numberOf(before, found->parameter) - found->factor * numberOf(primitive, parameter);
+  if (std::abs(found->offset) < kStray * step) found->offset = 0.0f;
+  return found;
+}
+
+void mapValues(Curve& curve, float factor, float offset) {
+  for (glm::vec2& point : curve.points) point.y = factor * point.y + offset;
+}
+
+/// False where a product has no counterpart.
+bool mapDriver(const NumberMap& map, Driver& driver) {
+  switch (driver.mode) {
+    case DriverMode::kAdd:
+      mapValues(driver.curve, map.factor, 0.0f);
+      return true;
+    case DriverMode::kReplace:
+      mapValues(driver.curve, map.factor, map.offset);
+      return true;
+    case DriverMode::kMultiply:
+      break;
+  }
+  return map.offset == 0.0f;
+}
+
+std::optional<AnimatedNumber> mirrored(const MirrorPlan& plan, const AnimatedNumber& number, const NumberMap& map) {
+  AnimatedNumber image = number;
+  image.parameter = map.parameter;
+  for (KeyTrack& track : image.keys) mapValues(track.curve, map.factor, map.offset);
+  image.drivers.clear();
+  for (const Driver& driver : number.drivers) {
+    std::optional<Driver> twin = mirroredDriver(plan, driver);
+    if (twin && mapDriver(map, *twin)) image.drivers.push_back(std::move(*twin));
+  }
+  if (image.keys.empty() && image.drivers.empty()) return std::nullopt;
+  return image;
+}
+
+}  // namespace
+
+std::optional<Driver> mirroredDriver(const MirrorPlan& plan, const Driver& driver) {
+  Driver image = driver;
+  DriverInput& input = image.input;
+  switch (input.kind) {
+    case DriverInputKind::kLength:
+    case DriverInputKind::kChannel:
+      return image;
+    case DriverInputKind::kDistance:
+      return mirrorAnchor(plan, input.from) && mirrorAnchor(plan, input.to) ? std::optional(image) : std::nullopt;
+    default:
+      break;
+  }
+  const std::optional<int> bone = plan.skeleton.findBone(driver.input.bone);
+  if (!mirrorBone(plan, input.bone)) return std::nullopt;
+  if (input.kind == DriverInputKind::kTwist) reverse(image.curve);
+  if (input.kind == DriverInputKind::kPose) input.rotation = mirroredTurn(plan, driver.input.rotation, *bone);
+  if (input.kind == DriverInputKind::kAxis) {
+    // A half turn about the axis is one about its image.
+    const glm::vec3& axis = driver.input.axis;
+    const glm::quat turn = mirroredTurn(plan, glm::quat(0.0f, axis.x, axis.y, axis.z), *bone);
+    input.axis = glm::vec3(turn.x, turn.y, turn.z);
+  }
+  return image;
+}
+
+std::vector<AnimatedNumber> mirroredAnimation(const MirrorPlan& plan, const Primitive& primitive) {
+  std::vector<AnimatedNumber> images;
+  for (const AnimatedNumber& number : primitive.animated) {
+    const std::optional<NumberMap> map = mapOf(plan, primitive, number.parameter);
+    if (!map) continue;
+    if (std::optional<AnimatedNumber> image = mirrored(plan, number, *map)) images.push_back(std::move(*image));
+  }
+  return images;
+}
+
+std::vector<AnimatedNumber> mirroredAnimation(const MirrorPlan& plan, const MuscleLine& line) {
+  std::vector<AnimatedNumber> images;
+  for (const AnimatedNumber& number : line.animated) {
+    const NumberMap same{number.parameter, 1.0f, 0.0f};
+    if (std::optional<AnimatedNumber> image = mirrored(plan, number, same)) images.push_back(std::move(*image));
+  }
+  return images;
+}
+
+void readTwinLines(const Rig& rig, std::vector<AnimatedNumber>& animated) {
+  for (AnimatedNumber& number : animated) {
+    for (Driver& driver : number.drivers) {
+      if (driver.input.kind == DriverInputKind::kLength) driver.input.line = twinLineName(rig, driver.input.line);
+    }
+  }
+}
+
+// Images of lines, made and kept.
+
+namespace {
+
+constexpr float kOwnImage = 1e-4f;  // Fraction of H.
+
+bool anchorInPlane(const MirrorPlan& plan, const LineAnchor& anchor, float tolerance) {
+  const std::optional<int> bone = plan.skeleton.findBone(anchor.bone);
+  if (!bone || at(plan.twinOf, *bone) != *bone) return false;
+  const glm::dmat4 bind(at(plan.skeleton.bones, *bone).bindInWorld);
+  const double off = distanceTo(plan.plane, glm::dvec3(bind * glm::dvec4(glm::dvec3(anchor.point), 1.0)));
+  return std::abs(off) <= static_cast<double>(tolerance * plan.characterHeight);
+}
+
+/// The side of the line's middle.
+bool isLeft(const MirrorPlan& plan, const MuscleLine& line) {
+  Primitive there;
+  there.bone = line.origin.bone;
+  there.placement.center = line.origin.point;
+  return sideOf(plan, there) == Side::kLeft;
+}
+
+bool sameShape(const MuscleLine& a, const MuscleLine& b) {
+  return a.origin == b.origin && a.insertion == b.insertion && a.via == b.via && a.settings == b.settings &&
+         a.animated == b.animated;
+}
+
+const MuscleLine* named(const Rig& rig, const std::string& name) {
+  const int index = findLine(rig, name);
+  return index < 0 ? nullptr : &at(rig.lines, index);
+}
+
+void follow(const Rig& rig, const MuscleLine& leader, MuscleLine& follower, const MirrorPlan& plan) {
+  const Result<MuscleLine> image = mirroredLine(plan, leader);
+  follower.settings = leader.settings;
+  follower.animated = mirroredAnimation(plan, leader);
+  readTwinLines(rig, follower.animated);
+  if (!image) return;
+  follower.origin = image->origin;
+  follower.insertion = image->insertion;
+  follower.via = image->via;
+}
+
+/// Whether the second of a pair leads: it changed, and the first did not, or not since the gesture began.
+bool secondLeads(const Rig& atStart, const Rig& shown, const MuscleLine& first, const MuscleLine& second) {
+  const auto changed = [](const Rig& since, const MuscleLine& now) {
+    const MuscleLine* then = named(since, now.name);
+    return then && !sameShape(*then, now);
+  };
+  if (changed(shown, first) != changed(shown, second)) return changed(shown, second);
+  return changed(shown, first) && !changed(atStart, first) && changed(atStart, second);
+}
+
+}  // namespace
+
+Result<LineAnchor> mirroredAnchor(const MirrorPlan& plan, const LineAnchor& anchor) {
+  Result<std::string> bone = twinBone(plan, anchor.bone);
+  if (!bone) return bone.error();
+  const AffineMap& map = *at(plan.mirrors, *plan.skeleton.findBone(anchor.bone));
+  return LineAnchor{std::move(bone).value(), glm::vec3(map.linear * glm::dvec3(anchor.point) + map.offset),
+                    anchor.unknownKeys};
+}
+
+Result<MuscleLine> mirroredLine(const MirrorPlan& plan, const MuscleLine& line) {
+  Result<LineAnchor> origin = mirroredAnchor(plan, line.origin);
+  if (!origin) return origin.error();
+  Result<LineAnchor> insertion = mirroredAnchor(plan, line.insertion);
+  if (!insertion) return insertion.error();
+  MuscleLine image = line;
+  image.mirror.clear();
+  image.identity = {};
+  image.animated = mirroredAnimation(plan, line);
+  image.name = imageName(plan, line.name, line.origin.bone);
+  image.origin = std::move(origin).value();
+  image.insertion = std::move(insertion).value();
+  if (line.via) {
+    Result<LineAnchor> via = mirroredAnchor(plan, *line.via);
+    if (!via) return via.error();
+    image.via = std::move(via).value();
+  }
+  return image;
+}
+
+bool liesInPlane(const MirrorPlan& plan, const MuscleLine& line, float tolerance) {
+  return anchorInPlane(plan, line.origin, tolerance) && anchorInPlane(plan, line.insertion, tolerance) &&
+         (!line.via || anchorInPlane(plan, *line.via, tolerance));
+}
+
+Result<TwinLine> withTwinLine(Rig rig, std::string name, const MirrorPlan& plan) {
+  const int index = name.empty() ? -1 : findLine(rig, name);
+  if (index < 0) return TwinLine{std::move(rig), {}};
+  const MuscleLine& line = at(rig.lines, index);
+  if (!line.mirror.empty()) name = line.mirror;
+  if (!line.mirror.empty() || liesInPlane(plan, line, kOwnImage)) return TwinLine{std::move(rig), std::move(name)};
+  Result<MuscleLine> image = mirroredLine(plan, line);
+  if (!image) return about("muscle line \"" + name + '"', image.error());
+  if (image->name == name) {
+    const std::string own = freeLineName(rig, name + (isLeft(plan, line) ? " L" : " R"));
+    Result<Rig> renamed = renameLine(std::move(rig), index, own);
+    if (!renamed) return renamed.error();
+    rig = std::move(renamed).value();
+    image.value().name = mirroredName(own).value_or(own);
+  }
+  image.value().mirror = at(rig.lines, index).name;
+  readTwinLines(rig, image.value().animated);
+  if (const auto added = append(rig, std::move(image).value()); !added) return added.error();
+  std::string twin = rig.lines.back().name;
+  return TwinLine{std::move(rig), std::move(twin)};
+}
+
+Rig withTwinOnLine(Rig rig, int primitive, const MirrorPlan& plan) {
+  const int twin = twinOf(rig, primitive);
+  const std::string& line = at(rig.primitives, primitive).line;
+  if (twin < 0 || line.empty()) return rig;
+  Result<TwinLine> image = withTwinLine(rig, line, plan);
+  if (!image) return rig;
+  Rig& lined = image.value().rig;
+  const int twinLine = findLine(lined, image->name);
+  return setLineOfSeveral(std::move(lined), std::array{twin}, twinLine);
+}
+
+std::string twinLineName(const Rig& rig, const std::string& line) {
+  const MuscleLine* own = line.empty() ? nullptr : named(rig, line);
+  return own && !own->mirror.empty() ? own->mirror : line;
+}
+
+void keepLineTwins(const Rig& atStart, const Rig& shown, Rig& edited, const MirrorPlan& plan) {
+  for (std::size_t i = 0; i < edited.lines.size(); ++i) {
+    MuscleLine& first = edited.lines[i];
+    const int twin = first.mirror.empty() ? -1 : findLine(edited, first.mirror);
+    if (twin < 0 || static_cast<std::size_t>(twin) <= i) continue;
+    MuscleLine& second = at(edited.lines, twin);
+    const MuscleLine* firstThen = named(shown, first.name);
+    const MuscleLine* secondThen = named(shown, second.name);
+    // New links and new lines are left alone, as are pairs that nobody touched.
+    if (!firstThen || !secondThen || firstThen->mirror != second.name) continue;
+    if (sameShape(*firstThen, first) && sameShape(*secondThen, second)) continue;
+    if (secondLeads(atStart, shown, first, second)) {
+      follow(edited, second, first, plan);
+    } else {
+      follow(edited, first, second, plan);
+    }
+  }
+}
+
 namespace {
 
 constexpr float kOwnTwin = 1e-4f;  // Fraction of H.

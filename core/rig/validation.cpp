@@ -11,10 +11,10 @@
 #include <utility>
 #include <vector>
 
-#include "core/character/body_slot.h"
-#include "core/geometry/shape_numbers.h"
+#include "core/character/body_slots.h"
+#include "core/geometry/affine_image.h"
 #include "core/rig/animated_validation.h"
-#include "core/rig/layers.h"
+#include "core/rig/mesh_layers.h"
 #include "core/rig/morphs.h"
 #include "core/rig/refusals.h"
 

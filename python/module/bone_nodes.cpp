@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "core/files/export/guarded.h"
+#include "core/files/export/source.h"
 #include "core/files/gltf/accessor.h"
 #include "core/files/gltf/file.h"
 #include "core/files/gltf/skin.h"

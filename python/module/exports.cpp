@@ -11,7 +11,7 @@
 #include <pybind11/stl.h>
 
 #include "core/character/clip_names.h"
-#include "core/geometry/listed.h"
+#include "core/geometry/nearest_name.h"
 #include "core/rig/attachment.h"
 #include "core/rig/motion_clip.h"
 #include "python/module/errors.h"

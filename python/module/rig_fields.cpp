@@ -9,7 +9,7 @@
 
 #include <pybind11/stl.h>
 
-#include "core/geometry/listed.h"
+#include "core/geometry/nearest_name.h"
 #include "python/module/errors.h"
 #include "python/module/values.h"
 

@@ -5,7 +5,7 @@
 #include "app/command/measuring.h"
 #include "core/character/skinning.h"
 #include "core/geometry/stopwatch.h"
-#include "core/rig/driven_numbers.h"
+#include "core/rig/driver_input.h"
 #include "core/rig/line_pose.h"
 #include "tests/bench/parts.h"
 

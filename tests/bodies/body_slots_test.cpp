@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "core/bodies/character_slots.h"
+#include "core/bodies/body_map.h"
 #include "core/geometry/at.h"
 #include "sinew/files/gltf_import.h"
 #include "tests/support/characters/character_parts.h"

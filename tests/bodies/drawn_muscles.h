@@ -8,12 +8,12 @@
 
 #include <glm/geometric.hpp>
 
-#include "core/bodies/belly_trial.h"
+#include "core/bodies/belly_motion.h"
 #include "core/character/bindings.h"
 #include "core/character/bone_segments.h"
 #include "core/geometry/affine_image.h"
 #include "core/geometry/at.h"
-#include "core/rig/belly_on_line.h"
+#include "core/rig/line_pose.h"
 #include "core/rig/line_rest.h"
 #include "sinew/files/gltf_import.h"
 

@@ -8,7 +8,7 @@
 #include <glm/geometric.hpp>
 #include <glm/gtx/quaternion.hpp>
 
-#include "core/bodies/character_slots.h"
+#include "core/bodies/body_map.h"
 #include "core/bodies/transfer_clips.h"
 #include "core/geometry/at.h"
 #include "sinew/character/pose.h"

@@ -10,7 +10,7 @@
 #include <glm/geometric.hpp>
 
 #include "core/bodies/body_frame.h"
-#include "core/bodies/character_slots.h"
+#include "core/bodies/body_map.h"
 #include "core/files/preset_json.h"
 #include "core/geometry/at.h"
 #include "core/rig/attachment.h"

@@ -1,5 +1,5 @@
 // tests/bodies/match_bones_test.cpp: whether two files have the same bones.
-#include "core/bodies/match_bones.h"
+#include "core/bodies/transfer_clips.h"
 
 #include <algorithm>
 

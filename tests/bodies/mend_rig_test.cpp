@@ -1,5 +1,5 @@
 // tests/bodies/mend_rig_test.cpp: muscles that no line mends: where they ride, how deep they lie, what skin they move.
-#include "core/bodies/mend_rig.h"
+#include "core/bodies/mend.h"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 #include <glm/geometric.hpp>
 
 #include "core/geometry/at.h"
-#include "core/rig/reparent.h"
+#include "core/rig/line_edit.h"
 #include "core/rig/twins.h"
 #include "core/rig/validation.h"
 #include "sinew/files/gltf_import.h"

@@ -1,5 +1,5 @@
 // tests/bodies/muscle_at_test.cpp: a muscle of a set laid where a hand points.
-#include "core/bodies/muscle_at.h"
+#include "core/bodies/muscle_set.h"
 
 #include <cmath>
 #include <filesystem>
@@ -8,7 +8,7 @@
 #include <glm/geometric.hpp>
 
 #include "core/bodies/fit_preset.h"
-#include "core/character/skin_bones.h"
+#include "core/character/bindings.h"
 #include "core/files/preset_json.h"
 #include "core/geometry/at.h"
 #include "core/rig/motion_clip.h"

@@ -6,8 +6,8 @@
 
 #include <gtest/gtest.h>
 
-#include "core/bodies/mend_rig.h"
-#include "core/character/side_names.h"
+#include "core/bodies/mend.h"
+#include "core/character/bone_names.h"
 #include "core/files/preset_json.h"
 #include "core/rig/twins.h"
 #include "core/rig/validation.h"

@@ -8,7 +8,7 @@
 #include <glm/geometric.hpp>
 
 #include "core/bodies/body_frame.h"
-#include "core/bodies/character_slots.h"
+#include "core/bodies/body_map.h"
 #include "core/bodies/muscle_set.h"
 #include "core/bodies/retarget.h"
 #include "core/character/bindings.h"

@@ -8,7 +8,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "core/geometry/nearest_on_triangle.h"
+#include "core/geometry/triangle_tree.h"
 #include "tests/bodies/drawn_muscles.h"
 #include "tests/support/characters/synthetic_characters.h"
 

@@ -9,8 +9,7 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "core/bodies/character_slots.h"
-#include "core/bodies/match_bones.h"
+#include "core/bodies/body_map.h"
 #include "core/geometry/at.h"
 #include "sinew/character/pose.h"
 #include "tests/support/characters/named_bodies.h"

@@ -1,6 +1,6 @@
 // tests/character/first_clip_test.cpp: which clip is chosen, by what names say.
 
-#include "core/character/first_clip.h"
+#include "core/character/clip_names.h"
 
 #include <algorithm>
 #include <string>

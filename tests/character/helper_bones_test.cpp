@@ -1,6 +1,6 @@
 // tests/character/helper_bones_test.cpp: bones that move no skin.
 
-#include "core/character/helper_bones.h"
+#include "core/character/joint_roles.h"
 
 #include <algorithm>
 #include <random>
@@ -10,7 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "core/character/range_of_motion.h"
-#include "core/character/skin_bones.h"
+#include "core/character/bindings.h"
 #include "tests/support/characters/real_characters.h"
 
 namespace sinew {

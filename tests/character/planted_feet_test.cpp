@@ -10,7 +10,7 @@
 
 #include "core/character/bindings.h"
 #include "core/character/skinning.h"
-#include "core/geometry/lower_case.h"
+#include "core/geometry/nearest_name.h"
 #include "sinew/files/gltf_import.h"
 
 namespace sinew {

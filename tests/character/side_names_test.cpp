@@ -1,6 +1,6 @@
 // tests/character/side_names_test.cpp: sides in names, as riggers write them.
 
-#include "core/character/side_names.h"
+#include "core/character/bone_names.h"
 
 #include <gtest/gtest.h>
 

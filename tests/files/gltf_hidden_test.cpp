@@ -1,7 +1,7 @@
 // tests/files/gltf_hidden_test.cpp: alpha that hides a whole character is told and not shown; alpha that hides a part
 // is.
 
-#include "core/files/gltf/hidden.h"
+#include "core/files/gltf/node_tree.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // tests/files/part_files_test.cpp: what killed programs left goes, what others are writing stays.
-#include "core/files/disk/part_files.h"
+#include "core/files/disk/atomic_file.h"
 
 #include <chrono>
 #include <csignal>
@@ -9,7 +9,6 @@
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 
-#include "core/files/disk/atomic_file.h"
 #include "tests/support/temporary_folder.h"
 
 namespace sinew {

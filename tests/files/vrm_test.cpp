@@ -2,7 +2,7 @@
 // harm.
 #include <gtest/gtest.h>
 
-#include "core/bodies/character_slots.h"
+#include "core/bodies/body_map.h"
 #include "core/rig/mirror.h"
 #include "core/rig/morphs.h"
 #include "core/rig/posed_rig.h"

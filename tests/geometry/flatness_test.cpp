@@ -1,6 +1,6 @@
 // tests/geometry/flatness_test.cpp: which matrices span no volume.
 
-#include "core/geometry/flatness.h"
+#include "core/geometry/normals.h"
 
 #include <cmath>
 #include <limits>

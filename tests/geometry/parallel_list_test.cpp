@@ -1,5 +1,5 @@
 // tests/geometry/parallel_list_test.cpp: what several threads list is what one loop would.
-#include "core/geometry/parallel_list.h"
+#include "core/geometry/parallel.h"
 
 #include <random>
 #include <vector>

@@ -8,7 +8,6 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "core/geometry/affine_image.h"
-#include "core/geometry/shape_numbers.h"
 #include "sinew/geometry/ellipsoid.h"
 #include "tests/support/oracle/shape.h"
 #include "tests/support/rigs/random_rigs.h"

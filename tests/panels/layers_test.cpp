@@ -9,8 +9,7 @@
 
 #include "app/editor/actions.h"
 #include "app/ui/readable_names.h"
-#include "core/rig/layer_guess.h"
-#include "core/rig/layers.h"
+#include "core/rig/mesh_layers.h"
 #include "sinew/rig/rig_edit.h"
 #include "sinew/surface/smoother.h"
 #include "tests/support/characters/dressed_humanoid.h"

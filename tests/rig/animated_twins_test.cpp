@@ -1,6 +1,6 @@
 // tests/rig/animated_twins_test.cpp: driven twins are mirror images in mirrored poses.
 
-#include "core/rig/animated_twins.h"
+#include "core/rig/twins.h"
 #include "core/rig/animated_edit.h"
 
 #include <algorithm>
@@ -13,8 +13,6 @@
 
 #include "core/character/pose_override.h"
 #include "core/rig/line_edit.h"
-#include "core/rig/line_twins.h"
-#include "core/rig/twins.h"
 #include "core/rig/validation.h"
 #include "sinew/rig/rig_edit.h"
 #include "tests/rig/hamstrings.h"

@@ -1,5 +1,5 @@
 // tests/rig/layers_test.cpp: parts that are guessed and chosen, and what pieces of the mesh make of it.
-#include "core/rig/layers.h"
+#include "core/rig/mesh_layers.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -8,8 +8,6 @@
 #include <glm/geometric.hpp>
 
 #include "core/geometry/at.h"
-#include "core/rig/layer_guess.h"
-#include "core/rig/mesh_layers.h"
 #include "sinew/files/gltf_import.h"
 #include "tests/support/characters/dressed_humanoid.h"
 #include "tests/support/characters/real_characters.h"

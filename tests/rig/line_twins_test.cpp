@@ -1,12 +1,11 @@
 // tests/rig/line_twins_test.cpp: lines of both sides: made with their muscles, followed, turned over.
 
-#include "core/rig/line_twins.h"
+#include "core/rig/twins.h"
 
 #include <gtest/gtest.h>
 
 #include "core/rig/line_edit.h"
 #include "core/rig/posed_rig.h"
-#include "core/rig/twins.h"
 #include "core/rig/validation.h"
 #include "sinew/rig/rig_edit.h"
 #include "tests/rig/hamstrings.h"

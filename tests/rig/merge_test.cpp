@@ -5,7 +5,6 @@
 #include <gtest/gtest.h>
 
 #include "core/rig/animated_edit.h"
-#include "core/rig/excerpt.h"
 #include "core/rig/identity.h"
 #include "core/rig/line_edit.h"
 #include "core/rig/twins.h"

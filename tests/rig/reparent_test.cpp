@@ -1,6 +1,6 @@
 // tests/rig/reparent_test.cpp: a primitive that changes bones stays where it is.
 
-#include "core/rig/reparent.h"
+#include "core/rig/line_edit.h"
 
 #include <gtest/gtest.h>
 

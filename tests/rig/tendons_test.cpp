@@ -1,5 +1,5 @@
 // tests/rig/tendons_test.cpp: tendons leave their belly, pass the via point softly and end at the anchors.
-#include "core/rig/tendons.h"
+#include "core/rig/line_rest.h"
 
 #include <random>
 

@@ -15,7 +15,7 @@
 #include "core/bodies/fit_preset.h"
 #include "core/files/preset_json.h"
 #include "core/geometry/at.h"
-#include "core/rig/layers.h"
+#include "core/rig/mesh_layers.h"
 #include "core/rig/mirror.h"
 #include "sinew/surface/smoother.h"
 #include "tests/support/characters/dressed_humanoid.h"

@@ -6,8 +6,7 @@
 
 #include "core/bodies/cloth_check.h"
 #include "core/geometry/at.h"
-#include "core/rig/layer_guess.h"
-#include "core/rig/layers.h"
+#include "core/rig/mesh_layers.h"
 #include "core/surface/preparation.h"
 #include "sinew/files/gltf_import.h"
 #include "sinew/files/rig_json.h"

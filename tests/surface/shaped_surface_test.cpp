@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 #include <glm/geometric.hpp>
 
-#include "core/geometry/shape_numbers.h"
+#include "core/geometry/affine_image.h"
 #include "sinew/surface/smoother.h"
 #include "tests/support/characters/synthetic_characters.h"
 #include "tests/support/oracle/compare.h"

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "app/viewport/gpu/card_surface.h"
-#include "core/geometry/grouped.h"
+#include "core/geometry/index_table.h"
 #include "core/geometry/stopwatch.h"
 #include "core/surface/smooth.h"
 #include "core/surface/stages.h"

@@ -17,7 +17,7 @@
 
 #include "app/document/farm_job.h"
 #include "core/files/disk/atomic_file.h"
-#include "core/geometry/lower_case.h"
+#include "core/geometry/nearest_name.h"
 
 namespace sinew::app {
 namespace {

@@ -10,7 +10,7 @@
 #include "app/viewport/render/color_scales.h"
 #include "app/viewport/render/skeleton_drawer.h"
 #include "core/character/bone_segments.h"
-#include "core/rig/tendons.h"
+#include "core/rig/line_rest.h"
 #include "sinew/geometry/shape.h"
 
 namespace sinew::app {

@@ -9,7 +9,7 @@
 
 #include "app/document/picture_look.h"
 #include "core/rig/posed_rig.h"
-#include "core/rig/tendons.h"
+#include "core/rig/line_rest.h"
 #include "sinew/character/character.h"
 #include "sinew/character/pose.h"
 #include "sinew/rig/rig.h"

@@ -8,7 +8,7 @@
 #include <glm/gtc/matrix_access.hpp>
 
 #include "core/geometry/at.h"
-#include "core/geometry/parallel_list.h"
+#include "core/geometry/parallel.h"
 #include "sinew/geometry/geometry.h"
 
 namespace sinew::app {

@@ -9,7 +9,7 @@
 
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "core/geometry/shape_numbers.h"
+#include "core/geometry/affine_image.h"
 
 namespace sinew::app {
 ShapeInstance shellOf(const PrimitiveShape& shape, float scale) {

@@ -18,7 +18,7 @@
 #include "app/viewport/tools/gizmo_basis.h"
 #include "core/character/bindings.h"
 #include "core/geometry/at.h"
-#include "core/geometry/flatness.h"
+#include "core/geometry/normals.h"
 #include "core/rig/twins.h"
 #include "sinew/rig/rig_edit.h"
 

@@ -12,7 +12,7 @@
 
 #include "app/viewport/render/framing.h"
 #include "app/viewport/tools/free_parts.h"
-#include "core/geometry/smoothstep.h"
+#include "core/geometry/potential.h"
 
 namespace sinew::app {
 namespace {

@@ -10,7 +10,7 @@
 
 #include "app/viewport/tools/gizmo_basis.h"
 #include "app/viewport/tools/status_line.h"
-#include "core/geometry/flatness.h"
+#include "core/geometry/normals.h"
 
 namespace sinew::app {
 namespace {

@@ -14,7 +14,7 @@
 #include "app/viewport/tools/gizmo_basis.h"
 #include "app/viewport/tools/gizmo_effect.h"
 #include "app/viewport/tools/gizmo_shape.h"
-#include "core/geometry/flatness.h"
+#include "core/geometry/normals.h"
 
 namespace sinew::app {
 namespace {

@@ -5,7 +5,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "core/geometry/flatness.h"
+#include "core/geometry/normals.h"
 
 namespace sinew::app {
 

@@ -13,11 +13,10 @@
 #include "core/character/bone_segments.h"
 #include "core/geometry/affine_image.h"
 #include "core/geometry/at.h"
-#include "core/geometry/flatness.h"
-#include "core/rig/belly_on_line.h"
+#include "core/geometry/normals.h"
+#include "core/rig/line_pose.h"
 #include "core/rig/line_edit.h"
 #include "core/rig/line_rest.h"
-#include "core/rig/line_twins.h"
 #include "core/rig/twins.h"
 #include "sinew/rig/rig_edit.h"
 

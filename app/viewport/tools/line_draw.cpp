@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "core/rig/tendons.h"
+#include "core/rig/line_rest.h"
 
 namespace sinew::app {
 namespace {

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "app/viewport/tools/tool.h"
-#include "core/geometry/lower_case.h"
+#include "core/geometry/nearest_name.h"
 
 namespace sinew::app {
 namespace {

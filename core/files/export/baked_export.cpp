@@ -5,8 +5,7 @@
 #include <cmath>
 
 #include "core/files/export/formats.h"
-#include "core/files/export/guarded.h"
-#include "core/files/export/out_files.h"
+#include "core/files/export/source.h"
 
 namespace sinew {
 

@@ -12,18 +12,17 @@
 
 #include <glm/vec3.hpp>
 
-#include "core/files/export/baked_clip.h"
+#include "core/files/export/morph_targets.h"
 #include "core/files/export/formats.h"
 #include "core/files/export/gltf_rewrite.h"
-#include "core/files/export/out_files.h"
-#include "core/files/export/skinned_file.h"
 #include "core/files/export/source.h"
+#include "core/files/export/skinned_file.h"
 #include "core/files/fit/joint_fit.h"
-#include "core/files/fit/live_surfaces.h"
+#include "core/files/fit/poses.h"
 #include "core/files/surface_formats.h"
 #include "core/files/usd/stage.h"
 #include "core/geometry/at.h"
-#include "core/geometry/lower_case.h"
+#include "core/geometry/nearest_name.h"
 #include "sinew/character/character_pose.h"
 #include "sinew/surface/smoother.h"
 

@@ -10,7 +10,7 @@
 
 #include <glm/gtc/quaternion.hpp>
 
-#include "core/files/export/clip_json.h"
+#include "core/files/export/gltf_rewrite.h"
 #include "core/files/gltf/accessor.h"
 #include "core/geometry/at.h"
 

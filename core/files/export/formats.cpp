@@ -5,8 +5,7 @@
 #include <iterator>
 
 #include "core/files/surface_formats.h"
-#include "core/geometry/listed.h"
-#include "core/geometry/lower_case.h"
+#include "core/geometry/nearest_name.h"
 
 namespace sinew {
 namespace exporting {

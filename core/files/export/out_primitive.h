@@ -7,13 +7,38 @@
 #include <string>
 #include <vector>
 
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+
 #include "core/files/export/gltf_rewrite.h"
 #include "core/files/export/out_skins.h"
 #include "core/files/export/source.h"
 #include "core/files/fit/four_weights.h"
+#include "core/files/gltf/node_tree.h"
+#include "sinew/geometry/geometry.h"
 #include "sinew/surface/surface.h"
 
 namespace sinew::exporting {
+
+// From the bind pose into the space that a file's vertices are in.
+
+/// World in the bind pose -> a skin's mesh space.
+struct IntoMesh {
+  explicit IntoMesh(const glm::dmat4& meshToBind)
+      : inverse(gltf::affineInverse(meshToBind).value_or(glm::dmat4(1.0))), linear(glm::dmat3(meshToBind)) {}
+
+  [[nodiscard]] glm::vec3 point(const glm::vec3& p) const {
+    return glm::vec3(inverse * glm::dvec4(glm::dvec3(p), 1.0));
+  }
+  [[nodiscard]] glm::dvec3 way(const glm::dvec3& d) const { return glm::dmat3(inverse) * d; }
+  [[nodiscard]] glm::vec3 normal(const glm::vec3& n) const {
+    return normalizeOr(glm::vec3(glm::normalize(glm::transpose(linear) * glm::dvec3(n))), n);
+  }
+  [[nodiscard]] bool mirrors() const { return glm::determinant(linear) < 0.0; }
+
+  glm::dmat4 inverse;
+  glm::dmat3 linear;
+};
 
 // One primitive of the file as refined: vertices split where the file splits
 // them.

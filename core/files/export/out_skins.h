@@ -11,7 +11,7 @@
 
 #include "core/files/export/gltf_rewrite.h"
 #include "core/files/export/source.h"
-#include "core/files/fit/helper_joint.h"
+#include "core/files/fit/helper_motion.h"
 
 namespace sinew::exporting {
 

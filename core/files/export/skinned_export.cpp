@@ -7,8 +7,7 @@
 #include <string>
 
 #include "core/files/export/formats.h"
-#include "core/files/export/guarded.h"
-#include "core/files/export/out_files.h"
+#include "core/files/export/source.h"
 #include "core/files/export/skinned_file.h"
 #include "core/files/fit/joint_fit.h"
 

@@ -11,16 +11,14 @@
 
 #include <glm/vec4.hpp>
 
-#include "core/files/export/clip_json.h"
-#include "core/files/export/clip_repair.h"
 #include "core/files/export/gltf_rewrite.h"
-#include "core/files/export/into_mesh.h"
+#include "core/files/export/clip_repair.h"
+#include "core/files/export/out_primitive.h"
 #include "core/files/export/line_data.h"
 #include "core/files/export/morph_targets.h"
-#include "core/files/export/out_primitive.h"
 #include "core/files/export/out_skins.h"
 #include "core/files/export/source.h"
-#include "core/files/fit/helper_joint.h"
+#include "core/files/fit/helper_motion.h"
 #include "core/files/fit/refined_targets.h"
 #include "core/files/gltf/morph.h"
 #include "core/geometry/at.h"

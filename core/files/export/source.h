@@ -1,10 +1,16 @@
 // core/files/export/source.h: the file a character came from, open again, with the way from its triangles to the mesh.
 #pragma once
 
+#include <cstdint>
+#include <exception>
 #include <filesystem>
 #include <memory>
+#include <new>
+#include <string>
 #include <vector>
 
+#include "core/files/disk/atomic_file.h"
+#include "core/files/fit/poses.h"
 #include "core/files/gltf/accessor.h"
 #include "core/files/gltf/file.h"
 #include "core/files/gltf/mesh.h"
@@ -12,8 +18,28 @@
 #include "core/files/json/json.h"
 #include "core/geometry/weld.h"
 #include "sinew/character/character.h"
+#include "sinew/geometry/result.h"
 
 namespace sinew::exporting {
+
+// What an export throws inside, as the error that it returns.
+
+/// @param file  that is written  @param make  () -> Result<Report>
+template <class Make>
+[[nodiscard]] auto catchErrors(const std::filesystem::path& characterFile, const std::filesystem::path& file,
+                               const Make& make) -> decltype(make()) {
+  try {
+    return make();
+  } catch (const gltf::Refusal& refusal) {
+    return Error{characterFile.string(), refusal.error.place, refusal.error.reason};
+  } catch (const Canceled&) {
+    return Error{file.string(), {}, std::string(kCanceled)};
+  } catch (const std::bad_alloc&) {
+    return Error{characterFile.string(), {}, "there is not enough memory to export it"};
+  } catch (const std::exception& error) {
+    return Error{characterFile.string(), {}, shortened(error.what())};
+  }
+}
 
 struct Source {
   /// Reads the file once: what requireSame() compares and what is written again are one version. Throws gltf::Refusal.
@@ -46,5 +72,23 @@ struct Source {
 /// now: it may have been replaced since it was imported. Clips that were made in memory, or added from other
 /// files, do not count.
 void requireSame(const Source& source, const Character& character);
+
+// What an export may write, and writing it.
+
+/// Error: a clip that the character does not have, and those that it has.
+[[nodiscard]] Result<void> checkClips(const std::filesystem::path& file, const Character& character,
+                                      const std::vector<std::string>& asked);
+
+/// Error: clips of more than an hour together. Each second is 30 poses that are smoothed, fitted and measured.
+/// @param asked  names; empty: all
+[[nodiscard]] Result<void> checkSeconds(const std::filesystem::path& file, const Character& character,
+                                        const std::vector<std::string>& asked);
+
+/// Before the work. Error: no such folder, a place that is a folder, or one that the character is read from.
+/// @param files  the one that was asked for last
+[[nodiscard]] Result<void> checkPlaces(const Source& source, const std::vector<std::filesystem::path>& files);
+
+/// Checks the places and writes all files or none. Returns the bytes of all of them. @param files  as checkPlaces()
+[[nodiscard]] Result<std::uint64_t> writeFiles(const Source& source, const std::vector<NamedBytes>& files);
 
 }  // namespace sinew::exporting

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "core/files/fit/best_weights.h"
+#include "core/files/fit/four_weights.h"
 #include "core/geometry/at.h"
 #include "core/geometry/targets.h"
 

@@ -9,7 +9,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "core/files/fit/rigid_motion.h"
+#include "core/files/fit/helper_motion.h"
 #include "core/files/fit/weight_fit.h"
 #include "core/geometry/at.h"
 #include "core/geometry/parallel.h"

@@ -7,9 +7,8 @@
 #include <vector>
 
 #include "core/files/fit/four_weights.h"
-#include "core/files/fit/helper_joint.h"
 #include "core/files/fit/helper_motion.h"
-#include "core/files/fit/stage_progress.h"
+#include "core/files/fit/poses.h"
 
 namespace sinew::exporting {
 

@@ -1,13 +1,76 @@
 // core/files/fit/helper_motion.cpp: one helper after the other, by the points that it has to bring somewhere.
 #include "core/files/fit/helper_motion.h"
 
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
-#include "core/files/fit/rigid_motion.h"
+#include "core/files/fit/own_eigen.h"
 #include "core/geometry/at.h"
 
 namespace sinew::exporting {
+
+// How a helper joint moves what follows it.
+
+namespace {
+
+constexpr double kFlat = 1e-5;  ///< Determinant, beside that of a scale as large in all directions.
+
+}  // namespace
+
+HelperJoint makeHelper(std::string name, int bone, const Trs& rest, const Skeleton& skeleton) {
+  const Trs held = roundToFloats(rest);
+  const glm::dmat4 inBind = glm::dmat4(at(skeleton.bones, bone).bindInWorld) * held.toMatrix();
+  return {std::move(name), bone, held, glm::dmat4(glm::mat4(glm::inverse(inBind))), -1};
+}
+
+glm::dmat4 helperMatrix(const HelperJoint& joint, const Pose& pose, const Trs& local) {
+  return glm::dmat4(at(pose.boneInWorld, joint.bone)) * local.toMatrix() * joint.inverseBind;
+}
+
+std::optional<glm::dmat4> fromWorld(const Pose& pose, int bone) {
+  const glm::dmat4 inWorld(at(pose.boneInWorld, bone));
+  const glm::dmat3 axes(inWorld);
+  const double longest = std::max({glm::length(axes[0]), glm::length(axes[1]), glm::length(axes[2])});
+  if (!(std::abs(glm::determinant(axes)) > kFlat * longest * longest * longest)) return std::nullopt;
+  return glm::inverse(inWorld);
+}
+
+// The largest eigenvector of a 4 x 4 matrix is the rotation.
+
+void RigidMotion::add(const glm::dvec3& from, const glm::dvec3& to, double weight) {
+  weight_ += weight;
+  from_ += weight * from;
+  to_ += weight * to;
+  const glm::dvec3 scaled = weight * to;
+  products_[0] += from.x * scaled;
+  products_[1] += from.y * scaled;
+  products_[2] += from.z * scaled;
+}
+
+RigidMotion::Motion RigidMotion::best() const {
+  if (!(weight_ > 0.0)) return {};
+  const glm::dvec3 from = from_ / weight_;
+  const glm::dvec3 to = to_ / weight_;
+  // s(i, k): the sum of (from - mean)[i] * (to - mean)[k].
+  const auto s = [&](int i, int k) { return products_[i][k] - from_[i] * to[k]; };
+  Eigen::Matrix4d n;
+  n << s(0, 0) + s(1, 1) + s(2, 2), s(1, 2) - s(2, 1), s(2, 0) - s(0, 2), s(0, 1) - s(1, 0),  //
+      s(1, 2) - s(2, 1), s(0, 0) - s(1, 1) - s(2, 2), s(0, 1) + s(1, 0), s(2, 0) + s(0, 2),   //
+      s(2, 0) - s(0, 2), s(0, 1) + s(1, 0), s(1, 1) - s(0, 0) - s(2, 2), s(1, 2) + s(2, 1),   //
+      s(0, 1) - s(1, 0), s(2, 0) + s(0, 2), s(1, 2) + s(2, 1), s(2, 2) - s(0, 0) - s(1, 1);
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix4d> solver(n);
+  const Eigen::Vector4d q = solver.eigenvectors().col(3);
+  Motion motion;
+  motion.rotation = glm::normalize(glm::dquat(q[0], q[1], q[2], q[3]));
+  if (motion.rotation.w < 0.0) motion.rotation = -motion.rotation;
+  motion.translation = to - motion.rotation * from;
+  return motion;
+}
+
 namespace {
 
 /// A helper that nothing asks to move stays; as a share of what its vertices count.

@@ -1,13 +1,69 @@
 // core/files/fit/helper_motion.h: where rigid helpers go in one pose, their weights given.
 #pragma once
 
+#include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
+#include <glm/gtc/quaternion.hpp>
+#include <glm/mat3x3.hpp>
+#include <glm/vec3.hpp>
+
 #include "core/files/fit/four_weights.h"
-#include "core/files/fit/helper_joint.h"
+#include "core/files/fit/trs.h"
+#include "sinew/character/pose.h"
 
 namespace sinew::exporting {
+
+// A joint that the export adds to the character's own.
+
+struct HelperJoint {
+  std::string name;
+  int bone = 0;                 ///< Its parent.
+  Trs rest;                     ///< In the parent's space. A clip that does not know the joint leaves it there.
+  glm::dmat4 inverseBind{1.0};  ///< World of the bind pose -> the joint's space at rest.
+  int line = -1;                ///< The rig's line whose belly it carries; -1: a rigid helper.
+};
+
+/// How helper joints move in a clip.
+struct HelperClip {
+  std::string clip;
+  std::vector<float> times;              ///< [keys] seconds, rising.
+  std::vector<std::vector<Trs>> locals;  ///< [joints][keys] in their parents' spaces.
+};
+
+/// Hung on a bone as it stands in the bind pose.
+[[nodiscard]] HelperJoint makeHelper(std::string name, int bone, const Trs& rest, const Skeleton& skeleton);
+
+/// World of the bind pose -> world now. @param local  in its parent's space
+[[nodiscard]] glm::dmat4 helperMatrix(const HelperJoint& joint, const Pose& pose, const Trs& local);
+
+/// World -> bone in a pose; none where the pose flattens the bone, so that no key of a joint below it moves anything
+/// along some direction.
+[[nodiscard]] std::optional<glm::dmat4> fromWorld(const Pose& pose, int bone);
+
+// The rotation and translation that bring points nearest to others.
+
+/// Sums over pairs of points, from which the best rigid motion follows (Horn 1987, closed form with quaternions).
+class RigidMotion {
+ public:
+  void add(const glm::dvec3& from, const glm::dvec3& to, double weight);
+  [[nodiscard]] double weight() const { return weight_; }
+
+  struct Motion {
+    glm::dquat rotation{1.0, 0.0, 0.0, 0.0};  ///< Unit; p -> rotation * p + translation.
+    glm::dvec3 translation{0.0};
+  };
+  /// The least sum of weight * |motion(from) - to|^2. Identity where nothing was added.
+  [[nodiscard]] Motion best() const;
+
+ private:
+  double weight_ = 0.0;
+  glm::dvec3 from_{0.0};
+  glm::dvec3 to_{0.0};
+  glm::dmat3 products_{0.0};  // Column i: sum of from[i] * to.
+};
 
 /// A moment that weights and helpers are fitted in.
 struct FitPose {

@@ -11,8 +11,8 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-#include "core/character/skin_bones.h"
-#include "core/files/fit/best_weights.h"
+#include "core/character/bindings.h"
+#include "core/files/fit/four_weights.h"
 #include "core/files/fit/weight_fit.h"
 #include "core/geometry/at.h"
 #include "core/geometry/parallel.h"

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "core/files/fit/helper_joint.h"
+#include "core/files/fit/helper_motion.h"
 #include "core/geometry/at.h"
 #include "core/rig/line_rest.h"
 #include "core/rig/posed_rig.h"

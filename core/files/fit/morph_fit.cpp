@@ -2,6 +2,7 @@
 #include "core/files/fit/morph_fit.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -9,7 +10,8 @@
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
-#include "core/files/fit/error_meter.h"
+#include "core/files/fit/own_eigen.h"
+#include "core/files/fit/played_surface.h"
 #include "core/geometry/at.h"
 #include "core/geometry/parallel.h"
 
@@ -84,6 +86,323 @@ ErrorFigures MorphFit::skinnedFigures() const {
     }
   }
   return meter.figures();
+}
+
+// Principal components over time, and how few of them are enough.
+
+namespace {
+
+/// Rounds of counting those vertices more that are far off.
+constexpr int kSearchRounds = 24;
+/// Products that all Gram matrices may take, about: of many vertices and frames there are fewer rounds, one at least.
+constexpr double kMostProducts = 3e10;
+/// Rounds without a gain after which the search ends.
+constexpr int kFutile = 6;
+/// A vertex that is on its place still counts as much as that of one at the bound.
+constexpr double kLeastShare = 0.05;
+/// Shares of the bound: entries below it are dropped; the largest that the bound allows.
+constexpr double kSparsest = 0.25;
+constexpr double kDensest = 1.0 / 256.0;
+/// Vertices that a thread takes at a time.
+constexpr std::size_t kBlock = 2048;
+/// Rows that the Gram matrix takes at a time.
+constexpr Eigen::Index kRows = 768;
+
+}  // namespace
+
+/// The fewest morph targets that keep every vertex in every frame within a bound.
+///
+/// What skinning leaves over is a matrix of displacements, vertices by frames. Its principal components are the best
+/// targets by least squares; they come from the eigenvectors of its Gram matrix over frames, which is small. The bound
+/// is on the maximum, though, so vertices that are far off are counted more and the components found anew (Lawson's
+/// iteratively reweighted least squares, 1961): fewer targets then do. Distances are measured on what a reader makes of
+/// the file's numbers, so that the bound holds there.
+class MorphSearch {
+ public:
+  MorphSearch(const MorphFit& fit, double bound, const StageProgress& progress)
+      : fit_(fit), progress_(progress), asked_(bound), bound_(bound - fit.coarseness()) {}
+
+  std::optional<MorphTargets> run() {
+    if (isWithin(Shapes{})) return targetsOf({});
+    squares_ = Eigen::VectorXd::Ones(vertexCount());
+    const auto frames = static_cast<double>(frameCount());
+    const double affordable = kMostProducts / (static_cast<double>(rows()) * frames * frames);
+    const int rounds = static_cast<int>(std::clamp(affordable, 1.0, static_cast<double>(kSearchRounds)));
+    for (int round = 0, futile = 0; round < rounds && futile < kFutile && best_ != 1; ++round, ++futile) {
+      part_ = round / (rounds + 1.0);
+      Basis basis = principal();
+      const Eigen::Index most = best_ > 0 ? best_ - 1 : frameCount();
+      Eigen::Index targets = 1;
+      while (targets <= most && !isWithin(basis.first(targets, *this))) ++targets;
+      if (targets > most && best_ == 0) return exact(basis);
+      if (targets <= most) {
+        best_ = targets;
+        whole_ = std::move(basis);
+        futile = -1;
+      }
+      if (round + 1 < rounds) countFarOnesMore((futile < 0 ? whole_ : basis).first(best_ - 1, *this));
+    }
+    part_ = rounds / (rounds + 1.0);
+    return targetsOf(sparsest());
+  }
+
+ private:
+  /// Weights over time, 0..1, and shapes, as the file has them.
+  struct Shapes {
+    Eigen::MatrixXf weights;  ///< [frames, targets]
+    Eigen::MatrixXf deltas;   ///< [3 vertices, targets] in the bind pose.
+
+    Eigen::Index targets() const { return weights.cols(); }
+  };
+  struct ShapesView {
+    ShapesView(const Shapes& shapes) : weights(shapes.weights), deltas(shapes.deltas) {}  // NOLINT: as a span
+    ShapesView(const Eigen::Ref<const Eigen::MatrixXf>& w, const Eigen::Ref<const Eigen::MatrixXf>& d)
+        : weights(w), deltas(d) {}
+    Eigen::Ref<const Eigen::MatrixXf> weights;
+    Eigen::Ref<const Eigen::MatrixXf> deltas;
+  };
+
+  /// A target that stands still, then all components of what moves, the largest first, made as they are asked for.
+  struct Basis {
+    Eigen::MatrixXd over;    ///< [frames, frames - 1] orthonormal columns of sum 0.
+    Eigen::MatrixXf exact;   ///< [3 vertices, made ...] in the bind pose; the first: the mean.
+    Shapes shapes;           ///< `exact` as files have it; columns beyond `made` are without meaning.
+    std::vector<float> low;  ///< [made] what is left at a weight of 0, in parts of the shape.
+
+    ShapesView first(Eigen::Index targets, const MorphSearch& search) {
+      constexpr Eigen::Index kAhead = 16;
+      for (auto made = static_cast<Eigen::Index>(low.size()); made < targets; ++made) {
+        if (made == exact.cols()) {
+          exact.conservativeResize(search.rows(), made + kAhead);
+          shapes.deltas.conservativeResize(search.rows(), made + kAhead);
+          shapes.weights.conservativeResize(search.frameCount(), made + kAhead);
+        }
+        low.push_back(made == 0 ? search.makeStill(shapes.weights.col(0), exact.col(0))
+                                : search.makeComponent(over.col(made - 1), shapes.weights.col(made), exact.col(made)));
+        shapes.deltas.col(made) = exact.col(made);
+        search.round(shapes.deltas.col(made), kDensest * search.asked_);
+      }
+      shapes.deltas.col(0) = still(targets);
+      search.round(shapes.deltas.col(0), kDensest * search.asked_);
+      return {shapes.weights.leftCols(targets), shapes.deltas.leftCols(targets)};
+    }
+
+    /// With more or fewer entries dropped.
+    [[nodiscard]] Shapes dropSmall(Eigen::Index targets, const MorphSearch& search, double below) const {
+      Shapes result{shapes.weights.leftCols(targets), exact.leftCols(targets)};
+      result.deltas.col(0) = still(targets);
+      for (Eigen::Index k = 0; k < targets; ++k) search.round(result.deltas.col(k), below);
+      return result;
+    }
+
+    /// The mean and what the other targets leave at weights of 0.
+    [[nodiscard]] Eigen::VectorXf still(Eigen::Index targets) const {
+      const Eigen::Map<const Eigen::VectorXf> parts(low.data(), targets);
+      return exact.leftCols(targets) * parts;
+    }
+  };
+
+  [[nodiscard]] Eigen::Index frameCount() const { return static_cast<Eigen::Index>(fit_.frames_.size()); }
+  [[nodiscard]] Eigen::Index vertexCount() const { return static_cast<Eigen::Index>(fit_.vertices_.size()); }
+  [[nodiscard]] Eigen::Index rows() const { return 3 * vertexCount(); }
+
+  [[nodiscard]] Eigen::Map<const Eigen::VectorXf> wanted(Eigen::Index frame) const {
+    return {fit_.frames_[static_cast<std::size_t>(frame)].wanted.data(), rows()};
+  }
+
+  [[nodiscard]] Basis principal() const {
+    const Eigen::Index frames = frameCount();
+    Eigen::MatrixXd gram = Eigen::MatrixXd::Zero(frames, frames);
+    for (Eigen::Index row = 0; row < rows(); row += kRows) {
+      const Eigen::Index count = std::min(kRows, rows() - row);
+      Eigen::MatrixXd block(count, frames);
+      for (Eigen::Index f = 0; f < frames; ++f) block.col(f) = wanted(f).segment(row, count).cast<double>();
+      for (Eigen::Index r = 0; r < count; ++r) block.row(r) *= std::sqrt(squares_[(row + r) / 3]);
+      gram.selfadjointView<Eigen::Lower>().rankUpdate(block.transpose());
+    }
+    gram.triangularView<Eigen::Upper>() = gram.transpose();
+    const Eigen::VectorXd means = gram.rowwise().mean();
+    gram.colwise() -= means;
+    gram.rowwise() -= (means.array() - means.mean()).matrix().transpose();
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(gram);
+    return {solver.eigenvectors().rowwise().reverse().leftCols(frames - 1), {}, {}, {}};
+  }
+
+  /// Weights of 1 in every frame.
+  float makeStill(Eigen::Ref<Eigen::VectorXf> weights, Eigen::Ref<Eigen::VectorXf> mean) const {
+    Eigen::VectorXd sum = Eigen::VectorXd::Zero(rows());
+    for (Eigen::Index f = 0; f < frameCount(); ++f) sum += wanted(f).cast<double>();
+    mean = (sum / static_cast<double>(frameCount())).cast<float>();
+    weights.setOnes();
+    return 1.0f;
+  }
+
+  /// Weights from 0 to 1: programs clamp others, and a dropped entry of a shape is what is lost at most. Returns what
+  /// part of the shape is left at 0.
+  float makeComponent(const Eigen::VectorXd& over, Eigen::Ref<Eigen::VectorXf> weights,
+                      Eigen::Ref<Eigen::VectorXf> deltas) const {
+    const double low = over.minCoeff();
+    const double range = std::max(over.maxCoeff() - low, std::numeric_limits<double>::min());
+    weights = ((over.array() - low) / range).matrix().cast<float>();
+    forEachBlock([&](std::size_t begin, std::size_t end) {
+      const auto row = static_cast<Eigen::Index>(3 * begin);
+      Eigen::VectorXd sum = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(3 * (end - begin)));
+      for (Eigen::Index f = 0; f < frameCount(); ++f) {
+        sum += range * over[f] * wanted(f).segment(row, sum.size()).cast<double>();
+      }
+      deltas.segment(row, sum.size()) = sum.cast<float>();
+    });
+    return static_cast<float>(low / range);
+  }
+
+  [[nodiscard]] glm::vec3 inMesh(std::size_t vertex, const float* delta) const {
+    const glm::dvec3 way(static_cast<double>(delta[0]), static_cast<double>(delta[1]), static_cast<double>(delta[2]));
+    return glm::vec3(at(fit_.bindToMesh_, fit_.vertices_[vertex].space) * way);
+  }
+
+  /// To what a reader makes of the target in its mesh spaces.
+  void round(Eigen::Ref<Eigen::VectorXf> target, double drop) const {
+    forEachIndex(fit_.vertices_.size(), kBlock, [&](std::size_t v) {
+      float* delta = target.data() + 3 * v;
+      const glm::vec3 written = inMesh(v, delta);
+      const glm::dvec3 read = at(fit_.meshToBind_, fit_.vertices_[v].space) * glm::dvec3(written);
+      const bool isDropped = glm::length(read) < drop;
+      for (int axis = 0; axis < 3; ++axis) delta[axis] = isDropped ? 0.0f : static_cast<float>(read[axis]);
+    });
+  }
+
+  /// Calls use(vertex, distance) for vertices of a frame until it returns false; whether it never did.
+  template <class Use>
+  bool forEachDistance(const ShapesView& shapes, std::size_t frame, std::size_t begin, std::size_t end, Use use) const {
+    const MorphFit::Frame& at = fit_.frames_[frame];
+    const auto firstRow = static_cast<Eigen::Index>(3 * begin);
+    Eigen::VectorXf moved = Eigen::VectorXf::Zero(static_cast<Eigen::Index>(3 * (end - begin)));
+    if (shapes.weights.cols() > 0) {
+      moved.noalias() = shapes.deltas.middleRows(firstRow, moved.size()) *
+                        shapes.weights.row(static_cast<Eigen::Index>(frame)).transpose();
+    }
+    for (std::size_t v = begin; v < end; ++v) {
+      const MorphVertex& vertex = fit_.vertices_[v];
+      const float* delta = moved.data() + 3 * (v - begin);
+      const glm::dvec3 point = vertex.rest + glm::dvec3(glm::vec3(delta[0], delta[1], delta[2]));
+      if (!use(v, glm::distance(skinPoint(at.matrices, vertex.weights, point), glm::dvec3(at.live[v])))) return false;
+    }
+    return true;
+  }
+
+  /// Calls use(begin, end) for blocks of vertices, whose shapes stay in the cache from frame to frame.
+  template <class Use>
+  void forEachBlock(Use use) const {
+    const std::size_t count = fit_.vertices_.size();
+    forEachIndex((count + kBlock - 1) / kBlock, 1,
+                 [&](std::size_t block) { use(block * kBlock, std::min(count, (block + 1) * kBlock)); });
+  }
+
+  /// How many of the frames after `worst_`, which is the first, are near enough in a row, of so many.
+  [[nodiscard]] std::size_t framesWithin(const ShapesView& shapes, std::size_t frames) const {
+    std::atomic<std::size_t> within = frames;
+    forEachBlock([&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = 0; i < within; ++i) {
+        const std::size_t frame = (worst_ + i) % fit_.frames_.size();
+        const auto isNear = [&](std::size_t, double distance) { return distance <= bound_; };
+        if (forEachDistance(shapes, frame, begin, end, isNear)) continue;
+        std::size_t now = within;
+        while (i < now && !within.compare_exchange_weak(now, i)) {
+        }
+        return;
+      }
+    });
+    return within;
+  }
+
+  /// The frame that was too far off last is looked at first: most of what does not do is refused by one frame.
+  [[nodiscard]] bool isWithin(const ShapesView& shapes) {
+    progress_.tell(part_);
+    const std::size_t frames = fit_.frames_.size();
+    if (framesWithin(shapes, std::min<std::size_t>(frames, 1)) == 0) return frames == 0;
+    const std::size_t within = framesWithin(shapes, frames);
+    if (within == frames) return true;
+    worst_ = (worst_ + within) % frames;
+    return false;
+  }
+
+  /// Lawson's way from least squares to the least maximum.
+  void countFarOnesMore(const ShapesView& shapes) {
+    Eigen::VectorXd farthest = Eigen::VectorXd::Zero(vertexCount());
+    forEachBlock([&](std::size_t begin, std::size_t end) {
+      for (std::size_t frame = 0; frame < fit_.frames_.size(); ++frame) {
+        forEachDistance(shapes, frame, begin, end, [&](std::size_t v, double distance) {
+          double& own = farthest[static_cast<Eigen::Index>(v)];
+          own = std::max(own, distance);
+          return true;
+        });
+      }
+    });
+    squares_ = squares_.cwiseProduct((farthest / bound_).cwiseMax(kLeastShare));
+    squares_ *= static_cast<double>(vertexCount()) / squares_.sum();
+  }
+
+  /// Entries as large as the bound allows are dropped.
+  Shapes sparsest() {
+    for (double share = kSparsest; share > kDensest; share /= 2.0) {
+      Shapes shapes = whole_.dropSmall(best_, *this, share * asked_);
+      if (isWithin(shapes)) return shapes;
+    }
+    return whole_.dropSmall(best_, *this, kDensest * asked_);
+  }
+
+  /// A target for each frame, nothing dropped.
+  std::optional<MorphTargets> exact(const Basis& basis) {
+    const Shapes shapes = basis.dropSmall(frameCount(), *this, 0.0);
+    if (!isWithin(shapes)) return std::nullopt;
+    return targetsOf(shapes);
+  }
+
+  [[nodiscard]] MorphTargets targetsOf(const Shapes& shapes) const {
+    MorphTargets result;
+    result.count = static_cast<int>(shapes.targets());
+    ErrorMeter meter(fit_.height_);
+    std::vector<double> distances(fit_.vertices_.size());
+    for (std::size_t frame = 0; frame < fit_.frames_.size(); ++frame) {
+      meter.addPose(0, static_cast<float>(frame));
+      forEachBlock([&](std::size_t begin, std::size_t end) {
+        forEachDistance(shapes, frame, begin, end, [&](std::size_t v, double distance) {
+          distances[v] = distance;
+          return true;
+        });
+      });
+      for (std::size_t v = 0; v < distances.size(); ++v) meter.add(distances[v], fit_.vertices_[v].refined);
+    }
+    result.figures = meter.figures();
+    if (result.count == 0) return result;
+    for (Eigen::Index f = 0; f < frameCount(); ++f) {
+      for (Eigen::Index k = 0; k < shapes.targets(); ++k) result.weights.push_back(shapes.weights(f, k));
+    }
+    const Eigen::MatrixXd over = shapes.weights.cast<double>();
+    const Eigen::MatrixXd shares = (over.transpose() * over).ldlt().solve(over.transpose());
+    for (Eigen::Index k = 0; k < shapes.targets(); ++k) {
+      for (Eigen::Index f = 0; f < frameCount(); ++f) result.shares.push_back(shares(k, f));
+      std::vector<glm::vec3>& deltas = result.deltas.emplace_back();
+      for (std::size_t v = 0; v < fit_.vertices_.size(); ++v) {
+        deltas.push_back(inMesh(v, shapes.deltas.col(k).data() + 3 * v));
+      }
+    }
+    return result;
+  }
+
+  const MorphFit& fit_;
+  const StageProgress& progress_;
+  double asked_;
+  double bound_;
+  Eigen::VectorXd squares_;  ///< [vertices] what each counts.
+  double part_ = 0.0;        ///< Share of the search that is done.
+  Eigen::Index best_ = 0;    ///< Fewest targets so far; 0: none found yet.
+  Basis whole_;              ///< Their basis.
+  std::size_t worst_ = 0;
+};
+
+std::optional<MorphTargets> MorphFit::solve(double bound, const StageProgress& progress) const {
+  return MorphSearch(*this, bound, progress).run();
 }
 
 }  // namespace sinew::exporting

@@ -9,7 +9,7 @@
 #include <glm/vec3.hpp>
 
 #include "core/files/fit/four_weights.h"
-#include "core/files/fit/stage_progress.h"
+#include "core/files/fit/poses.h"
 #include "sinew/files/skinned_export.h"
 
 namespace sinew::exporting {

@@ -5,7 +5,6 @@
 #include <string>
 #include <vector>
 
-#include "core/files/fit/live_surfaces.h"
 #include "core/files/fit/poses.h"
 #include "sinew/character/character.h"
 #include "sinew/rig/rig.h"

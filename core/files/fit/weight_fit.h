@@ -5,10 +5,9 @@
 #include <span>
 #include <vector>
 
-#include "core/files/fit/best_weights.h"
-#include "core/files/fit/fit_kernel.h"
 #include "core/files/fit/four_weights.h"
-#include "core/files/fit/stage_progress.h"
+#include "core/files/fit/fit_kernel.h"
+#include "core/files/fit/poses.h"
 
 namespace sinew::exporting {
 

@@ -6,7 +6,7 @@
 
 #include "core/files/gltf/accessor.h"
 #include "core/files/gltf/morph.h"
-#include "core/files/gltf/notes.h"
+#include "core/files/gltf/refusal.h"
 #include "sinew/character/animation_clip.h"
 #include "sinew/character/skeleton.h"
 

@@ -9,8 +9,7 @@
 
 #include "core/files/gltf/file.h"
 #include "core/files/gltf/image.h"
-#include "core/files/gltf/loose_values.h"
-#include "core/files/gltf/notes.h"
+#include "core/files/gltf/refusal.h"
 #include "core/geometry/at.h"
 #include "sinew/character/material.h"
 

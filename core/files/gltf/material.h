@@ -8,7 +8,7 @@
 #include <tiny_gltf.h>
 
 #include "core/files/gltf/file.h"
-#include "core/files/gltf/notes.h"
+#include "core/files/gltf/refusal.h"
 #include "sinew/character/character.h"
 #include "sinew/character/material.h"
 

@@ -10,7 +10,6 @@
 
 #include <glm/matrix.hpp>
 
-#include "core/files/gltf/triangle_modes.h"
 #include "core/geometry/at.h"
 #include "sinew/files/gltf_import.h"
 

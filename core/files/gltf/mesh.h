@@ -1,7 +1,12 @@
 // core/files/gltf/mesh.h: mesh primitives -> one triangle soup in the bind pose.
 #pragma once
 
+#include <array>
+#include <cstddef>
+#include <cstdint>
 #include <span>
+
+#include <tiny_gltf.h>
 
 #include "core/files/gltf/accessor.h"
 #include "core/files/gltf/material.h"
@@ -10,6 +15,22 @@
 #include "sinew/character/character.h"
 
 namespace sinew::gltf {
+
+// Which corners the triangles of a list, strip or fan have.
+
+/// @param mode  TINYGLTF_MODE_TRIANGLES, _TRIANGLE_STRIP or _TRIANGLE_FAN
+[[nodiscard]] inline std::size_t triangleCount(int mode, std::size_t corners) {
+  if (mode == TINYGLTF_MODE_TRIANGLES) return corners / 3;
+  return corners < 3 ? 0 : corners - 2;
+}
+
+/// Corner numbers of a triangle; every second one of a strip is turned so that all face the same way.
+[[nodiscard]] inline std::array<std::uint32_t, 3> triangleCorners(int mode, std::size_t triangle) {
+  const auto t = static_cast<std::uint32_t>(triangle);
+  if (mode == TINYGLTF_MODE_TRIANGLES) return {3 * t, 3 * t + 1, 3 * t + 2};
+  if (mode == TINYGLTF_MODE_TRIANGLE_FAN) return {t + 1, t + 2, 0};
+  return {t, t + 1 + t % 2, t + 2 - t % 2};
+}
 
 /// Triangles and vertices of a soup that one primitive of a mesh gave, for one node that shows the mesh.
 struct SoupPart {

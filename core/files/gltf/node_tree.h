@@ -8,10 +8,19 @@
 #include <glm/mat4x4.hpp>
 
 #include "core/files/gltf/file.h"
-#include "core/files/gltf/notes.h"
+#include "core/files/gltf/refusal.h"
+#include "sinew/character/character.h"
 #include "sinew/character/skeleton.h"
 
 namespace sinew::gltf {
+
+// Characters that would be invisible because of their alpha.
+
+/// Some converters write alpha 0 by mistake. A material is hidden if the largest alpha it can have (base color's *
+/// texture's * vertex colors') is below its cutoff (MASK) or rounds to 0 (BLEND). A hidden part of a visible character
+/// is taken as intended. If every material in use is hidden, all of them become Material::shownOpaque, each with a
+/// note.
+void showHiddenCharacter(Character& character, Notes& notes);
 
 /// One node as the file gives it. Matrices in double, so that products of many of them stay exact to a float.
 struct TreeNode {

@@ -6,9 +6,9 @@
 #include <string>
 #include <utility>
 
-#include "core/character/body_slot.h"
+#include "core/character/body_slots.h"
 #include "core/geometry/at.h"
-#include "core/geometry/lower_case.h"
+#include "core/geometry/nearest_name.h"
 
 namespace sinew::gltf {
 namespace {

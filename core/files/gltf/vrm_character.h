@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/files/gltf/morph.h"
-#include "core/files/gltf/notes.h"
+#include "core/files/gltf/refusal.h"
 #include "core/files/gltf/skin.h"
 #include "core/files/gltf/vrm.h"
 #include "sinew/character/body_part.h"

@@ -6,8 +6,12 @@
 #include <cassert>
 #include <charconv>
 #include <cmath>
+#include <optional>
+#include <unordered_set>
 
 #include <nlohmann/json.hpp>
+
+#include "core/geometry/at.h"
 
 namespace sinew {
 namespace {
@@ -162,5 +166,191 @@ std::string Json::dump(bool indented) const {
 }
 
 std::string validUtf8(const std::string& text) { return Library::parse(quoted(text)).get<std::string>(); }
+
+// Nlohmann's lexer drives a small builder that knows the path and the limits.
+
+namespace {
+
+using Library = nlohmann::ordered_json;
+using Kind = Json::Kind;
+
+constexpr int kOutOfRangeId = 406;  // nlohmann: a number no double can hold.
+
+/// "byte 61 (line 3, column 8)" of the last byte read.
+std::string positionText(std::string_view text, std::size_t bytesRead) {
+  const std::size_t byte = std::min(bytesRead, text.size());
+  const std::string_view before = text.substr(0, byte == 0 ? 0 : byte - 1);
+  const auto line = 1 + std::ranges::count(before, '\n');
+  const std::size_t lineBreak = before.rfind('\n');
+  const std::size_t column = before.size() - (lineBreak == std::string_view::npos ? 0 : lineBreak + 1) + 1;
+  return "byte " + std::to_string(byte) + " (line " + std::to_string(line) + ", column " + std::to_string(column) + ')';
+}
+
+/// What the library says, without its own name and position.
+std::string plainReason(const std::string& message) {
+  const std::size_t column = message.find("column ");
+  const std::size_t colon = column == std::string::npos ? column : message.find(": ", column);
+  return colon == std::string::npos ? message : message.substr(colon + 2);
+}
+
+/// Receives the library's events and grows the tree. Returning false ends the parse.
+class Builder {
+ public:
+  using number_integer_t = Library::number_integer_t;
+  using number_unsigned_t = Library::number_unsigned_t;
+  using number_float_t = Library::number_float_t;
+  using string_t = Library::string_t;
+  using binary_t = Library::binary_t;
+
+  Builder(std::string_view text, const JsonLimits& limits) : text_(text), limits_(limits) {}
+
+  bool null() { return leaf(Kind::kNull, {}); }
+  bool boolean(bool value) { return leaf(value ? Kind::kTrue : Kind::kFalse, {}); }
+  bool number_integer(number_integer_t value) { return leaf(Kind::kNumber, std::to_string(value)); }
+  bool number_unsigned(number_unsigned_t value) { return leaf(Kind::kNumber, std::to_string(value)); }
+  bool number_float(number_float_t, const string_t& token) { return leaf(Kind::kNumber, token); }
+  bool string(string_t& value) { return leaf(Kind::kString, std::move(value)); }
+  bool binary(binary_t&) { return false; }
+  bool start_object(std::size_t) { return open(Kind::kObject); }
+  bool start_array(std::size_t) { return open(Kind::kArray); }
+  bool end_object() { return close(); }
+  bool end_array() { return close(); }
+
+  bool key(string_t& name) {
+    pendingKey_ = name;
+    if (leftOutAt_ == 0 && !limits_.leftOut.empty() && name == limits_.leftOut && !kept()) leftOutAt_ = stack_.size();
+    if (stack_.back().keys.insert(name).second) return true;
+    return fail(shortPath(), "this key stands twice in its object");
+  }
+
+  bool parse_error(std::size_t bytesRead, const std::string& token, const Library::exception& error) {
+    if (error.id == kOutOfRangeId) return fail(shortPath(), "expected a finite number, got " + shortened(token));
+    const std::string where = shortPath();
+    return fail(positionText(text_, bytesRead),
+                "not JSON" + (where.empty() ? "" : " in " + where) + ": " + shortened(plainReason(error.what())));
+  }
+
+  Result<Json> take(bool parsed) {
+    if (error_) return *error_;
+    if (!parsed) return errorAt({}, "not JSON");
+    return std::move(root_);
+  }
+
+ private:
+  struct Frame {
+    Json node;
+    std::unordered_set<std::string> keys;
+  };
+
+  bool fail(std::string place, std::string reason) {
+    if (!error_) error_ = errorAt(std::move(place), std::move(reason));
+    return false;
+  }
+
+  /// The path of the value that comes next, "primitives[2].radii[1]".
+  [[nodiscard]] std::string path() const {
+    std::string result;
+    for (std::size_t i = 0; i < stack_.size(); ++i) {
+      const Json& node = stack_[i].node;
+      if (node.kind == Kind::kArray) {
+        result += '[' + std::to_string(node.children.size()) + ']';
+      } else if (const std::string& name = i + 1 < stack_.size() ? stack_[i + 1].node.key : pendingKey_;
+                 !name.empty()) {
+        if (!result.empty()) result += '.';
+        result += name;
+      }
+    }
+    return result;
+  }
+
+  bool add(Json node) {
+    if (leftOutAt_ > 0) {
+      if (stack_.size() == leftOutAt_) leftOutAt_ = 0;
+      return true;
+    }
+    if (stack_.empty()) root_ = std::move(node);
+    else stack_.back().node.children.push_back(std::move(node));
+    return true;
+  }
+
+  /// Whether the object at hand is an element of the list that keeps the member.
+  [[nodiscard]] bool kept() const {
+    return stack_.size() == 3 && !limits_.keptIn.empty() && stack_[1].node.key == limits_.keptIn;
+  }
+
+  bool count() {
+    if (++values_ <= limits_.values) return true;
+    constexpr int kMillion = 1'000'000;
+    const bool round = limits_.values % kMillion == 0;
+    return fail(shortPath(), "more than " + std::to_string(round ? limits_.values / kMillion : limits_.values) +
+                                 (round ? " million" : "") + " JSON values");
+  }
+
+  std::string takeKey() { return std::exchange(pendingKey_, {}); }
+
+  bool leaf(Kind kind, std::string content) {
+    if (!count()) return false;
+    Json node;
+    node.kind = kind;
+    node.key = takeKey();
+    node.content = std::move(content);
+    return add(std::move(node));
+  }
+
+  bool open(Kind kind) {
+    if (!count()) return false;
+    if (stack_.size() >= toIndex(limits_.depth)) {
+      return fail(shortPath(), "JSON nested deeper than " + std::to_string(limits_.depth) + " levels");
+    }
+    stack_.emplace_back();
+    stack_.back().node.kind = kind;
+    stack_.back().node.key = takeKey();
+    return true;
+  }
+
+  /// The path of something deep is itself too long to read: its beginning says enough.
+  [[nodiscard]] std::string shortPath() const {
+    constexpr std::size_t kMaxLength = 60;
+    const std::string whole = path();
+    if (whole.size() <= kMaxLength) return whole;
+    return whole.substr(0, std::min(whole.find_last_of(".[", kMaxLength), kMaxLength)) + "...";
+  }
+
+  bool close() {
+    Json node = std::move(stack_.back().node);
+    stack_.pop_back();
+    return add(std::move(node));
+  }
+
+  std::string_view text_;
+  JsonLimits limits_;
+  std::size_t leftOutAt_ = 0;  // Depth of the object whose member is being left out; 0 while all is kept.
+  std::vector<Frame> stack_;
+  std::string pendingKey_;
+  int values_ = 0;
+  Json root_;
+  std::optional<Error> error_;
+};
+
+}  // namespace
+
+Result<Json> Json::parse(std::string_view text, const JsonLimits& limits) {
+  Builder builder(text, limits);
+  const bool parsed = Library::sax_parse(text.begin(), text.end(), &builder);
+  return builder.take(parsed);
+}
+
+std::string shortened(std::string message) {
+  constexpr std::size_t kMaxLength = 160;
+  if (message.size() > kMaxLength) {
+    message.resize(kMaxLength);
+    message += " ...";
+  }
+  for (char& c : message) {
+    if (static_cast<unsigned char>(c) < 0x20) c = ' ';
+    if (static_cast<unsigned char>(c) >= 0x7f) c = '?';  // the cut may have split a character
+  }
+  return message;
+}
 
 }  // namespace sinew

@@ -8,7 +8,7 @@
 #include <glm/common.hpp>
 #include <glm/matrix.hpp>
 
-#include "core/files/gltf/triangle_modes.h"
+#include "core/files/gltf/mesh.h"
 #include "core/geometry/at.h"
 
 namespace sinew::usd {

@@ -9,7 +9,7 @@
 
 #include "core/geometry/at.h"
 #include "core/geometry/parallel.h"
-#include "core/geometry/smoothstep.h"
+#include "core/geometry/potential.h"
 #include "core/surface/finish/refined_corners.h"
 
 namespace sinew {

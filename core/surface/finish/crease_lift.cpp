@@ -6,7 +6,7 @@
 #include <atomic>
 
 #include "core/geometry/parallel.h"
-#include "core/geometry/smoothstep.h"
+#include "core/geometry/potential.h"
 #include "core/surface/finish/fold.h"
 
 namespace sinew {

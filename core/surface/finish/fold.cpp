@@ -1,7 +1,7 @@
 // core/surface/finish/fold.cpp: areas along the patch, and how much the patch faces along its normals.
 #include "core/surface/finish/fold.h"
 
-#include "core/geometry/smoothstep.h"
+#include "core/geometry/potential.h"
 
 namespace sinew {
 namespace {

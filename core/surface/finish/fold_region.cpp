@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "core/geometry/parallel_list.h"
+#include "core/geometry/parallel.h"
 #include "core/surface/finish/fold_kernel.h"
 
 namespace sinew {

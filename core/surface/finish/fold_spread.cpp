@@ -5,7 +5,7 @@
 #include <array>
 #include <cmath>
 
-#include "core/geometry/parallel_list.h"
+#include "core/geometry/parallel.h"
 
 namespace sinew {
 namespace {

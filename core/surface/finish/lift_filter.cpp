@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "core/geometry/at.h"
-#include "core/geometry/smoothstep.h"
+#include "core/geometry/potential.h"
 
 namespace sinew {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "core/geometry/parallel_list.h"
+#include "core/geometry/parallel.h"
 
 namespace sinew {
 

@@ -5,7 +5,7 @@
 #include <atomic>
 
 #include "core/geometry/at.h"
-#include "core/geometry/parallel_list.h"
+#include "core/geometry/parallel.h"
 
 namespace sinew {
 namespace {

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/geometry/smoothstep.h"
+#include "core/geometry/potential.h"
 #include "core/geometry/targets.h"
 
 #undef HWY_TARGET_INCLUDE

@@ -7,7 +7,7 @@
 #include <glm/geometric.hpp>
 
 #include "core/geometry/at.h"
-#include "core/geometry/nearest_on_triangle.h"
+#include "core/geometry/triangle_tree.h"
 #include "sinew/geometry/geometry.h"
 #include "sinew/surface/refinement.h"
 

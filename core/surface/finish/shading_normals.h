@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "core/geometry/scratch_array.h"
+#include "core/geometry/parallel.h"
 #include "core/surface/finish/moved_triangles.h"
 #include "core/surface/finish/normals_kernel.h"
 #include "sinew/surface/surface.h"

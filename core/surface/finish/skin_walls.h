@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "core/geometry/nearest_on_triangle.h"
+#include "core/geometry/triangle_tree.h"
 #include "core/rig/mesh_layers.h"
 #include "core/surface/finish/vertex_rings.h"
 #include "sinew/geometry/geometry.h"

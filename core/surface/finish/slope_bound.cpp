@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/geometry/parallel_list.h"
+#include "core/geometry/parallel.h"
 
 namespace sinew {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "core/geometry/at.h"
 #include "core/geometry/parallel.h"
-#include "core/geometry/smoothstep.h"
+#include "core/geometry/potential.h"
 #include "core/surface/projection/rise_limits.h"
 #include "core/surface/roots/root_finding.h"
 

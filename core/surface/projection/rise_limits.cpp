@@ -1,6 +1,6 @@
 // core/surface/projection/rise_limits.cpp: the nearest meeting over all pairs of points, found cell by cell.
 #include "core/surface/projection/rise_limits.h"
-#include "core/geometry/longest_axis.h"
+#include "core/geometry/triangle_tree.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,7 +9,7 @@
 #include <glm/geometric.hpp>
 
 #include "core/geometry/at.h"
-#include "core/geometry/smoothstep.h"
+#include "core/geometry/potential.h"
 
 namespace sinew {
 namespace {

@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "core/geometry/potential.h"
-#include "core/geometry/smoothstep.h"
 #include "sinew/geometry/control_mesh.h"
 
 namespace sinew {

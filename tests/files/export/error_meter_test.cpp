@@ -1,5 +1,5 @@
 // tests/files/export/error_meter_test.cpp: figures beside those of a sorted list.
-#include "core/files/fit/error_meter.h"
+#include "core/files/fit/played_surface.h"
 
 #include <algorithm>
 #include <cmath>

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 #include <glm/geometric.hpp>
 
-#include "core/files/fit/best_weights.h"
+#include "core/files/fit/four_weights.h"
 
 namespace sinew::exporting {
 namespace {

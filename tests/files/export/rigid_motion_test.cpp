@@ -1,6 +1,6 @@
 // tests/files/export/rigid_motion_test.cpp: a known motion is found again, noise or not; translation, rotation, scale
 // from matrices.
-#include "core/files/fit/rigid_motion.h"
+#include "core/files/fit/helper_motion.h"
 
 #include <random>
 

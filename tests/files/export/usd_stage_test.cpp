@@ -7,7 +7,6 @@
 
 #include "core/files/disk/atomic_file.h"
 #include "core/files/export/out_primitive.h"
-#include "core/files/usd/joints.h"
 #include "core/files/usd/text.h"
 #include "sinew/surface/smoother.h"
 #include "tests/files/export/export_scenes.h"

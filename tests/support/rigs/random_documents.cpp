@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "core/files/json/json.h"
-#include "core/geometry/shape_numbers.h"
+#include "core/geometry/affine_image.h"
 #include "tests/support/rigs/random_animation.h"
 #include "tests/support/rigs/random_rigs.h"
 

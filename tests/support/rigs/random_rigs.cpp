@@ -11,7 +11,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "core/character/bindings.h"
-#include "core/geometry/shape_numbers.h"
+#include "core/geometry/affine_image.h"
 #include "core/geometry/split_mix.h"
 
 namespace sinew::test {

@@ -10,7 +10,7 @@ namespace sinew {
 
 /// The file says which bone is this part of the body.
 struct BodyPart {
-  std::string slot;  ///< "hips", "upperArm.L": a name of core/character/body_slot.h.
+  std::string slot;  ///< "hips", "upperArm.L": a name of core/character/body_slots.h.
   int bone = 0;      ///< Index into Skeleton::bones.
 };
 

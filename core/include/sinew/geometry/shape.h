@@ -29,7 +29,7 @@ struct Shape {
   friend bool operator==(const Shape&, const Shape&) = default;
 };
 
-/// How many numbers a shape has: core/geometry/shape_numbers.h describes each.
+/// How many numbers a shape has: core/geometry/affine_image.h describes each.
 inline constexpr int kShapeNumbers = sizeof(Shape) / sizeof(float);
 
 /// The most that `belly` may be either way: S stays positive wherever the influence reaches. reach > 1.

@@ -1,7 +1,7 @@
-// core/character/skin_bones.cpp: which bones carry the skin.
-#include "core/character/skin_bones.h"
+// core/character/bindings.cpp: which bones carry the skin.
+#include "core/character/bindings.h"
 
-#include "core/character/helper_bones.h"
+#include "core/character/joint_roles.h"
 #include "core/geometry/at.h"
 
 namespace sinew {
