@@ -10,7 +10,7 @@ SAMPLES = 16
 
 def gray(path):
     """Rows of gray values of a picture."""
-    done = subprocess.run(["convert", str(path), "-colorspace", "Gray", "-depth", "8", "pgm:-"], capture_output=True, check=True)
+    done = subprocess.run(["convert", str(path), "-depth", "8", "pgm:-"], capture_output=True, check=True)
     head, size, _, pixels = done.stdout.split(b"\n", 3)
     assert head == b"P5"
     width, height = map(int, size.split())

@@ -1,4 +1,4 @@
-# tests/gui/failed_save.py: a full disk and a read-only one: it is said, nothing is lost, and the next try saves.
+# tests/gui/failed_save.py: a full disk and a read-only one: it is reported, nothing is lost, and the next try saves.
 import ctypes
 import json
 import os
@@ -143,7 +143,11 @@ def on_disk(t, disk):
     disk.writable(True)
     t.check_equal("writable again Ctrl+S saves it all", len(editor.saved_rig()["primitives"]), 6)
     t.check_equal("and leaves nothing else", disk.names(), [path.name])
-    t.check_equal("quits without a question", editor.quit(), 0)
+    add_pair(editor)
+    editor.tap("ctrl+q", "the question about changes", lambda s: s["dialog"] == "unsaved")
+    editor.click("unsaved/save")
+    t.check_equal("saved, it quits", editor.wait_for_end(), 0)
+    t.check_equal("the file has all of it", len(json.loads(path.read_text())["primitives"]), 8)
 
 
 def story(t):
