@@ -207,6 +207,9 @@ class Editor(Acts):
         return subprocess.run(["import", "-window", "root", "-crop", crop, "+repage", "-depth", "8", colors + ":-"],
                               env=self.scenario.environment, check=True, capture_output=True, timeout=PATIENCE).stdout
 
+    def screenshot(self, path):
+        subprocess.run(["import", "-window", "root", str(path)], env=self.scenario.environment, check=True, timeout=PATIENCE)
+
     def wait_for_end(self):
         """The exit status of an editor that was told to quit."""
         wait_for("the editor to end", lambda: self.process.poll() is not None)
@@ -298,8 +301,7 @@ class Scenario:
         if running:
             try:
                 running[-1].process.send_signal(signal.SIGCONT)
-                subprocess.run(["import", "-window", "root", str(kept / "screen.png")], env=self.environment, check=True,
-                               timeout=PATIENCE)
+                running[-1].screenshot(kept / "screen.png")
             except (OSError, subprocess.SubprocessError) as error:
                 print("no screenshot: %s" % error)
         for path in self.folder.iterdir():

@@ -1,4 +1,4 @@
-# tests/support/clip_gltf.py: clips of a character's file without its mesh.
+# tests/support/clip_gltf.py: a character's file taken apart: without its clips, or clips without its mesh.
 import json
 import struct
 
@@ -11,6 +11,13 @@ def write_glb(document, data, path):
     head = struct.pack("<4sII", b"glTF", 2, 28 + len(text) + len(data))
     path.write_bytes(head + struct.pack("<I4s", len(text), b"JSON") + text + struct.pack("<I4s", len(data), b"BIN\0") + data)
     return path
+
+
+def write_still(source, path):
+    """The character without a clip."""
+    glb = Glb(source)
+    del glb.json["animations"]
+    return write_glb(glb.json, glb.data, path)
 
 
 def write_clips(source, path, clips):
