@@ -5,6 +5,11 @@ import pathlib
 from waiting import wait_for
 
 
+def changed_keys(before, after):
+    """In what two muscles differ, as they are saved."""
+    return {key for key in before.keys() | after.keys() if before.get(key) != after.get(key)}
+
+
 class Acts:
     """For an Editor, which has keys, a mouse and the states that the editor writes."""
 

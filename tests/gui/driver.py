@@ -13,8 +13,8 @@ import tempfile
 import time
 
 from acts import Acts
-from drop_file import drop_file
 from waiting import PATIENCE, Failure, Skip, wait_for
+from x_messages import ask_to_close, drop_file
 
 SCREEN = (1280, 800)
 LEFT, MIDDLE, RIGHT = 1, 2, 3
@@ -175,14 +175,6 @@ class Editor(Acts):
         if held:
             self.let_go(held)
 
-    def choose(self, field, *entries):
-        """Right click on a field, then from submenu to submenu."""
-        self.point_at(lambda: self.widget(field))
-        self.xdotool("click", RIGHT)
-        for entry in entries[:-1]:
-            self.move(self.widget("context/" + entry))  # Opens it.
-        self.click("context/" + entries[-1])
-
     def drag(self, start, end, steps=4, button=LEFT):
         """Press, steps, release; a frame is seen after every step."""
         self.move(start)
@@ -203,6 +195,17 @@ class Editor(Acts):
         left, top, width, height = self.state()["viewport"]
         place = (left + 0.5 * width + self.origin[0], top + 0.5 * height + self.origin[1])
         drop_file(self.scenario.display.name, int(self.window()), place, file)
+
+    def close(self):
+        """As by the button of its frame."""
+        ask_to_close(self.scenario.display.name, int(self.window()))
+
+    def pixels(self, box, colors="rgb"):
+        """Bytes of a part of the window (x, y, width, height) as it is on the screen: rgb or gray."""
+        x, y, width, height = (round(v) for v in box)
+        crop = "%dx%d+%d+%d" % (width, height, x + self.origin[0], y + self.origin[1])
+        return subprocess.run(["import", "-window", "root", "-crop", crop, "+repage", "-depth", "8", colors + ":-"],
+                              env=self.scenario.environment, check=True, capture_output=True, timeout=PATIENCE).stdout
 
     def screenshot(self, path):
         subprocess.run(["import", "-window", "root", str(path)], env=self.scenario.environment, check=True, timeout=PATIENCE)
@@ -249,7 +252,7 @@ class Scenario:
         self.environment.setdefault("ASAN_OPTIONS", "detect_leaks=0")
 
     def start_display(self, screen=SCREEN):
-        missing = [tool for tool in ("Xvfb", "xdotool", "import") if shutil.which(tool) is None]
+        missing = [tool for tool in ("Xvfb", "xdotool", "import", "convert") if shutil.which(tool) is None]
         if missing:
             raise Skip("no window can be driven here without " + ", ".join(missing))
         self.display = Display(self.folder, screen)
@@ -260,6 +263,15 @@ class Scenario:
         target = self.folder / (name or source.name)
         shutil.copyfile(source, target)
         return target
+
+    @property
+    def preferences(self):
+        return pathlib.Path(self.environment["XDG_CONFIG_HOME"]) / "sinew" / "preferences.json"
+
+    def prefer(self, **changes):
+        """For editors that are started from here on; all else is as by default."""
+        self.preferences.parent.mkdir(parents=True, exist_ok=True)
+        self.preferences.write_text(json.dumps({"format": "sinew-preferences", "version": 1, **changes}))
 
     def edit(self, file, *arguments):
         """An editor on a file, with more arguments for it if any are named."""

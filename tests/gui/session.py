@@ -1,126 +1,144 @@
-# tests/gui/session.py: from one start to the next: layout, keymap, palette, and unsaved work after a kill.
+# tests/gui/session.py: from one start to the next: as it was left; killed in a drag, the work comes back; killed while it saves.
 import json
 import pathlib
 import sys
 
 import driver
+from acts import changed_keys
 
 BONE = "thigh.L"
 
 
-def preferences(t):
-    return pathlib.Path(t.environment["XDG_CONFIG_HOME"]) / "sinew" / "preferences.json"
-
-
 def recovery_files(t):
-    return sorted((pathlib.Path(t.environment["XDG_STATE_HOME"]) / "sinew" / "recovery").glob("*.json"))
+    return list((pathlib.Path(t.environment["XDG_STATE_HOME"]) / "sinew" / "recovery").glob("*.json"))
 
 
-def set_preferences(t, **changes):
-    """Before a start: the format's name and what is to differ from the defaults."""
-    preferences(t).parent.mkdir(parents=True, exist_ok=True)
-    preferences(t).write_text(json.dumps({"format": "sinew-preferences", "version": 1, **changes}))
+def kept_rig(t):
+    """The rig in the recovery file, if there is one. Written atomically: a file that is there is whole."""
+    files = recovery_files(t)
+    return json.loads(files[0].read_text())["rig"] if files else None
 
 
-def layout_is_remembered(t, file):
-    editor = t.edit(file)
-    before = editor.state()["viewport"]
-    x, y = editor.widget("layout/left")
-    editor.drag([x, y], [x + 60, y])
-    wide = editor.wait_until("a wider panel", lambda s: s["viewport"][0] > before[0] + 50)["viewport"]
-    editor.tap("n", "the right panels to go", lambda s: "layout/right" not in s["widgets"])
-    t.check_equal("quits", editor.quit(), 0)
-    again = t.edit(file)
-    state = again.wait_until("the character", lambda s: BONE in s["bones"])
-    t.check("the panel is as wide as it was", abs(state["viewport"][0] - wide[0]) < 2, state["viewport"])
-    t.check("what was hidden stays hidden", "layout/right" not in state["widgets"])
-    return again
-
-
-def palette_finds(t, editor):
-    wire = editor.state()["display"]["wire"]
-    editor.tap("ctrl+p", "the palette", lambda s: s["dialog"] == "palette")
-    editor.type("wire")
-    editor.wait_until("the wire to be found", lambda s: "palette/view/wire" in s["widgets"])
-    editor.tap("Return", "the wire to switch", lambda s: s["display"]["wire"] != wire)
-    editor.tap("ctrl+p", "the palette", lambda s: s["dialog"] == "palette")
-    editor.type("reset layout")
-    editor.tap("Return", "the layout to be reset", lambda s: "layout/right" in s["widgets"])
-    editor.wait_until("the palette to be gone", lambda s: s["dialog"] == "")
-
-
-def keymap_changes(t, editor):
-    editor.tap("F1", "the key sheet", lambda s: "keys/blender" in s["widgets"])
-    editor.click("keys/blender")
-    editor.wait_until("the other keymap", lambda s: s["keymap"] == "blender")
-    editor.tap("Escape", "the sheet to go", lambda s: s["dialog"] == "" and "keys/close" not in s["widgets"])
-
-
-def with_a_muscle(editor):
-    count = editor.state()["document"]["primitives"]
-    editor.click("outliner/bone/" + BONE)
-    editor.wait_until("the bone to be selected", lambda s: s["document"]["bone"] == BONE)
-    editor.key("ctrl+m")
-    # Its twin on the other side comes with it.
-    return editor.wait_until("a muscle", lambda s: s["document"]["primitives"] > count)["document"]["primitives"]
-
-
-def killed(t, file):
-    """Work that was never saved: a copy of it is on the disk within the interval; then the editor is killed."""
+def opened(t, file):
     editor = t.edit(file)
     editor.wait_until("the character", lambda s: BONE in s["bones"])
-    muscles = with_a_muscle(editor)
-    driver.wait_for("an autosave", lambda: recovery_files(t))
+    return editor
+
+
+def another_key(editor):
+    editor.key("ctrl+comma")
+    editor.click("preferences/page/keys")
+    editor.click("preferences/keys/search")
+    editor.type("Ground")
+    editor.click("preferences/keys/view/ground/1")
+    editor.key("ctrl+k")
+    editor.wait_until("the row to be changed", lambda s: "preferences/keys/view/ground/reset" in s["widgets"])
+    editor.click("preferences/close")
+    editor.wait_until("the dialog to close", lambda s: "preferences/close" not in s["widgets"])
+
+
+def works(editor):
+    shown = editor.state()["display"]["ground"]
+    editor.tap("ctrl+k", "the ground by its new key", lambda s: s["display"]["ground"] != shown)
+
+
+def arranged(t, editor):
+    """Panels, a key, the picture, the moment: what comes back is this state."""
+    before = editor.state()
+    x, y = editor.widget("layout/left")
+    editor.drag([x, y], [x + 60, y])
+    editor.wait_until("a wider panel", lambda s: s["viewport"][0] > before["viewport"][0] + 50)
+    editor.tap("n", "the right panels to go", lambda s: "layout/right" not in s["widgets"])
+    another_key(editor)
+    works(editor)
+    editor.palette("clay", "view/clay")
+    editor.tap("space", "a pause", lambda s: not s["playing"])
+    editor.tap("ctrl+Left", "the start", lambda s: s["clip_time"] == 0)
+    editor.tap("period", "the next frame", lambda s: s["clip_time"] > 0)
+    x, y, width, height = editor.state()["viewport"]
+    low = (x + 0.5 * width, y + height - 30)
+    editor.drag(low, (low[0] + 140, low[1] - 20))
+    return editor.wait_until("another view", lambda s: abs(s["camera"]["yaw"] - before["camera"]["yaw"]) > 0.2 and
+                             not s["camera_moving"] and s["display"]["shading"] == "clay")
+
+
+def as_it_was_left(t, before, state):
+    for what in ("clip", "playing", "display", "viewport"):
+        t.check_equal("as it was left: " + what, state[what], before[what])
+    numbers = lambda s: [s["clip_time"], *(s["camera"][k] for k in ("yaw", "pitch", "distance"))]
+    t.check("as it was left: moment and view", max(abs(a - b) for a, b in zip(numbers(state), numbers(before))) < 1e-4)
+    t.check("what was hidden stays hidden", "layout/right" not in state["widgets"])
+
+
+def dragged_and_killed(t, editor, file):
+    """A drag that lasts over two autosaves. Returns what the last of them holds."""
+    editor.select_bone(BONE)
+    editor.tap("ctrl+m", "a muscle and its twin", lambda s: s["document"]["primitives"] == 2)
+    editor.save_as(file)
     before = file.read_bytes()
-    editor.process.kill()
-    editor.process.wait()
-    t.check_equal("the work is left", len(recovery_files(t)), 1)
-    return before, muscles
+    editor.tap("w", "the move tool", lambda s: s["gizmo"]["mode"] == "move")
+    editor.grab("move.center")
+    start, step, seen = editor.mouse, [0], [json.loads(before)["primitives"]]
+
+    def kept_twice():
+        step[0] += 1
+        # Never back to the start: there nothing is unsaved.
+        editor.move((start[0] + 1 + step[0] % 60, start[1] + (step[0] // 2) % 30))
+        kept = kept_rig(t)
+        if kept and kept["primitives"] not in seen:
+            seen.append(kept["primitives"])
+        return len(seen) > 2
+
+    driver.wait_for("two autosaves in the middle of the drag", kept_twice)
+    state = editor.state()
+    t.check("all this in one drag", state["gizmo"]["dragging"] and state["document"]["undo"] == 1)
+    editor.kill()
+    editor.release()  # The button goes up, though nobody listens.
+    t.check_equal("one copy is left", len(recovery_files(t)), 1)
+    t.check_equal("it holds the drag", changed_keys(seen[0][0], seen[-1][0]), {"center"})
+    t.check("the rig's own file is untouched, byte for byte", file.read_bytes() == before)
+    return before
 
 
-def recovered(t, file, before, muscles):
+def recovered(t, file, before):
+    kept = kept_rig(t)
     editor = t.edit(file)
-    editor.wait_until("the question", lambda s: "recovery/recover/0" in s["widgets"])
-    editor.screenshot(t.out / "recovery.png")
-    editor.click("recovery/later")
-    editor.wait_until("the question to go", lambda s: s["dialog"] == "" and "recovery/later" not in s["widgets"])
-    t.check_equal("quits without changes", editor.quit(), 0)
-    t.check_equal("later means kept", len(recovery_files(t)), 1)
-    editor = t.edit(file)
-    editor.wait_until("the question again", lambda s: "recovery/recover/0" in s["widgets"])
     editor.click("recovery/recover/0")
-    state = editor.wait_until("the work", lambda s: s["document"]["primitives"] == muscles)
-    t.check("it counts as modified", state["document"]["modified"])
-    t.check("the title says so", "*" in editor.title(), editor.title())
-    t.check("the file was never touched", file.read_bytes() == before)
-    editor.save_as(t.folder / "saved.rig.json")
-    driver.wait_for("the recovery file to go", lambda: not recovery_files(t))
+    state = editor.wait_until("the work", lambda s: s["document"]["modified"] and s["dialog"] == "")
+    t.check_equal("it is the same document", state["document"]["path"], str(file))
+    t.check("the title says that it is not saved", "*" in editor.title(), editor.title())
+    t.check("and the file on the disk still is what it was", file.read_bytes() == before)
+    other = t.folder / "recovered.rig.json"
+    editor.save_as(other)
+    t.check_equal("what was copied in the drag is recovered", json.loads(other.read_text())["primitives"], kept["primitives"])
+    driver.wait_for("the copy to go once it is saved", lambda: not recovery_files(t))
     t.check_equal("quits", editor.quit(), 0)
-    last = t.edit(file)
-    state = last.wait_until("the character", lambda s: BONE in s["bones"])
-    t.check_equal("after a clean end nothing is asked", state["dialog"], "")
-    t.check_equal("quits", last.quit(), 0)
 
 
-def damaged_preferences(t, file):
-    preferences(t).write_text("{ this is no")
-    editor = t.edit(file)
-    state = editor.wait_until("a message", lambda s: s["messages"])
-    t.check("it names the file", "preferences.json" in state["messages"][0], state["messages"])
-    t.check("the damaged one is kept", preferences(t).with_name("preferences.json.bad").is_file())
-    t.check_equal("quits", editor.quit(), 0)
+def killed_while_saving(t, file):
+    """The file is the old one or the new one, nothing between."""
+    editor = opened(t, file)
+    t.check_equal("after a clean end nothing is asked", editor.state()["dialog"], "")
+    editor.key("ctrl+a")
+    editor.tap("Delete", "a change", lambda s: s["document"]["primitives"] == 0)
+    old = file.read_bytes()
+    editor.key("ctrl+s")
+    editor.kill()
+    now = file.read_bytes()
+    t.check("killed after Ctrl+S, the file is whole", now == old or json.loads(now)["primitives"] == [])
 
 
 def story(t):
-    file = t.copy(t.assets / "demo.glb")
-    set_preferences(t, autosave_seconds=1)
-    editor = layout_is_remembered(t, file)
-    palette_finds(t, editor)
-    keymap_changes(t, editor)
+    character, rig = t.copy(t.assets / "demo.glb"), t.folder / "work.rig.json"
+    t.prefer(autosave_seconds=1)
+    editor = opened(t, character)
+    before = arranged(t, editor)
     t.check_equal("quits", editor.quit(), 0)
-    t.check_equal("the keymap is remembered", json.loads(preferences(t).read_text())["keymap"], "blender")
-    recovered(t, file, *killed(t, file))
-    damaged_preferences(t, file)
+    editor = opened(t, character)
+    as_it_was_left(t, before, editor.state())
+    works(editor)
+    recovered(t, rig, dragged_and_killed(t, editor, rig))
+    killed_while_saving(t, rig)
 
 
 if __name__ == "__main__":

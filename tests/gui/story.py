@@ -2,7 +2,6 @@
 import json
 import sys
 
-import bind_pose
 import driver
 
 # What is laid on: a name without its side, the bone it grows on, and the stroke from one bone's place towards another's.
@@ -148,24 +147,20 @@ def keep_arms_off(t, editor, rig):
     t.check("unlinked, the surface is another one", surface(t, rig, "apart.obj") != melted)
 
 
-def check_file(t, role, source, path):
+def check_file(t, role, path):
     rig = json.loads(path.read_text())
     muscles = {muscle["name"]: muscle for muscle in rig["primitives"]}
     t.check_equal("sixteen muscles, all with their names", set(muscles), named(role, ""))
     t.check_equal("the links", [sorted(link) for link in rig["links"]], [["legs", "torso"]])
-    height = json.loads(t.run_program("inspect", source, "--json").stdout)["height"]
-    bones = bind_pose.bones_in_bind(source)
     for name, bone, *_ in role["strokes"]:
         left, right = muscles[name + " L"], muscles[name + " R"]
         group = {"arm": "arms", "leg": "legs"}.get(name.split(" ")[0], "torso")
         t.check_equal(name + ": bone, twins and group",
                       (left["bone"], left["mirror"], right["mirror"], left["group"], right["group"]),
                       (bone, name + " R", name + " L", group, group))
-        error = bind_pose.mirror_error(bones, left, right) / height
-        t.check(name + ": its twin is its mirror image", error < 1e-5, error)
 
 
-def reopen(t, role, path, picture):
+def reopen(t, role, path):
     before = path.read_bytes()
     editor = t.edit(path)
     state = editor.wait_until("the saved rig",
@@ -176,10 +171,7 @@ def reopen(t, role, path, picture):
     editor.click("blending/tab")
     editor.click("blending/group/arms")
     editor.click("blending/select-members")
-    state = editor.wait_until("the arms", lambda s: set(s["document"]["selection"]) == named(role, "arm "))
-    editor.tap("8", "all muscles to be seen", lambda s: s["display"]["primitives"])
-    editor.settle()
-    editor.screenshot(picture)
+    editor.wait_until("the arms", lambda s: set(s["document"]["selection"]) == named(role, "arm "))
     editor.save_as(t.folder / "again.rig.json")
     t.check("saved again it is the same, byte for byte", (t.folder / "again.rig.json").read_bytes() == before)
     t.check_equal("quits without a question", editor.quit(), 0)
@@ -191,13 +183,11 @@ def group_sizes(role):
 
 
 def story(t):
-    name = sys.argv[5]
-    role = CAST[name]
+    role = CAST[sys.argv[5]]
     source = (t.characters if role["real"] else t.assets) / role["file"]
     if role["real"] and not source.is_file():
         raise driver.Skip("real characters are not at hand")
-    file = t.copy(source)
-    editor = t.edit(file)
+    editor = t.edit(t.copy(source))
     open_and_walk(t, editor, role)
     for stroke in role["strokes"]:
         add_pair(t, editor, stroke)
@@ -206,11 +196,9 @@ def story(t):
     editor.save_as(path)
     group_all(t, editor, role)
     keep_arms_off(t, editor, path)
-    editor.settle()
-    editor.screenshot(t.out / ("story_%s.png" % name))
     t.check_equal("quits without a question", editor.quit(), 0)
-    check_file(t, role, file, path)
-    reopen(t, role, path, t.out / ("story_%s_reopened.png" % name))
+    check_file(t, role, path)
+    reopen(t, role, path)
 
 
 if __name__ == "__main__":

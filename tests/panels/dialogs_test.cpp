@@ -106,6 +106,8 @@ TEST_F(DialogBoxes, PreferencesAreSetAndEscapeClosesTheListBeforeTheWindow) {
   ASSERT_TRUE(shown("preferences/close"));
   click("preferences/keymap/blender");
   EXPECT_EQ(state.session.preferences.keymap, Keymap::kBlender);
+  click("preferences/surface/graphics card");
+  EXPECT_EQ(state.session.preferences.surfaceBy, SurfaceBy::kCard);
   click("preferences/scale");
   ASSERT_TRUE(shown("preferences/scale/3"));
   press(kEscape);

@@ -192,6 +192,15 @@ TEST_F(Panels, CreaseSliderIsLiveAndOneStep) {
   EXPECT_EQ(state.document.rig().smoothing.creaseAngle, kDefaultCreaseAngle);
 }
 
+TEST_F(Panels, HiddenSidesAreLeftOutWhileAskedAndAreNoStep) {
+  for (const bool culls : {true, false}) {
+    click("menu/view");
+    click("view/cull");
+    EXPECT_EQ(state.live->report().culledTriangles > 0, culls);
+  }
+  EXPECT_EQ(steps(), 0u);
+}
+
 TEST_F(Panels, KeysEditAndUndo) {
   addOne();
   const std::string name = muscle().name;

@@ -224,6 +224,20 @@ TEST_F(TimelineTest, JumpsToStartAndEnd) {
   EXPECT_EQ(state.open.transport.time, 0.0);
 }
 
+TEST_F(TimelineTest, ButtonsStepLoopAndSetTheSpeed) {
+  click("timeline/start");
+  click("timeline/next");
+  EXPECT_NEAR(state.open.transport.time, kFrame, 1e-9);
+  click("timeline/previous");
+  click("timeline/previous");
+  EXPECT_NEAR(state.open.transport.time, duration() - kFrame, 1e-6) << "a clip that loops goes round";
+  click("timeline/loop");
+  EXPECT_FALSE(state.open.transport.loop);
+  typeInto("timeline/speed", "0.25");
+  EXPECT_EQ(state.open.transport.speed, 0.25f);
+  EXPECT_EQ(steps(), 0u);
+}
+
 TEST_F(TimelineTest, ScrubbingDoesNotDisturbAGesture) {
   addOne();
   const std::size_t before = steps();
@@ -366,7 +380,8 @@ TEST_F(TimelineTest, TheRangeOfMotionIsOneMoreClipThatPlays) {
   addOne();
   const std::size_t clips = state.character().clips.size();
   const std::size_t before = steps();
-  act("play/range-of-motion");
+  click("timeline/clip");
+  click("timeline/clip/range-of-motion");
   ASSERT_EQ(state.character().clips.size(), clips + 1);
   EXPECT_EQ(state.character().clips.back().name, kRangeOfMotionName);
   EXPECT_EQ(state.open.transport.clip, static_cast<int>(clips));

@@ -5,7 +5,7 @@ import struct
 from glb_reader import Glb
 
 
-def _write(document, data, path):
+def write_glb(document, data, path):
     text = json.dumps(document).encode()
     text += b" " * (-len(text) % 4)
     head = struct.pack("<4sII", b"glTF", 2, 28 + len(text) + len(data))
@@ -17,7 +17,7 @@ def write_still(source, path):
     """The character without a clip."""
     glb = Glb(source)
     del glb.json["animations"]
-    return _write(glb.json, glb.data, path)
+    return write_glb(glb.json, glb.data, path)
 
 
 def write_clips(source, path, clips):
@@ -30,4 +30,4 @@ def write_clips(source, path, clips):
         node.pop("mesh", None), node.pop("skin", None)
     for key in ("meshes", "materials", "images", "samplers", "textures"):
         document.pop(key, None)
-    return _write(document, glb.data, path)
+    return write_glb(document, glb.data, path)

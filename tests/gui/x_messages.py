@@ -1,5 +1,5 @@
-# tests/gui/drop_file.py: a file dragged from another program and let go over a window: the sending side of XDND, by libX11.
-"""Protocol: https://freedesktop.org/wiki/Specifications/XDND (version 5)."""
+# tests/gui/x_messages.py: what other programs send to a window, by libX11: a file that is let go over it, the wish that it close.
+"""Protocol of dropping: https://freedesktop.org/wiki/Specifications/XDND (version 5)."""
 import ctypes
 import ctypes.util
 import pathlib
@@ -9,7 +9,6 @@ from waiting import Failure, wait_for
 ulong, atom, window = ctypes.c_ulong, ctypes.c_ulong, ctypes.c_ulong
 XDND_VERSION = 5
 CLIENT_MESSAGE, SELECTION_REQUEST, SELECTION_NOTIFY = 33, 30, 31
-XA_ATOM = 4
 NOW = 0
 
 
@@ -31,9 +30,9 @@ class Event(ctypes.Union):
 
 
 class Sender:
-    """A program with a file in its hand."""
+    """Another program, perhaps with a file in its hand."""
 
-    def __init__(self, display, file):
+    def __init__(self, display, file=None):
         self.x11 = ctypes.CDLL(ctypes.util.find_library("X11"))
         for name, result, arguments in (
                 ("XOpenDisplay", ctypes.c_void_p, [ctypes.c_char_p]), ("XCloseDisplay", ctypes.c_int, [ctypes.c_void_p]),
@@ -51,6 +50,8 @@ class Sender:
         self.display = self.x11.XOpenDisplay(display.encode())
         if not self.display:
             raise Failure("no display " + display)
+        if file is None:
+            return
         root = self.x11.XDefaultRootWindow(self.display)
         self.window = self.x11.XCreateSimpleWindow(self.display, root, 0, 0, 1, 1, 0, 0, 0)
         self.bytes = (pathlib.Path(file).resolve().as_uri() + "\r\n").encode()
@@ -66,7 +67,7 @@ class Sender:
     def tell(self, target, kind, *numbers):
         event = Event()
         event.message = ClientMessage(CLIENT_MESSAGE, 0, True, self.display, target, self.atom(kind), 32,
-                                      (ctypes.c_long * 5)(self.window, *numbers))
+                                      (ctypes.c_long * 5)(*numbers))
         self.send(target, event)
 
     def answer(self, request):
@@ -99,11 +100,20 @@ def drop_file(display, target, point, file):
     """@param target  the window's number  @param point  on the screen"""
     sender = Sender(display, file)
     try:
-        sender.tell(target, "XdndEnter", XDND_VERSION << 24, sender.atom("text/uri-list"), 0, 0)
+        sender.tell(target, "XdndEnter", sender.window, XDND_VERSION << 24, sender.atom("text/uri-list"), 0, 0)
         place = int(point[0]) << 16 | int(point[1])
-        sender.tell(target, "XdndPosition", 0, place, NOW, sender.atom("XdndActionCopy"))
+        sender.tell(target, "XdndPosition", sender.window, 0, place, NOW, sender.atom("XdndActionCopy"))
         sender.wait_for("XdndStatus")
-        sender.tell(target, "XdndDrop", 0, NOW, 0, 0)
+        sender.tell(target, "XdndDrop", sender.window, 0, NOW, 0, 0)
         sender.wait_for("XdndFinished")
+    finally:
+        sender.close()
+
+
+def ask_to_close(display, target):
+    """As the button of a window manager does it."""
+    sender = Sender(display)
+    try:
+        sender.tell(target, "WM_PROTOCOLS", sender.atom("WM_DELETE_WINDOW"), NOW)
     finally:
         sender.close()
