@@ -15,8 +15,8 @@
 #include "app/ui/number_field.h"
 #include "app/ui/readable_names.h"
 #include "app/ui/reading_order.h"
-#include "core/geometry/at.h"
 #include "core/geometry/affine_image.h"
+#include "core/geometry/at.h"
 
 namespace sinew::app {
 namespace {

@@ -17,9 +17,9 @@
 #include "core/geometry/affine_image.h"
 #include "core/geometry/at.h"
 #include "core/geometry/triangle_tree.h"
-#include "core/rig/line_pose.h"
 #include "core/rig/line_edit.h"
 #include "core/rig/line_fitting.h"
+#include "core/rig/line_pose.h"
 #include "core/rig/line_rest.h"
 #include "core/rig/twins.h"
 

@@ -11,13 +11,13 @@
 #include <glm/gtc/quaternion.hpp>
 
 #include "core/bodies/body_map.h"
-#include "core/bodies/motions.h"
 #include "core/bodies/mend.h"
+#include "core/bodies/motions.h"
 #include "core/geometry/affine_image.h"
 #include "core/geometry/at.h"
 #include "core/rig/line_rest.h"
-#include "core/rig/twins.h"
 #include "core/rig/morphs.h"
+#include "core/rig/twins.h"
 #include "core/rig/validation.h"
 #include "sinew/rig/rig_edit.h"
 

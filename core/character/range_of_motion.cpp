@@ -11,9 +11,9 @@
 #include <glm/gtc/quaternion.hpp>
 #include <glm/matrix.hpp>
 
+#include "core/character/bone_names.h"
 #include "core/character/joint_roles.h"
 #include "core/character/pose_override.h"
-#include "core/character/bone_names.h"
 #include "core/geometry/at.h"
 
 namespace sinew {

@@ -7,9 +7,9 @@
 #include <cmath>
 
 #include "core/geometry/at.h"
-#include "core/geometry/topology.h"
 #include "core/geometry/index_table.h"
 #include "core/geometry/normals.h"
+#include "core/geometry/topology.h"
 
 namespace sinew {
 namespace {

@@ -8,9 +8,9 @@
 #include <glm/gtc/quaternion.hpp>
 
 #include "core/character/bone_names.h"
+#include "core/geometry/affine_image.h"
 #include "core/geometry/at.h"
 #include "core/geometry/normals.h"
-#include "core/geometry/affine_image.h"
 #include "core/rig/twins.h"
 
 namespace sinew {

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "core/character/body_slots.h"
 #include "core/character/bindings.h"
+#include "core/character/body_slots.h"
 #include "core/geometry/at.h"
 
 namespace sinew {

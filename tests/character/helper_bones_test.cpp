@@ -9,8 +9,8 @@
 
 #include <gtest/gtest.h>
 
-#include "core/character/range_of_motion.h"
 #include "core/character/bindings.h"
+#include "core/character/range_of_motion.h"
 #include "tests/support/characters/real_characters.h"
 
 namespace sinew {

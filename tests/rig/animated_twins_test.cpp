@@ -1,7 +1,7 @@
 // tests/rig/animated_twins_test.cpp: driven twins are mirror images in mirrored poses.
 
-#include "core/rig/twins.h"
 #include "core/rig/animated_edit.h"
+#include "core/rig/twins.h"
 
 #include <algorithm>
 #include <array>

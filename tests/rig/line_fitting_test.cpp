@@ -6,8 +6,8 @@
 #include <glm/geometric.hpp>
 
 #include "core/rig/line_edit.h"
-#include "core/rig/twins.h"
 #include "core/rig/posed_rig.h"
+#include "core/rig/twins.h"
 #include "core/rig/validation.h"
 #include "sinew/rig/rig_edit.h"
 #include "tests/support/characters/synthetic_characters.h"

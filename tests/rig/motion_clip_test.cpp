@@ -9,9 +9,9 @@
 #include <tuple>
 #include <vector>
 
+#include "core/character/bindings.h"
 #include "core/character/pose_override.h"
 #include "core/character/range_of_motion.h"
-#include "core/character/bindings.h"
 #include "core/geometry/at.h"
 #include "tests/support/characters/named_bodies.h"
 #include "tests/support/characters/synthetic_characters.h"

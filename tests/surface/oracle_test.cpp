@@ -6,9 +6,9 @@
 #include <gtest/gtest.h>
 
 #include "sinew/surface/smoother.h"
-#include "tests/support/long_run.h"
 #include "tests/support/characters/real_characters.h"
 #include "tests/support/characters/synthetic_characters.h"
+#include "tests/support/long_run.h"
 #include "tests/support/oracle/compare.h"
 #include "tests/support/rigs/random_rigs.h"
 #include "tests/support/surface/mesh_checks.h"

@@ -9,8 +9,8 @@
 #include <glm/geometric.hpp>
 
 #include "sinew/surface/smoother.h"
-#include "tests/support/long_run.h"
 #include "tests/support/characters/synthetic_characters.h"
+#include "tests/support/long_run.h"
 #include "tests/support/oracle/oracle.h"
 #include "tests/support/rigs/random_rigs.h"
 #include "tests/support/surface/mesh_checks.h"

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "app/document/picture_look.h"
-#include "core/rig/posed_rig.h"
 #include "core/rig/line_rest.h"
+#include "core/rig/posed_rig.h"
 #include "sinew/character/character.h"
 #include "sinew/character/pose.h"
 #include "sinew/rig/rig.h"

@@ -12,11 +12,11 @@
 
 #include <glm/vec3.hpp>
 
-#include "core/files/export/morph_targets.h"
 #include "core/files/export/formats.h"
 #include "core/files/export/gltf_rewrite.h"
-#include "core/files/export/source.h"
+#include "core/files/export/morph_targets.h"
 #include "core/files/export/skinned_file.h"
+#include "core/files/export/source.h"
 #include "core/files/fit/joint_fit.h"
 #include "core/files/fit/poses.h"
 #include "core/files/surface_formats.h"

@@ -4,15 +4,15 @@
 #include <sstream>
 #include <utility>
 
-#include "core/files/export/morph_targets.h"
 #include "core/files/export/formats.h"
+#include "core/files/export/morph_targets.h"
 #include "core/files/export/out_primitive.h"
-#include "core/files/export/source.h"
 #include "core/files/export/skinned_file.h"
-#include "core/files/fit/played_surface.h"
+#include "core/files/export/source.h"
 #include "core/files/fit/joint_fit.h"
-#include "core/files/fit/poses.h"
 #include "core/files/fit/morph_fit.h"
+#include "core/files/fit/played_surface.h"
+#include "core/files/fit/poses.h"
 #include "core/geometry/at.h"
 #include "core/geometry/parallel.h"
 #include "sinew/character/character_pose.h"

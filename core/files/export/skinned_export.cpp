@@ -7,8 +7,8 @@
 #include <string>
 
 #include "core/files/export/formats.h"
-#include "core/files/export/source.h"
 #include "core/files/export/skinned_file.h"
+#include "core/files/export/source.h"
 #include "core/files/fit/joint_fit.h"
 
 namespace sinew {

@@ -11,11 +11,11 @@
 
 #include <glm/vec4.hpp>
 
-#include "core/files/export/gltf_rewrite.h"
 #include "core/files/export/clip_repair.h"
-#include "core/files/export/out_primitive.h"
+#include "core/files/export/gltf_rewrite.h"
 #include "core/files/export/line_data.h"
 #include "core/files/export/morph_targets.h"
+#include "core/files/export/out_primitive.h"
 #include "core/files/export/out_skins.h"
 #include "core/files/export/source.h"
 #include "core/files/fit/helper_motion.h"

@@ -4,8 +4,8 @@
 
 #include <glm/geometric.hpp>
 
-#include "core/files/fit/played_surface.h"
 #include "core/files/fit/joint_fit.h"
+#include "core/files/fit/played_surface.h"
 #include "core/geometry/at.h"
 #include "core/geometry/parallel.h"
 #include "sinew/character/character_pose.h"

@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
-#include "core/files/fit/four_weights.h"
 #include "core/files/fit/fit_kernel.h"
+#include "core/files/fit/four_weights.h"
 #include "core/files/fit/poses.h"
 
 namespace sinew::exporting {

@@ -9,8 +9,8 @@
 #include <string_view>
 
 #include "core/files/gltf/animation.h"
-#include "core/files/gltf/node_tree.h"
 #include "core/files/gltf/mesh.h"
+#include "core/files/gltf/node_tree.h"
 #include "core/files/gltf/vrm_character.h"
 #include "core/files/json/json.h"
 

@@ -9,9 +9,9 @@
 #include <glm/geometric.hpp>
 
 #include "core/geometry/at.h"
-#include "core/geometry/triangle_tree.h"
 #include "core/geometry/parallel.h"
 #include "core/geometry/potential.h"
+#include "core/geometry/triangle_tree.h"
 #include "core/surface/finish/refined_corners.h"
 
 namespace sinew {
