@@ -11,7 +11,6 @@ bool accentButton(const char* label, const ImVec2& size) {
 }
 
 void dialogLabel(Ui& ui, const char* text, float width) {
-  ui.widgets.name(text);
   ImGui::AlignTextToFramePadding();
   mutedText(text);
   ImGui::SameLine(ui.px(width));

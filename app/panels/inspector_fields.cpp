@@ -194,7 +194,6 @@ void drawNumberField(PanelUi& ui, const Subjects& subjects, const NumberField& f
 
 bool section(PanelUi& ui, const Control& control, const char* title, float room) {
   const char* const id = control.id;
-  ui.widgets.name(title);
   ImGui::Dummy({0.0f, ui.px(1)});
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float right = at.x + ImGui::GetContentRegionAvail().x - ui.px(room);

@@ -103,7 +103,6 @@ bool pillButton(Ui& ui, const std::string& id, const char* label, bool active) {
 }
 
 void beginRow(Ui& ui, const char* label) {
-  ui.widgets.name(label);
   const float room = ImGui::GetContentRegionAvail().x;
   const float left = ImGui::GetCursorPosX();
   const float column = std::min(ui.px(kLabelColumn), 0.4f * room);
@@ -120,7 +119,6 @@ void beginWideRow(Ui& ui, const char* label) {
     beginRow(ui, label);
     return;
   }
-  ui.widgets.name(label);
   mutedText(label);
   ImGui::SetNextItemWidth(-1.0f);
 }

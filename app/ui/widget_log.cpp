@@ -43,7 +43,6 @@ void WidgetLog::beginFrame() {
   rectangles_.clear();
   laidOut_.clear();
   repeated_.clear();
-  names_.clear();
 }
 
 void WidgetLog::note(const std::string& id) {

@@ -33,9 +33,6 @@ class WidgetLog {
   [[nodiscard]] const std::map<std::string, glm::vec4>& rectangles() const { return rectangles_; }
   /// Every ImGui item that was noted, cut off or not.
   [[nodiscard]] const std::vector<LaidOut>& laidOut() const { return laidOut_; }
-  /// A name that is drawn beside or above controls: "Tightness".
-  void name(const std::string& label) { names_.push_back(label); }
-  [[nodiscard]] const std::vector<std::string>& names() const { return names_; }
   /// The control of this name is scrolled into sight when it is noted next in this frame, and gets the keyboard if that
   /// is wanted. Right after beginFrame().
   void seek(const std::string& id, bool focus);
@@ -51,7 +48,6 @@ class WidgetLog {
   std::map<std::string, glm::vec4> rectangles_;
   std::vector<LaidOut> laidOut_;
   std::vector<std::string> repeated_;
-  std::vector<std::string> names_;
   std::string sought_;
   bool focusSought_ = false;
   unsigned focusWanted_ = 0;

@@ -9,7 +9,8 @@
 #include <algorithm>
 #include <cstdlib>
 #include <fstream>
-#include <set>
+#include <iterator>
+#include <regex>
 
 #include "app/editor/session.h"
 #include "app/panels/palette_entries.h"
@@ -92,32 +93,29 @@ TEST_F(PaletteControls, EachIsFoundByItsLabelBroughtIntoSightAndGetsTheKeyboard)
   EXPECT_GT(seen, 60);
 }
 
-TEST_F(PaletteControls, WhateverHasANameInAPanelOrInThePreferencesIsFoundByIt) {
+// Rows whose name is no control's: they hold several, or buttons.
+TEST_F(PaletteControls, WhateverNamesARowFindsSomething) {
   openFlexing();
-  state.view.inspector.shapeOpen = true;
-  std::set<std::string> names;
-  for (const bool onLine : {true, false}) {
-    if (onLine) select(state.document, {"biceps L"});
-    else addMuscle(state, 3);
-    for (const bool preferences : {false, true}) {
-      state.dialogs.preferences = preferences;
-      settle();
-      names.insert(widgets().names().begin(), widgets().names().end());
-    }
-    state.dialogs.preferences = false;
-    settle();
-  }
-  EXPECT_GT(names.size(), 30u);
+  select(state.document, {"biceps L"});
   const PaletteEntries all = gatherEntries(state);
-  for (const std::string& name : names) {
-    const auto isFound = [&](const Candidate& each) {
-      const EntryKind kind = all.entries.at(static_cast<std::size_t>(&each - all.candidates.data())).kind;
-      if (kind != EntryKind::kAction && kind != EntryKind::kPanel && kind != EntryKind::kControl) return false;
-      return lowerCase(each.label + " " + each.context + " " + each.synonyms).find(lowerCase(name)) !=
-             std::string::npos;
-    };
-    EXPECT_TRUE(std::ranges::any_of(all.candidates, isFound)) << name;
+  const std::regex row(R"re((?:beginRow\(ui|numberRow\(ui, lines|section\(ui, k\w+), "([^"]+)")re");
+  int rows = 0;
+  for (const auto& file : std::filesystem::directory_iterator(std::filesystem::path(SINEW_SOURCE_DIR) / "app/panels")) {
+    // The reference pictures are a panel that an action opens.
+    if (file.path().extension() != ".cpp" || file.path().stem() == "reference") continue;
+    std::ifstream in(file.path());
+    const std::string text{std::istreambuf_iterator<char>(in), {}};
+    for (std::sregex_iterator it(text.begin(), text.end(), row), end; it != end; ++it, ++rows) {
+      const std::string name = lowerCase((*it)[1].str());
+      const auto isFound = [&](const Candidate& each) {
+        const EntryKind kind = all.entries.at(static_cast<std::size_t>(&each - all.candidates.data())).kind;
+        if (kind != EntryKind::kAction && kind != EntryKind::kPanel && kind != EntryKind::kControl) return false;
+        return lowerCase(each.label + " " + each.context + " " + each.synonyms).find(name) != std::string::npos;
+      };
+      EXPECT_TRUE(std::ranges::any_of(all.candidates, isFound)) << name << " in " << file.path();
+    }
   }
+  EXPECT_GT(rows, 10);
 }
 
 TEST_F(PaletteControls, AnEntryIsFoundByPartsOfWordsAndByOtherWords) {
