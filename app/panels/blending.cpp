@@ -18,6 +18,9 @@
 namespace sinew::app {
 namespace {
 
+const Control kGroupsView{"blending/view/matrix", "Groups as matrix or graph", "blend links nodes table"};
+const Control kNewGroup{"blending/add", "New group", "blend create"};
+
 /// The view's switch, a new group, the graph's own buttons.
 void drawHead(PanelUi& ui) {
   BlendingState& blending = ui.state.open.blending;
@@ -36,7 +39,7 @@ void drawHead(PanelUi& ui) {
     }
   }
   ImGui::SameLine(0.0f, gap);
-  if (iconButton(ui, "blending/add", Icon::kPlus, false, button, "New group")) addEmptyGroup(ui.state);
+  if (iconButton(ui, kNewGroup.id, Icon::kPlus, false, button, kNewGroup.label)) addEmptyGroup(ui.state);
 }
 
 void drawCounts(PanelUi& ui) {

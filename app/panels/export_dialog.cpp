@@ -19,6 +19,10 @@
 namespace sinew::app {
 namespace {
 
+const Control kExportFile{"export/place", "Export: file", "path folder name"};
+const Control kExportWrite{"export/ok", "Export: write the file", "start run"};
+const Control kFarmJob{"farm/job", "Farm job: folder", "path place"};
+
 constexpr float kExportDialogWidth = 560.0f;  // Design pixels.
 
 /// Only where there are others.
@@ -75,7 +79,7 @@ bool drawCharacter(PanelUi& ui) {
   drawExportSettings(ui, true);
   ImGui::Separator();
   ImGui::Dummy({0.0f, ui.px(4)});
-  return drawPlace(ui, "export/place", "File", DialogKind::kExportPlace);
+  return drawPlace(ui, kExportFile.id, "File", DialogKind::kExportPlace);
 }
 
 bool drawFarm(PanelUi& ui) {
@@ -84,10 +88,10 @@ bool drawFarm(PanelUi& ui) {
   drawExportSettings(ui, !dialog.wholeFolder);
   ImGui::Separator();
   ImGui::Dummy({0.0f, ui.px(4)});
-  const bool entered = drawPlace(ui, "export/place", dialog.wholeFolder ? "Files" : "File", DialogKind::kExportPlace);
+  const bool entered = drawPlace(ui, kExportFile.id, dialog.wholeFolder ? "Files" : "File", DialogKind::kExportPlace);
   targetRow(ui);
   tasksRow(ui);
-  return drawPlace(ui, "farm/job", "Job", DialogKind::kJobPlace) || entered;
+  return drawPlace(ui, kFarmJob.id, "Job", DialogKind::kJobPlace) || entered;
 }
 
 void drawExportDialogComplaint(PanelUi& ui) {
@@ -117,7 +121,7 @@ bool drawEnd(PanelUi& ui, const char* verb, bool entered) {
   ui.widgets.note("export/cancel");
   ImGui::SameLine(0.0f, ui.px(8));
   const bool confirmed = accentButton(dialog.overwriteAsked ? "Replace" : verb, {width, 0.0f});
-  ui.widgets.note("export/ok");
+  ui.widgets.note(kExportWrite.id);
   if (confirmed || entered) return confirmExport(ui.state);
   if (!canceled && !escapePressed(ui)) return false;
   if (dialog.overwriteAsked) {

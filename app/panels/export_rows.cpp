@@ -19,6 +19,9 @@
 namespace sinew::app {
 namespace {
 
+const Control kExportKindRow{"export/kind/muscle joints", "Export: kind of character",
+                             "game engine skinned baked morph helper format"};
+
 constexpr std::size_t kClipRows = 6;  // More of them scroll.
 
 void label(PanelUi& ui, const char* text) { dialogLabel(ui, text, kExportLabels); }

@@ -11,6 +11,13 @@
 namespace sinew::app {
 namespace {
 
+Possible withLines(const EditorState& state) {
+  return withCharacter(state).also(!state.document.rig().lines.empty(), "No muscle rides a line");
+}
+
+const Control kFlexSlider{"view/flex-slider", "How hard muscles flex in the picture", "contract preview tension",
+                          withLines};
+
 constexpr float kFlexWidth = 250.0f;  // Design pixels, as all here.
 constexpr float kNarrow = 200.0f;     // Below, the word goes into the slider and the button away.
 constexpr float kNarrowest = 100.0f;
@@ -72,7 +79,7 @@ void drawFlex(PanelUi& ui) {
   ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - whose);
   const bool edited =
       numberSlider(ui, "##flex", percent, {narrow ? "Flex %.0f %%" : "%.0f %%", 0.0f, 0.0f, 100.0f, 10.0f, true});
-  ui.widgets.note("view/flex-slider");
+  ui.widgets.note(kFlexSlider.id);
   if (edited) flex = {percent / 100.0f, flex.selectedAlone};
   tooltip(ui, flexHint(ui));
   if (!narrow) whoseButton(ui, flex, button);

@@ -21,6 +21,15 @@
 namespace sinew::app {
 namespace {
 
+const Control kMuscleName{"inspector/name", "Name", "of the muscle rename"};
+const Control kMuscleBone{"inspector/bone", "Bone", "of the muscle parent reparent joint"};
+const Control kMuscleGroup{"inspector/group", "Group", "of the muscle blend"};
+const Control kEffectSection{"inspector/section/effect", "Section Effect", "reach amount"};
+const Control kMuscleReach{"inspector/reach", "Reach", "influence falloff softness", nullptr, kEffectSection.id};
+const Control kAmount{"inspector/amount", "Amount", "strength weight opacity", nullptr, kEffectSection.id};
+const Control kSign{"inspector/adds", "Effect", "adds or carves sign subtract negative positive", nullptr,
+                    kEffectSection.id};
+
 /// What fits into a drop-down list of the row's width, beside its arrow.
 std::string comboText(const std::string& text) {
   const float frame = ImGui::GetFrameHeight() + 2.0f * ImGui::GetStyle().FramePadding.x;
@@ -28,7 +37,7 @@ std::string comboText(const std::string& text) {
 }
 
 void nameRow(PanelUi& ui, const Subjects& subjects) {
-  beginRow(ui, "Name");
+  beginRow(ui, kMuscleName);
   if (subjects.several()) {
     ImGui::AlignTextToFramePadding();
     ImGui::TextUnformatted((std::to_string(subjects.indices.size()) + " muscles").c_str());
@@ -43,26 +52,26 @@ void nameRow(PanelUi& ui, const Subjects& subjects) {
   const std::string& name = subjects.shown().name;
   std::string text = name;
   const bool entered = ImGui::InputText("##name", &text, ImGuiInputTextFlags_EnterReturnsTrue);
-  ui.widgets.note("inspector/name");
+  ui.widgets.note(kMuscleName.id);
   if (entered || ImGui::IsItemDeactivatedAfterEdit()) rename(ui.state, subjects.shown().id(), text);
 }
 
 void boneRow(PanelUi& ui, const Subjects& subjects) {
   const Skeleton& skeleton = ui.state.character().skeleton;
-  beginRow(ui, "Bone");
+  beginRow(ui, kMuscleBone);
   const bool differ = subjects.differ([](const Primitive& p) { return p.bone; });
   const std::string missing = subjects.bone < 0 ? " (missing)" : "";
   const std::vector<std::string> names = shownFileNames(skeleton);
   const std::string own = subjects.bone < 0 ? subjects.shown().bone : at(names, subjects.bone);
   const std::string shown = differ ? "mixed" : own + missing;
   const bool open = ImGui::BeginCombo("##bone", comboText(shown).c_str(), ImGuiComboFlags_HeightLarge);
-  ui.widgets.note("inspector/bone");
+  ui.widgets.note(kMuscleBone.id);
   if (!open) {
     const std::string inFile = differ ? shown : subjects.shown().bone + missing;
     tooltip(ui, inFile + "\nThe bone that carries the muscle. On another one it keeps its place in the world.");
     return;
   }
-  const int bone = boneList(ui, "inspector/bone", subjects.bone, differ ? -1 : subjects.bone, [](int) { return true; });
+  const int bone = boneList(ui, kMuscleBone.id, subjects.bone, differ ? -1 : subjects.bone, [](int) { return true; });
   if (bone >= 0) reparentMuscles(ui.state, subjects.indices, bone);
   ImGui::EndCombo();
 }
@@ -74,14 +83,14 @@ void groupDot(PanelUi& ui, const ImVec2& at, float height, int group) {
 
 void groupRow(PanelUi& ui, const Subjects& subjects) {
   const Rig& rig = *subjects.rig;
-  beginRow(ui, "Group");
+  beginRow(ui, kMuscleGroup);
   const bool differ = subjects.differ([](const Primitive& p) { return p.group; });
   const std::string& own = subjects.shown().group;
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   const int ownGroup = findGroup(rig, own);
   const std::string shown = differ ? "mixed" : "    " + (ownGroup < 0 ? own : shownGroupName(rig, ownGroup));
   const bool open = ImGui::BeginCombo("##group", comboText(shown).c_str());
-  ui.widgets.note("inspector/group");
+  ui.widgets.note(kMuscleGroup.id);
   if (!open) {
     tooltip(ui, "Muscles of one group add up; the Groups tab says which groups blend with each other.");
     if (!differ) groupDot(ui, corner, ImGui::GetFrameHeight(), ownGroup);
@@ -118,8 +127,8 @@ void setReach(PanelUi& ui, Primitive& primitive, float reach) {
 }
 
 void reachRow(PanelUi& ui, const Subjects& subjects) {
-  beginRow(ui, "Reach");
-  NumberField field{"inspector/reach",
+  beginRow(ui, kMuscleReach);
+  NumberField field{kMuscleReach.id,
                     "Reach of",
                     "%.3f",
                     0.005f,
@@ -134,7 +143,7 @@ void reachRow(PanelUi& ui, const Subjects& subjects) {
   field.get = [](const Primitive& p) { return p.reach; };
   field.set = [&ui](Primitive& p, float value) { setReach(ui, p, value); };
   field.step = 0.1f;
-  field.name = "Reach";
+  field.name = kMuscleReach.label;
   field.parameter = Parameter::kReach;
   ImGui::SetNextItemWidth(-1.0f);
   drawNumberField(ui, subjects, field);
@@ -142,8 +151,8 @@ void reachRow(PanelUi& ui, const Subjects& subjects) {
 
 void amountRow(PanelUi& ui, const Subjects& subjects) {
   constexpr float kPercent = 100.0f;
-  beginRow(ui, "Amount");
-  NumberField field{"inspector/amount",
+  beginRow(ui, kAmount);
+  NumberField field{kAmount.id,
                     "Amount of",
                     "%.0f %%",
                     0.5f,
@@ -159,14 +168,14 @@ void amountRow(PanelUi& ui, const Subjects& subjects) {
   field.set = [](Primitive& p, float value) { p.amount = value; };
   field.scale = [](const Primitive&) { return kPercent; };
   field.step = 10.0f;
-  field.name = "Amount";
+  field.name = kAmount.label;
   field.parameter = Parameter::kAmount;
   ImGui::SetNextItemWidth(-1.0f);
   drawNumberField(ui, subjects, field);
 }
 
 void signRow(PanelUi& ui, const Subjects& subjects) {
-  beginRow(ui, "Effect");
+  beginRow(ui, kSign);
   const bool differ = subjects.differ([](const Primitive& p) { return p.sign; });
   constexpr const char* kSigns[] = {"Adds", "Carves"};
   const int now = differ ? -1 : (subjects.shown().sign > 0 ? 0 : 1);
@@ -210,7 +219,7 @@ void drawInspector(PanelUi& ui) {
   drawLineRows(ui, subjects);
   drawPlacementRows(ui, subjects);
   drawShapeRows(ui, subjects);
-  if (section(ui, "inspector/section/effect", "Effect")) {
+  if (section(ui, kEffectSection, "Effect")) {
     reachRow(ui, subjects);
     amountRow(ui, subjects);
     signRow(ui, subjects);

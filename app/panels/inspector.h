@@ -75,10 +75,10 @@ void drawNumberField(PanelUi& ui, const Subjects& subjects, const NumberField& f
 void editSubjects(PanelUi& ui, const Subjects& subjects, const char* label,
                   const std::function<void(Primitive&)>& change);
 
-/// A quiet title between groups of rows; a click folds what is under it, which is remembered with the layout. Notes
-/// itself as `id`. @param room  kept free at its right end, design pixels
+/// A quiet title between groups of rows; a click folds what is under it, which is remembered with the layout. @param
+/// room  kept free at its right end, design pixels
 /// @return whether it is unfolded
-[[nodiscard]] bool section(PanelUi& ui, const char* id, const char* title, float room = 0.0f);
+[[nodiscard]] bool section(PanelUi& ui, const Control& control, const char* title, float room = 0.0f);
 
 // The parts, each in a file of its own.
 void drawTwinRow(PanelUi& ui, const Subjects& subjects);

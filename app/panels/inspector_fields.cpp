@@ -192,7 +192,8 @@ void drawNumberField(PanelUi& ui, const Subjects& subjects, const NumberField& f
   fieldMenu(ui, subjects, field, animated, before);
 }
 
-bool section(PanelUi& ui, const char* id, const char* title, float room) {
+bool section(PanelUi& ui, const Control& control, const char* title, float room) {
+  const char* const id = control.id;
   ImGui::Dummy({0.0f, ui.px(1)});
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float right = at.x + ImGui::GetContentRegionAvail().x - ui.px(room);

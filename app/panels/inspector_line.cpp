@@ -18,6 +18,14 @@
 namespace sinew::app {
 namespace {
 
+Possible rigidMuscle(const EditorState& state) {
+  return withMuscle(state).also(selectedLines(state.document).indices.empty(), "The muscle rides a line");
+}
+
+const Control kLength{"inspector/line/length", "Length", "of the muscle line stretch now range", withLine};
+const Control kOtherEnd{"inspector/other-end", "Other end", "attach bone line insertion stretch", rigidMuscle,
+                        "inspector/shape"};
+
 /// The line's lengths in the clip that is shown; none in the bind pose. A drag waits for its end: long clips take a
 /// while.
 const LineLengths* rangeInClip(PanelUi& ui, const MuscleLine& line) {
@@ -98,10 +106,10 @@ void drawLengths(PanelUi& ui, const LengthScale& scale, const std::vector<int>& 
 }
 
 void lengthBar(PanelUi& ui, const std::vector<int>& lines) {
-  beginRow(ui, "Length");
+  beginRow(ui, kLength);
   const LengthScale scale{ImGui::GetCursorScreenPos(), ImGui::GetContentRegionAvail().x, ImGui::GetFrameHeight()};
   ImGui::InvisibleButton("##length", {scale.width, scale.height});
-  ui.widgets.note("inspector/line/length");
+  ui.widgets.note(kLength.id);
   const EditorState& state = ui.state;
   const bool several = lines.size() > 1;
   const LineLengths* range = several ? nullptr : rangeInClip(ui, at(state.document.rig().lines, lines.front()));
@@ -218,14 +226,14 @@ void drawOtherEndRow(PanelUi& ui, const Subjects& subjects) {
   const auto rigid = [&](int index) { return at(subjects.rig->primitives, index).line.empty(); };
   if (subjects.bone < 0 || std::ranges::none_of(subjects.indices, rigid)) return;
   const Skeleton& skeleton = ui.state.character().skeleton;
-  beginRow(ui, "Other end");
+  beginRow(ui, kOtherEnd);
   const bool open = ImGui::BeginCombo("##other-end", "on the same bone", ImGuiComboFlags_HeightLarge);
-  ui.widgets.note("inspector/other-end");
+  ui.widgets.note(kOtherEnd.id);
   if (!open) {
     tooltip(ui, "Attach the muscle's other end to a bone: it stretches, thickens and flexes between the two.");
     return;
   }
-  const int bone = boneList(ui, "inspector/other-end", subjects.bone, -1, [&](int candidate) {
+  const int bone = boneList(ui, kOtherEnd.id, subjects.bone, -1, [&](int candidate) {
     return std::ranges::any_of(subjects.indices, [&](int index) {
       return rigid(index) && skeleton.findBone(at(subjects.rig->primitives, index).bone) != candidate;
     });

@@ -19,8 +19,7 @@ namespace {
 
 /// A number of a line. All in shown units.
 struct LineNumber {
-  const char* id;
-  const char* name;
+  Control control;  ///< Its label names the number in the history, too.
   const char* format;
   float speed;
   float least;
@@ -34,42 +33,50 @@ struct LineNumber {
 
 using S = LineSettings;
 
-constexpr std::array kFlex{
-    LineNumber{"flex-height", "Flex height", "%.0f %%", 0.5f, -90.0f, 400.0f, 100.0f,
-               [](S& s) -> float& { return s.flex.x; },
+const Control kOfLine{"inspector/section/line", "Section Muscle line", "lengths tendons volume", withLine};
+
+const std::array kFlex{
+    LineNumber{Control("inspector/line/flex-height", "Flex height", "bulge higher contraction", withLine), "%.0f %%",
+               0.5f, -90.0f, 400.0f, 100.0f, [](S& s) -> float& { return s.flex.x; },
                "How much higher the belly gets when the muscle is fully active.", Parameter::kFlexHeight, "height"},
-    LineNumber{"flex-width", "Flex width", "%.0f %%", 0.5f, -90.0f, 400.0f, 100.0f,
-               [](S& s) -> float& { return s.flex.y; },
+    LineNumber{Control("inspector/line/flex-width", "Flex width", "bulge wider contraction", withLine), "%.0f %%", 0.5f,
+               -90.0f, 400.0f, 100.0f, [](S& s) -> float& { return s.flex.y; },
                "How much wider the belly gets when the muscle is fully active.", Parameter::kFlexWidth, "width"}};
-constexpr std::array kVolume{LineNumber{
-    "volume", "Volume", "%.2f", 0.01f, 0.0f, kMostVolume, 1.0f, [](S& s) -> float& { return s.volume; },
+const std::array kVolume{LineNumber{
+    Control("inspector/line/volume", "Volume", "preserve girth squash stretch", withLine, kOfLine.id), "%.2f", 0.01f,
+    0.0f, kMostVolume, 1.0f, [](S& s) -> float& { return s.volume; },
     "0: the girth stays as the muscle stretches. 1: the volume stays. More: exaggerated.", Parameter::kVolume}};
-constexpr std::array kRest{
+const std::array kRest{
     LineNumber{
-        "rest", "Rest length", "%.0f %%", 0.2f, 100.0f * kLeastRest, 100.0f * kMostRest, 100.0f,
-        [](S& s) -> float& { return s.rest; },
+        Control("inspector/line/rest", "Rest length", "relaxed neutral", withLine, kOfLine.id), "%.0f %%", 0.2f,
+        100.0f * kLeastRest, 100.0f * kMostRest, 100.0f, [](S& s) -> float& { return s.rest; },
         "The length at which the belly is neither stretched nor shortened, in per cent of the line in the bind pose.",
         Parameter::kRest, "rest"},
-    LineNumber{"full", "Full contraction", "%.0f %%", 0.2f, 100.0f * kLeastFull, 100.0f * kMostFull, 100.0f,
-               [](S& s) -> float& { return s.full; }, "The length at which shortening activates the muscle fully.",
-               std::nullopt, "full"}};
-constexpr std::array kTendons{LineNumber{"tendon-origin", "Tendon at the origin", "%.0f %%", 0.2f, 0.0f, 80.0f, 100.0f,
-                                         [](S& s) -> float& { return s.tendons.x; },
-                                         "Share of the rest length that does not stretch.", std::nullopt, "origin"},
-                              LineNumber{"tendon-insertion", "Tendon at the insertion", "%.0f %%", 0.2f, 0.0f, 80.0f,
-                                         100.0f, [](S& s) -> float& { return s.tendons.y; },
-                                         "Share of the rest length that does not stretch.", std::nullopt, "end"}};
-constexpr std::array kFrame{
-    LineNumber{"pivot", "Pivot", "%.2f", 0.01f, 0.0f, 1.0f, 1.0f, [](S& s) -> float& { return s.pivot; },
+    LineNumber{Control("inspector/line/full", "Full contraction", "flexed shortest", withLine, kOfLine.id), "%.0f %%",
+               0.2f, 100.0f * kLeastFull, 100.0f * kMostFull, 100.0f, [](S& s) -> float& { return s.full; },
+               "The length at which shortening activates the muscle fully.", std::nullopt, "full"}};
+const std::array kTendons{LineNumber{Control("inspector/line/tendon-origin", "Tendon at the origin",
+                                             "tendons sinew start", withLine, kOfLine.id),
+                                     "%.0f %%", 0.2f, 0.0f, 80.0f, 100.0f, [](S& s) -> float& { return s.tendons.x; },
+                                     "Share of the rest length that does not stretch.", std::nullopt, "origin"},
+                          LineNumber{Control("inspector/line/tendon-insertion", "Tendon at the insertion",
+                                             "tendons sinew end", withLine, kOfLine.id),
+                                     "%.0f %%", 0.2f, 0.0f, 80.0f, 100.0f, [](S& s) -> float& { return s.tendons.y; },
+                                     "Share of the rest length that does not stretch.", std::nullopt, "end"}};
+const std::array kFrame{
+    LineNumber{Control("inspector/line/pivot", "Pivot", "girth side bone", withLine, kOfLine.id), "%.2f", 0.01f, 0.0f,
+               1.0f, 1.0f, [](S& s) -> float& { return s.pivot; },
                "1: the girth grows away from the bone. 0: to all sides of the line.", std::nullopt, "pivot"},
-    LineNumber{"twist", "Twist", "%.2f", 0.01f, 0.0f, 1.0f, 1.0f, [](S& s) -> float& { return s.twist; },
+    LineNumber{Control("inspector/line/twist", "Twist", "roll turn belly", withLine, kOfLine.id), "%.2f", 0.01f, 0.0f,
+               1.0f, 1.0f, [](S& s) -> float& { return s.twist; },
                "The belly turns with 0: the first bone, 1: the second.", std::nullopt, "twist"}};
-constexpr std::array kActivation{
-    LineNumber{"base", "Activation by hand", "%.2f", 0.01f, 0.0f, 1.0f, 1.0f, [](S& s) -> float& { return s.base; },
-               "How active the muscle is at rest, 0 to 1.", Parameter::kActivation, "hand"},
-    LineNumber{"gain", "Activation from shortening", "%.2f", 0.01f, 0.0f, kMostGain, 1.0f,
-               [](S& s) -> float& { return s.gain; }, "How much shortening activates it. 0: by hand alone.",
-               std::nullopt, "gain"}};
+const std::array kActivation{
+    LineNumber{Control("inspector/line/base", "Activation by hand", "active tone", withLine, kOfLine.id), "%.2f", 0.01f,
+               0.0f, 1.0f, 1.0f, [](S& s) -> float& { return s.base; }, "How active the muscle is at rest, 0 to 1.",
+               Parameter::kActivation, "hand"},
+    LineNumber{Control("inspector/line/gain", "Activation from shortening", "active automatic", withLine, kOfLine.id),
+               "%.2f", 0.01f, 0.0f, kMostGain, 1.0f, [](S& s) -> float& { return s.gain; },
+               "How much shortening activates it. 0: by hand alone.", std::nullopt, "gain"}};
 
 float shownNumber(const LineNumber& number, const MuscleLine& line) {
   LineSettings settings = line.settings;
@@ -140,7 +147,7 @@ void lineMenu(PanelUi& ui, const std::string& id, const SelectedLines& lines, co
   const float shown = shownNumber(number, at(rig.lines, lines.active));
   const std::optional<float> chosen = numberMenu(ui, number.format, shown, shownNumber(number, MuscleLine{}));
   if (chosen) {
-    edit(state, std::string(number.name) + " of " + namedLines(rig, lines.indices),
+    edit(state, std::string(number.control.label) + " of " + namedLines(rig, lines.indices),
          edited(state, lines, number, {true, false, shown, *chosen}));
   }
   if (!animated.refs.empty()) ImGui::Separator();
@@ -152,7 +159,7 @@ void hintOf(PanelUi& ui, const LineNumber& number, const std::string& animation,
   if (ImGui::IsItemActive()) return;
   const std::string more = animated ? "\nRight click: reset, copy, key, drive." : "\nRight click: reset, copy, paste.";
   const char* mixed = differ ? "\nThey differ: a drag keeps the differences, a typed number is for all." : "";
-  tooltip(ui, std::string(number.name) + "\n" + animation + number.hint + mixed + more);
+  tooltip(ui, std::string(number.control.label) + "\n" + animation + number.hint + mixed + more);
 }
 
 /// The format with the number's word, where that fits.
@@ -163,7 +170,7 @@ std::string labelled(const LineNumber& number, float value, float width) {
 }
 
 void numberField(PanelUi& ui, const SelectedLines& lines, const LineNumber& number, float width) {
-  const std::string id = std::string("inspector/line/") + number.id;
+  const std::string id = number.control.id;
   const std::string label = "##" + id;
   const AnimatedField animated = animatedOf(lines, number);
   const AnimatedLook animation = lookOf(ui, animated);
@@ -181,7 +188,7 @@ void numberField(PanelUi& ui, const SelectedLines& lines, const LineNumber& numb
   const bool typed = ImGui::TempInputIsActive(item);
   const bool mixed = differ && ImGui::GetActiveID() != item;
   const bool muted = mixed && !animation.driven && !animation.keyedHere;
-  const std::string step = std::string(number.name) + " of " + namedLines(rig, lines.indices);
+  const std::string step = std::string(number.control.label) + " of " + namedLines(rig, lines.indices);
   float value = before;
   Typing typing;
   const std::string format = labelled(number, value, width);
@@ -229,7 +236,7 @@ void drawFlexRow(PanelUi& ui, const SelectedLines& lines) { numberRow(ui, lines,
 void drawLineNumbers(PanelUi& ui) {
   const SelectedLines lines = selectedLines(ui.state.document);
   if (lines.indices.empty()) return;
-  if (!section(ui, "inspector/section/line", lines.several() ? "Muscle lines" : "Muscle line")) return;
+  if (!section(ui, kOfLine, lines.several() ? "Muscle lines" : "Muscle line")) return;
   numberRow(ui, lines, "Lengths", kRest);
   numberRow(ui, lines, "Volume", kVolume);
   numberRow(ui, lines, "Tendons", kTendons);

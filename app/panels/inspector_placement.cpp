@@ -15,6 +15,16 @@
 namespace sinew::app {
 namespace {
 
+const Control kPlacementSection{"inspector/section/placement", "Section Placement", "centre rotation radii"};
+const Control kLengthUnits{"inspector/lengths/units", "Lengths in units or % of the height", "per cent percent",
+                           nullptr, kPlacementSection.id};
+const Control kCenter{"inspector/center.x", "Centre", "center position place move x y z", nullptr,
+                      kPlacementSection.id};
+const Control kRotation{"inspector/rotation.x", "Rotation", "angle turn orientation x y z", nullptr,
+                        kPlacementSection.id};
+const Control kRadii{"inspector/radius.x", "Radii", "radius size scale thickness length x y z", nullptr,
+                     kPlacementSection.id};
+
 constexpr const char* kDegreeFormat = "%.1f\xc2\xb0";
 constexpr const char* kAxisNames[] = {"x", "y", "z"};
 constexpr const char* kAxisTitles[] = {"X", "Y", "Z"};
@@ -54,8 +64,8 @@ glm::vec3 axis(int i) {
 
 /// Three narrow fields in a row.
 template <class MakeField>
-void vectorRow(PanelUi& ui, const Subjects& subjects, const char* label, MakeField makeField) {
-  beginWideRow(ui, label);
+void vectorRow(PanelUi& ui, const Subjects& subjects, const Control& control, MakeField makeField) {
+  beginWideRow(ui, control.label);
   const float gap = ui.px(4);
   const float width = (ImGui::GetContentRegionAvail().x - 2.0f * gap) / 3.0f;
   const ImVec2 padding = ImGui::GetStyle().FramePadding;
@@ -75,7 +85,7 @@ void vectorRow(PanelUi& ui, const Subjects& subjects, const char* label, MakeFie
 }
 
 void centerRow(PanelUi& ui, const Subjects& subjects, const Lengths& lengths) {
-  vectorRow(ui, subjects, "Centre", [&](int i) {
+  vectorRow(ui, subjects, kCenter, [&](int i) {
     NumberField field{std::string("inspector/center.") + kAxisNames[i],
                       "Move",
                       lengths.format,
@@ -113,7 +123,7 @@ void rotationRow(PanelUi& ui, const Subjects& subjects) {
   EulerState& euler = ui.state.open.euler;
   const Primitive& shown = subjects.shown();
   euler = {shown.id(), shown.placement.rotation, degreesOf(euler, shown)};
-  vectorRow(ui, subjects, "Rotation", [&](int i) {
+  vectorRow(ui, subjects, kRotation, [&](int i) {
     NumberField field{std::string("inspector/rotation.") + kAxisNames[i],
                       "Rotate",
                       kDegreeFormat,
@@ -141,7 +151,7 @@ void rotationRow(PanelUi& ui, const Subjects& subjects) {
 }
 
 void radiiRow(PanelUi& ui, const Subjects& subjects, const Lengths& lengths) {
-  vectorRow(ui, subjects, "Radii", [&](int i) {
+  vectorRow(ui, subjects, kRadii, [&](int i) {
     NumberField field{std::string("inspector/radius.") + kAxisNames[i],
                       "Radius of",
                       lengths.format,
@@ -172,10 +182,10 @@ void drawPlacementRows(PanelUi& ui, const Subjects& subjects) {
   const float room = ImGui::GetContentRegionAvail().x;
   const bool beside = room >= ui.px(200);
   const float width = beside ? ui.px(128) : room;
-  if (!section(ui, "inspector/section/placement", "Placement", beside ? 136.0f : 0.0f)) return;
+  if (!section(ui, kPlacementSection, "Placement", beside ? 136.0f : 0.0f)) return;
   if (beside) ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - width);
-  constexpr const char* kUnits[] = {"Units", "% of H"};
-  const int chosen = segmented(ui, "inspector/lengths", kUnits, 2, ui.state.view.inspector.percent ? 1 : 0, width);
+  constexpr const char* kWords[] = {"Units", "% of H"};
+  const int chosen = segmented(ui, "inspector/lengths", kWords, 2, ui.state.view.inspector.percent ? 1 : 0, width);
   if (chosen >= 0) ui.state.view.inspector.percent = chosen == 1;
   const Lengths lengths = lengthsOf(ui.state);
   centerRow(ui, subjects, lengths);

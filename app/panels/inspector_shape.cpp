@@ -13,6 +13,14 @@
 namespace sinew::app {
 namespace {
 
+const Control kShapeRow{"inspector/shape", "Shape", "of the muscle ellipsoid capsule egg spindle form"};
+/// In the order of shapeKeys().
+const Control kShapeRows[] = {
+    {"inspector/core", "Straight", "capsule cylinder core shape", nullptr, kShapeRow.id},
+    {"inspector/belly", "Belly", "egg cone shape thicker end", nullptr, kShapeRow.id},
+    {"inspector/bend.x", "Bend", "curve spindle shape sideways", nullptr, kShapeRow.id},
+};
+
 constexpr const char* kFormat = "%.2f";
 
 /// Sets one number of the shape. An ellipsoid's longest axis becomes its y first: it is the one that shapes go along.
@@ -48,8 +56,8 @@ void shapeField(PanelUi& ui, const Subjects& subjects, int index) {
 }
 
 /// The numbers of one key side by side.
-void shapeRow(PanelUi& ui, const Subjects& subjects, std::span<const ShapeNumber> key) {
-  beginRow(ui, key.front().row);
+void shapeRow(PanelUi& ui, const Subjects& subjects, std::span<const ShapeNumber> key, const Control& control) {
+  beginRow(ui, control);
   const float gap = ui.px(4);
   const auto count = static_cast<float>(key.size());
   const float width = (ImGui::GetContentRegionAvail().x - gap * (count - 1.0f)) / count;
@@ -75,10 +83,10 @@ bool foldRow(PanelUi& ui, const Subjects& subjects) {
   bool& open = ui.state.view.inspector.shapeOpen;
   const bool anyRigid = std::ranges::any_of(
       subjects.indices, [&](int index) { return at(subjects.rig->primitives, index).line.empty(); });
-  beginRow(ui, "Shape");
+  beginRow(ui, kShapeRow);
   const std::string text = shapeText(subjects, anyRigid);
   if (ImGui::Button(fitted(text, ImGui::GetContentRegionAvail().x - ui.px(12)).c_str(), {-1.0f, 0.0f})) open = !open;
-  ui.widgets.note("inspector/shape");
+  ui.widgets.note(kShapeRow.id);
   tooltip(ui, text + "\nShow or hide the numbers that make it differ from an ellipsoid" +
                   (!anyRigid ? "." : ", and the bone that the other end is attached to."));
   return open;
@@ -88,7 +96,8 @@ bool foldRow(PanelUi& ui, const Subjects& subjects) {
 
 void drawShapeRows(PanelUi& ui, const Subjects& subjects) {
   if (!foldRow(ui, subjects)) return;
-  for (const std::span<const ShapeNumber> key : shapeKeys()) shapeRow(ui, subjects, key);
+  const Control* control = kShapeRows;
+  for (const std::span<const ShapeNumber> key : shapeKeys()) shapeRow(ui, subjects, key, *control++);
   drawOtherEndRow(ui, subjects);
 }
 

@@ -23,6 +23,12 @@
 namespace sinew::app {
 namespace {
 
+const Control kTerritorySection{"inspector/section/territory", "Section Territory", "bones skin"};
+const Control kBones{"inspector/territory", "Bones", "of the territory skin region mask limit", nullptr,
+                     kTerritorySection.id};
+const Control kAddBone{"inspector/territory-add", "Add a bone to the territory", "skin region mask", nullptr,
+                       kTerritorySection.id};
+
 void reset(PanelUi& ui, const Subjects& subjects) {
   edit(ui.state, "Default territory of " + namedMuscles(*subjects.rig, subjects.indices),
        withDefaultTerritory(ui.state.document.rig(), subjects.indices));
@@ -32,7 +38,7 @@ void reset(PanelUi& ui, const Subjects& subjects) {
 void headRow(PanelUi& ui, const Subjects& subjects, std::size_t bones) {
   const bool differ = subjects.differ([](const Primitive& p) { return p.territory; });
   const bool named = subjects.shown().territory.has_value();
-  beginRow(ui, "Bones");
+  beginRow(ui, kBones);
   ImGui::AlignTextToFramePadding();
   const std::string many = std::to_string(bones) + (bones == 1 ? " bone" : " bones");
   const std::string count = subjects.several() ? "" : ", " + many;
@@ -40,7 +46,7 @@ void headRow(PanelUi& ui, const Subjects& subjects, std::size_t bones) {
   const float buttons = (named || differ ? 2.0f : 1.0f) * (ImGui::GetFrameHeight() + ui.px(4));
   ImGui::TextUnformatted(fitted(kind + count, ImGui::GetContentRegionAvail().x - buttons).c_str());
   if (ImGui::IsItemClicked()) ui.state.view.inspector.territoryOpen = !ui.state.view.inspector.territoryOpen;
-  ui.widgets.note("inspector/territory");
+  ui.widgets.note(kBones.id);
   tooltip(ui, kind + count + "\nThe bones whose skin this muscle may move" +
                   (named ? ", as the rig names them."
                          : ": its own bone, its parent and its children. Click to list them."));
@@ -95,10 +101,10 @@ void boneRow(PanelUi& ui, const std::string& name, const std::string& shown, int
 void addRow(PanelUi& ui, const std::vector<int>& within) {
   ImGui::SetNextItemWidth(-1.0f);
   const bool open = ImGui::BeginCombo("##territory-add", "Add a bone...", ImGuiComboFlags_HeightLarge);
-  ui.widgets.note("inspector/territory-add");
+  ui.widgets.note(kAddBone.id);
   if (!open) return;
   const int near = within.empty() ? -1 : within.front();
-  const int bone = boneList(ui, "inspector/territory-add", near, -1,
+  const int bone = boneList(ui, kAddBone.id, near, -1,
                             [&](int candidate) { return !std::ranges::binary_search(within, candidate); });
   if (bone >= 0) toggleTerritoryBone(ui.state, bone);
   ImGui::EndCombo();
@@ -107,7 +113,7 @@ void addRow(PanelUi& ui, const std::vector<int>& within) {
 }  // namespace
 
 void drawTerritoryRows(PanelUi& ui, const Subjects& subjects) {
-  if (!section(ui, "inspector/section/territory", "Territory")) return;
+  if (!section(ui, kTerritorySection, "Territory")) return;
   const Skeleton& skeleton = ui.state.character().skeleton;
   const std::vector<int> within = subjects.bone < 0 ? std::vector<int>{}
                                                     : territoryBones(subjects.shown(), subjects.bone,

@@ -16,6 +16,9 @@
 namespace sinew::app {
 namespace {
 
+const Control kFindKeys{"preferences/keys/search", "Change a key", "shortcut hotkey keyboard binding customize"};
+const Control kResetAllKeys{"preferences/keys/reset-all", "Reset all keys", "shortcut hotkey default"};
+
 constexpr float kKeysPageListHeight = 380.0f;  // Design pixels.
 constexpr float kKeyWidth = 116.0f;
 constexpr float kResetWidth = 52.0f;
@@ -62,7 +65,7 @@ void searchRow(PanelUi& ui) {
   const float width = ui.px(104);
   ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - width - ImGui::GetStyle().ItemSpacing.x);
   ImGui::InputTextWithHint("##search", "Search actions and keys", &ui.state.dialogs.keySearch);
-  ui.widgets.note("preferences/keys/search");
+  ui.widgets.note(kFindKeys.id);
   if (ImGui::IsItemActivated()) endKeyCapture(ui.state);
   ImGui::SameLine();
   ImGui::BeginDisabled(ui.state.session.preferences.keyChanges().empty());
@@ -70,7 +73,7 @@ void searchRow(PanelUi& ui) {
     resetAllKeys(ui.state.session.preferences);
     endKeyCapture(ui.state);
   }
-  ui.widgets.note("preferences/keys/reset-all");
+  ui.widgets.note(kResetAllKeys.id);
   tooltip(ui, "Give every action the keys of the keymap");
   ImGui::EndDisabled();
 }

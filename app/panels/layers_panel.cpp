@@ -22,6 +22,15 @@
 namespace sinew::app {
 namespace {
 
+Possible withSetLayers(const EditorState& state) {
+  return withCharacter(state)
+      .also(hasParts(state), "This character is a single part")
+      .also(!state.document.rig().layers.empty(), "All layers are as guessed");
+}
+
+const Control kGuessAll{"layers/guess-all", "Guess all layers", "parts of the mesh skin cloth rigid reset automatic",
+                        withSetLayers};
+
 constexpr float kOneLine = 390.0f;  // Design pixels, as all here. With less room a name stands above its layers.
 constexpr float kLayers = 140.0f;   // Width in one line.
 constexpr float kOrigin = 62.0f;
@@ -177,7 +186,7 @@ void drawLayersPanel(PanelUi& ui) {
   ImGui::BeginDisabled(!any);
   const bool pressed = ImGui::Button("Guess all", {-1.0f, 0.0f});
   ImGui::EndDisabled();
-  ui.widgets.note("layers/guess-all");
+  ui.widgets.note(kGuessAll.id);
   tooltip(ui,
           any ? "Every part becomes what is guessed" : "Every part becomes what is guessed. Not available: all are");
   if (pressed) guessAllLayers(ui.state);

@@ -18,6 +18,13 @@
 namespace sinew::app {
 namespace {
 
+const Control kHeaders[] = {
+    {"inspector/header", "Panel Muscle", "inspector properties", nothing},
+    {"surface/header", "Panel Surface", "properties settings", nothing},
+    {"smoothing/header", "Panel Smoothing", "properties settings", nothing},
+    {"layers/header", "Panel Layers", "parts of the mesh skin cloth rigid clothes hair eyes"},
+};
+
 constexpr float kBadgeRoom = 90.0f;  // Design pixels: what the count of messages takes of the status line.
 
 constexpr double kMarkSeconds = 1.6;  // What the palette has brought into sight is marked.

@@ -11,6 +11,11 @@
 namespace sinew::app {
 namespace {
 
+const Control kMusclesTab{"outliner/tab", "Tab Muscles", "outliner bones tree list hierarchy"};
+const Control kGroupsTab{"blending/tab", "Tab Groups", "blending cliques"};
+const Control kLibraryTab{"library/tab", "Tab Library", "presets sets"};
+const Control kShapesTab{"shapes/tab", "Tab Shapes", "morph targets blend shapes"};
+
 constexpr float kTabGap = 13.0f;          ///< Design pixels.
 constexpr double kTabHoldSeconds = 0.35;  ///< A muscle dragged onto a tab for so long opens it.
 
@@ -45,13 +50,13 @@ void drawTab(PanelUi& ui, const char* word, const char* id, LeftTab tab) {
 void drawLeftTabs(PanelUi& ui) {
   ui.state.frame.highlighted.clear();
   if (ui.state.open.rename.appearing) ui.state.view.outliner.tab = LeftTab::kMuscles;
-  drawTab(ui, "Muscles", "outliner/tab", LeftTab::kMuscles);
+  drawTab(ui, "Muscles", kMusclesTab.id, LeftTab::kMuscles);
   ImGui::SameLine(0.0f, ui.px(kTabGap));
-  drawTab(ui, "Groups", "blending/tab", LeftTab::kGroups);
+  drawTab(ui, "Groups", kGroupsTab.id, LeftTab::kGroups);
   ImGui::SameLine(0.0f, ui.px(kTabGap));
-  drawTab(ui, "Library", "library/tab", LeftTab::kLibrary);
+  drawTab(ui, "Library", kLibraryTab.id, LeftTab::kLibrary);
   ImGui::SameLine(0.0f, ui.px(kTabGap));
-  drawTab(ui, "Shapes", "shapes/tab", LeftTab::kShapes);
+  drawTab(ui, "Shapes", kShapesTab.id, LeftTab::kShapes);
   switch (ui.state.view.outliner.tab) {
     case LeftTab::kMuscles:
       return drawOutliner(ui);

@@ -26,6 +26,8 @@
 namespace sinew::app {
 namespace {
 
+const Control kFindSets{"library/search", "Search the library", "find presets sets"};
+
 constexpr float kLibraryGap = 6.0f;  // Design pixels, as all here.
 constexpr float kRound = 4.0f;
 constexpr float kCarried = 104.0f;       ///< Width of what hangs at the pointer.
@@ -184,8 +186,8 @@ void drawNaming(PanelUi& ui) {
 void drawTop(PanelUi& ui) {
   LibraryState& library = ui.state.open.library;
   ImGui::SetNextItemWidth(-1.0f);
-  ImGui::InputTextWithHint("##search", "Search the library", &library.search);
-  ui.widgets.note("library/search");
+  ImGui::InputTextWithHint("##search", kFindSets.label, &library.search);
+  ui.widgets.note(kFindSets.id);
   if (library.naming) return drawNaming(ui);
   const Action& save = app::action("muscles/save-set");
   const Possible possible = save.enabled(ui.state);

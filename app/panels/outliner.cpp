@@ -25,6 +25,16 @@
 namespace sinew::app {
 namespace {
 
+Possible withHelpers(const EditorState& state) {
+  const bool any = std::ranges::find(state.open.helperBones, true) != state.open.helperBones.end();
+  return withCharacter(state).also(any, "This character has no helper bones");
+}
+
+const Control kFindMuscles{"outliner/search", "Search muscles and bones", "filter find list tree"};
+const Control kOnlyWithMuscles{"outliner/only-with-muscles", "Only bones with muscles", "filter hide empty"};
+const Control kHelperBones{"outliner/helper-bones", "Show helper bones", "ik targets sockets hidden", withHelpers};
+const Control kOutlinerOrder{"outliner/order/bones", "Order of the muscles", "bones regions groups list tree sort"};
+
 SharedEnds endsOfBones(const std::vector<std::string>& names) {
   return sharedEnds(std::vector<std::string_view>(names.begin(), names.end()));
 }
@@ -64,21 +74,20 @@ std::string helperHint(std::ptrdiff_t count) {
 void drawSearch(PanelUi& ui) {
   const float button = ImGui::GetFrameHeight();
   const float width = ImGui::GetContentRegionAvail().x - 2.0f * (button + ui.px(4));
-  const std::string hint = fitted("Search muscles and bones", width - 2.0f * ImGui::GetStyle().FramePadding.x);
+  const std::string hint = fitted(kFindMuscles.label, width - 2.0f * ImGui::GetStyle().FramePadding.x);
   ImGui::SetNextItemWidth(width);
   ImGui::InputTextWithHint("##search", hint.c_str(), &ui.state.view.outlinerFilter);
-  ui.widgets.note("outliner/search");
+  ui.widgets.note(kFindMuscles.id);
   ImGui::SameLine(0.0f, ui.px(4));
   bool& only = ui.state.view.outliner.onlyWithMuscles;
-  if (iconButton(ui, "outliner/only-with-muscles", Icon::kFilter, only, button,
-                 "Only bones with muscles on them or below")) {
+  if (iconButton(ui, kOnlyWithMuscles.id, Icon::kFilter, only, button, "Only bones with muscles on them or below")) {
     only = !only;
   }
   ImGui::SameLine(0.0f, ui.px(4));
   bool& helpers = ui.state.view.outliner.helperBones;
   const std::ptrdiff_t count = std::ranges::count(ui.state.open.helperBones, true);
   ImGui::BeginDisabled(count == 0);
-  if (iconButton(ui, "outliner/helper-bones", Icon::kBone, helpers && count > 0, button, helperHint(count))) {
+  if (iconButton(ui, kHelperBones.id, Icon::kBone, helpers && count > 0, button, helperHint(count))) {
     helpers = !helpers;
   }
   ImGui::EndDisabled();

@@ -107,10 +107,10 @@ void addPanels(PaletteEntries& all, const EditorState& state) {
 }
 
 void addControls(PaletteEntries& all, const EditorState& state) {
-  for (const PaletteControl& control : paletteControls()) {
-    PaletteEntry entry{EntryKind::kControl, std::string("control/") + control.id, nullptr, &control};
-    entry.why = whyNotThere(control, state);
-    add(all, state, std::move(entry), control.label, titleOf(control.shelf));
+  for (const Control* control : controls()) {
+    PaletteEntry entry{EntryKind::kControl, std::string("control/") + control->id, nullptr, control};
+    entry.why = whyNotThere(*control, state);
+    add(all, state, std::move(entry), control->label, placeTitle(*control));
   }
 }
 

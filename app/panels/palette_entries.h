@@ -20,7 +20,7 @@ struct PaletteEntry {
   /// "clip/NAME", "set/NAME", "set/NAME/MUSCLE", "page/opening", "sample/0", "recent/0"
   std::string id;
   const Action* action = nullptr;
-  const PaletteControl* control = nullptr;
+  const Control* control = nullptr;
   PrimitiveId muscle = {};
   std::filesystem::path file = {};
   SetEntry set = {};

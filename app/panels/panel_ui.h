@@ -9,6 +9,7 @@
 
 #include "app/editor/actions.h"
 #include "app/editor/editor_state.h"
+#include "app/panels/palette_controls.h"
 #include "app/ui/ui.h"
 
 namespace sinew::app {
@@ -37,6 +38,8 @@ struct PanelUi : Ui {
 [[nodiscard]] std::string tooltipOf(const PanelUi& ui, const Action& action);
 /// Without label and key: where they can be read already.
 [[nodiscard]] std::string hintOf(const PanelUi& ui, const Action& action);
+/// A row with the name of its control.
+inline void beginRow(PanelUi& ui, const Control& control) { beginRow(ui, control.label); }
 /// iconButton for an action, with its tooltip; disabled when the action is.
 void actionButton(PanelUi& ui, const std::string& id, const Action& action, Icon icon, float size);
 /// pillButton for an action: filled when the action is checked.

@@ -16,16 +16,25 @@
 namespace sinew::app {
 namespace {
 
+const Control kKeymap{"preferences/keymap/maya", "Keymap", "maya blender keyboard shortcuts hotkeys"};
+const Control kInterfaceScale{"preferences/scale", "Size of the interface", "scale zoom font text dpi"};
+const Control kMoving{"preferences/moving/automatic", "Resolution while moving", "pixels speed fast quality"};
+const Control kSurfaceBy{"preferences/surface/automatic", "Surface computed by",
+                         "graphics card gpu processor cpu speed fast"};
+const Control kAutosave{"preferences/autosave", "Autosave", "recovery backup crash seconds"};
+const Control kResetLayout{"preferences/reset-layout", "Button Reset layout", "panels sizes default"};
+const Control kForget{"preferences/forget", "Clear recent files", "history forget"};
+
 constexpr const char* kPreferencesDialogTitle = "Preferences";
 constexpr float kPreferencesDialogWidth = 600.0f;  // Design pixels.
 constexpr float kLabelWidth = 170.0f;
 constexpr std::array kScales{0.0f, 1.0f, 1.25f, 1.5f, 1.75f, 2.0f, 2.5f, 3.0f};
 
-void preferenceLabel(PanelUi& ui, const char* text) { dialogLabel(ui, text, kLabelWidth); }
+void preferenceLabel(PanelUi& ui, const Control& control) { dialogLabel(ui, control.label, kLabelWidth); }
 void explain(PanelUi& ui, const char* text) { dialogExplain(ui, text, kLabelWidth); }
 
 void keymapRow(PanelUi& ui) {
-  preferenceLabel(ui, "Keymap");
+  preferenceLabel(ui, kKeymap);
   drawKeymapChoice(ui, "preferences/keymap/");
   const Preferences& preferences = ui.state.session.preferences;
   std::string text = preferences.keymap == Keymap::kMaya
@@ -47,11 +56,11 @@ std::string scaleText(float scale, float system) {
 }
 
 void scaleRow(PanelUi& ui) {
-  preferenceLabel(ui, "Size of the interface");
+  preferenceLabel(ui, kInterfaceScale);
   float& scale = ui.state.session.preferences.scale;
   ImGui::SetNextItemWidth(-1.0f);
   const bool open = ImGui::BeginCombo("##scale", scaleText(scale, ui.state.frame.systemScale).c_str());
-  ui.widgets.note("preferences/scale");
+  ui.widgets.note(kInterfaceScale.id);
   if (open) {
     for (std::size_t i = 0; i < kScales.size(); ++i) {
       if (ImGui::Selectable(scaleText(kScales[i], ui.state.frame.systemScale).c_str(), scale == kScales[i])) {
@@ -65,7 +74,7 @@ void scaleRow(PanelUi& ui) {
 }
 
 void resolutionRow(PanelUi& ui) {
-  preferenceLabel(ui, "Resolution while moving");
+  preferenceLabel(ui, kMoving);
   bool& full = ui.state.session.preferences.fullWhileMoving;
   constexpr std::array<const char*, 2> kChoices{"Automatic", "Full"};
   const int clicked = segmented(ui, "preferences/moving", kChoices.data(), static_cast<int>(kChoices.size()),
@@ -79,7 +88,7 @@ void resolutionRow(PanelUi& ui) {
 }
 
 void surfaceRow(PanelUi& ui) {
-  preferenceLabel(ui, "Surface computed by");
+  preferenceLabel(ui, kSurfaceBy);
   SurfaceBy& by = ui.state.session.preferences.surfaceBy;
   constexpr std::array<const char*, 3> kChoices{"Automatic", "Processor", "Graphics card"};
   const int clicked = segmented(ui, "preferences/surface", kChoices.data(), static_cast<int>(kChoices.size()),
@@ -94,12 +103,12 @@ void surfaceRow(PanelUi& ui) {
 }
 
 void autosaveRow(PanelUi& ui) {
-  preferenceLabel(ui, "Autosave");
+  preferenceLabel(ui, kAutosave);
   auto seconds = static_cast<float>(ui.state.session.preferences.autosaveSeconds);
   ImGui::SetNextItemWidth(-1.0f);
   const bool changed =
       numberSlider(ui, "##autosave", seconds, {"every %.0f seconds", 0.0f, 5.0f, 300.0f, 5.0f, true, true});
-  ui.widgets.note("preferences/autosave");
+  ui.widgets.note(kAutosave.id);
   if (changed) ui.state.session.preferences.autosaveSeconds = static_cast<double>(std::round(seconds));
   explain(ui,
           "Unsaved changes go to a recovery file, never to the rig file. After a crash the next start offers them.");
@@ -120,11 +129,11 @@ void pageChoice(PanelUi& ui) {
 void buttons(PanelUi& ui, bool& closed) {
   const float width = ui.px(104);
   if (ImGui::Button("Reset layout")) run(action("window/reset-layout"), ui.state);
-  ui.widgets.note("preferences/reset-layout");
+  ui.widgets.note(kResetLayout.id);
   tooltip(ui, action("window/reset-layout").hint);
   ImGui::SameLine();
-  if (ImGui::Button("Clear recent files")) ui.state.session.preferences.recentFiles.clear();
-  ui.widgets.note("preferences/forget");
+  if (ImGui::Button(kForget.label)) ui.state.session.preferences.recentFiles.clear();
+  ui.widgets.note(kForget.id);
   ImGui::SameLine(ImGui::GetContentRegionMax().x - width);
   closed = accentButton("Close", {width, 0.0f});
   ui.widgets.note("preferences/close");

@@ -21,6 +21,14 @@
 namespace sinew::app {
 namespace {
 
+Possible withMorphs(const EditorState& state) {
+  const bool any = state.hasCharacter() && !state.character().morphTargets.empty();
+  return withCharacter(state).also(any, "This character has no shapes");
+}
+
+const Control kFindShapes{"shapes/search", "Search shapes", "the morph targets blend shapes find", withMorphs};
+const Control kResetShapes{"shapes/reset", "Reset shapes", "all morph targets blend shapes zero", withMorphs};
+
 constexpr float kShapesFold = 14.0f;  // Design pixels, as all here.
 constexpr float kShapesIndent = 10.0f;
 constexpr float kNameShare = 0.46f;
@@ -210,12 +218,12 @@ bool isWanted(const PanelUi& ui, const ShapeGroup& group) {
 void drawTop(PanelUi& ui, const Rig& rig) {
   ImGui::SetNextItemWidth(-1.0f);
   ImGui::InputTextWithHint("##search", "Search the shapes", &ui.state.open.shapes.search);
-  ui.widgets.note("shapes/search");
+  ui.widgets.note(kFindShapes.id);
   const bool any = std::ranges::any_of(rig.morphs, [](const MorphWeight& morph) { return morph.weight != 0.0f; });
   ImGui::BeginDisabled(!any);
   if (ImGui::Button("Reset all", {-1.0f, 0.0f})) edit(ui.state, "Reset all shapes", withoutMorphWeights(rig));
   ImGui::EndDisabled();
-  ui.widgets.note("shapes/reset");
+  ui.widgets.note(kResetShapes.id);
   tooltip(ui, any ? "Every weight that was set becomes 0. Keys and drivers stay"
                   : "Every weight that was set becomes 0. Not available: all are 0");
 }

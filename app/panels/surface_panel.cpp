@@ -17,6 +17,27 @@
 namespace sinew::app {
 namespace {
 
+Possible uniform(const EditorState& state) {
+  return withCharacter(state).also(state.document.rig().smoothing.detail == DetailKind::kUniform,
+                                   "Choose the detail Uniform first");
+}
+Possible adaptive(const EditorState& state) {
+  return withCharacter(state).also(state.document.rig().smoothing.detail == DetailKind::kAdaptive,
+                                   "Choose the detail Adaptive first");
+}
+
+const Control kMode{"surface/mode", "Mode", "of the surface swell replace"};
+const Control kIso{"surface/iso", "Tightness", "iso value threshold wrap"};
+const Control kSkinBlend{"surface/skin-blend", "Skin blend", "soft rise transition"};
+const Control kDepth{"smoothing/depth", "Depth", "subdivision level resolution fine", uniform};
+const Control kTolerance{"smoothing/tolerance", "Tolerance", "adaptive error subdivision fine", adaptive};
+const Control kAutoDetail{"smoothing/auto", "Automatic detail", "size on screen lod"};
+const Control kDetail{"smoothing/detail", "Detail", "adaptive or uniform subdivision"};
+const Control kPatch{"smoothing/patch", "Rounding", "patch curve smooth pn phong spherigon flat"};
+const Control kProjection{"smoothing/projection", "Search",
+                          "for the surface projection newton bisection analytic exact fast"};
+const Control kCrease{"smoothing/crease", "Crease", "angle hard edge sharp normals"};
+
 constexpr int kDepthOfSlider = 8;
 constexpr const char* kAutoLabel = "Auto";
 constexpr float kIsoRange[] = {0.05f, 0.9f};
@@ -67,9 +88,10 @@ Word wordFor(DetailKind detail) {
 
 /// A choice among named values. @param apply  (value) -> Result<Rig>
 template <class Kind, std::size_t kCount, class Apply>
-void choiceRow(PanelUi& ui, const char* label, const std::string& id, Kind current,
-               const std::array<Kind, kCount>& kinds, const std::string& hint, Apply apply) {
-  beginRow(ui, label);
+void choiceRow(PanelUi& ui, const Control& control, Kind current, const std::array<Kind, kCount>& kinds,
+               const std::string& hint, Apply apply) {
+  beginRow(ui, control);
+  const std::string id = control.id;
   const bool open = ImGui::BeginCombo(("##" + id).c_str(), wordFor(current).name);
   ui.widgets.note(id);
   if (!open) {
@@ -80,7 +102,7 @@ void choiceRow(PanelUi& ui, const char* label, const std::string& id, Kind curre
     const bool chosen = ImGui::Selectable(wordFor(kind).name, kind == current);
     ui.widgets.note(id + "/" + nameOf(kind));
     tooltip(ui, wordFor(kind).hint);
-    if (chosen && kind != current) edit(ui.state, label, apply(kind));
+    if (chosen && kind != current) edit(ui.state, control.label, apply(kind));
   }
   ImGui::EndCombo();
 }
@@ -91,7 +113,7 @@ void autoBox(PanelUi& ui, const SmoothingSettings& before, const char* hint, Cha
   ImGui::SameLine();
   bool automatic = before.autoDepth;
   const bool switched = ImGui::Checkbox(kAutoLabel, &automatic);
-  ui.widgets.note("smoothing/auto");
+  ui.widgets.note(kAutoDetail.id);
   tooltip(ui, hint);
   if (switched) edit(ui.state, "Auto detail", changed([&](SmoothingSettings& s) { s.autoDepth = automatic; }));
 }
@@ -104,7 +126,7 @@ float besideAutoBox() {
 /// The slider is shown but not moved while the depth follows the size on screen.
 template <class Changed>
 void depthRow(PanelUi& ui, const SmoothingSettings& before, Changed changed) {
-  beginRow(ui, "Depth");
+  beginRow(ui, kDepth);
   const float width = besideAutoBox();
   const char* format = before.autoDepth && width > ui.px(64) ? "auto: %.0f" : "%.0f";
   ImGui::SetNextItemWidth(width);
@@ -116,7 +138,7 @@ void depthRow(PanelUi& ui, const SmoothingSettings& before, Changed changed) {
   ImGui::BeginDisabled(before.autoDepth);
   const bool edited = numberSlider(ui, "##depth", depth, look);
   editNumber(
-      ui, "smoothing/depth", "Depth", edited && !before.autoDepth, typing,
+      ui, kDepth.id, kDepth.label, edited && !before.autoDepth, typing,
       [&] { return changed([&](SmoothingSettings& s) { s.depth = static_cast<int>(depth); }); },
       [](const Rig& rig) { return std::to_string(rig.smoothing.depth); });
   ImGui::EndDisabled();
@@ -129,7 +151,7 @@ void depthRow(PanelUi& ui, const SmoothingSettings& before, Changed changed) {
 template <class Changed>
 void toleranceRow(PanelUi& ui, const SmoothingSettings& before, Changed changed) {
   constexpr float kPercent = 100.0f;
-  beginRow(ui, "Tolerance");
+  beginRow(ui, kTolerance);
   const float width = besideAutoBox();
   const char* format = before.autoDepth && width > ui.px(84) ? "auto: %.2f %%" : "%.2f %%";
   ImGui::SetNextItemWidth(width);
@@ -140,7 +162,7 @@ void toleranceRow(PanelUi& ui, const SmoothingSettings& before, Changed changed)
   ImGui::BeginDisabled(before.autoDepth);
   const bool edited = numberSlider(ui, "##tolerance", percent, look);
   editNumber(
-      ui, "smoothing/tolerance", "Tolerance", edited && !before.autoDepth, typing,
+      ui, kTolerance.id, kTolerance.label, edited && !before.autoDepth, typing,
       [&] { return changed([&](SmoothingSettings& s) { s.tolerance = percent / kPercent; }); },
       [](const Rig& rig) { return numberText("%.2f %%", kPercent * rig.smoothing.tolerance); });
   ImGui::EndDisabled();
@@ -153,7 +175,7 @@ void toleranceRow(PanelUi& ui, const SmoothingSettings& before, Changed changed)
 
 template <class Changed>
 void creaseRow(PanelUi& ui, const SmoothingSettings& before, Changed changed) {
-  beginRow(ui, "Crease");
+  beginRow(ui, kCrease);
   float degrees = before.creaseAngle;
   const char* format = degrees >= kNoCreases ? "smooth" : "%.0f\xc2\xb0";
   NumberLook look{format, 0.0f, 0.0f, kNoCreases, 15.0f};
@@ -161,7 +183,7 @@ void creaseRow(PanelUi& ui, const SmoothingSettings& before, Changed changed) {
   look.typing = &typing;
   const bool edited = numberSlider(ui, "##crease", degrees, look);
   editNumber(
-      ui, "smoothing/crease", "Crease angle", edited, typing,
+      ui, kCrease.id, "Crease angle", edited, typing,
       [&] { return changed([&](SmoothingSettings& s) { s.creaseAngle = degrees; }); },
       [](const Rig& rig) { return numberText("%.0f\xc2\xb0", rig.smoothing.creaseAngle); });
   tooltip(ui, "Faces that meet at a sharper angle than this keep a hard edge. 180: smooth everywhere.");
@@ -169,9 +191,9 @@ void creaseRow(PanelUi& ui, const SmoothingSettings& before, Changed changed) {
 
 template <class Changed>
 void skinBlendRow(PanelUi& ui, const SurfaceSettings& before, Changed changed) {
-  beginRow(ui, "Skin blend");
+  beginRow(ui, kSkinBlend);
   constexpr float kPercent = 100.0f;
-  const char* const id = "surface/skin-blend";
+  const char* const id = kSkinBlend.id;
   const AnimatedField animated{{{Parameter::kSkinBlend, 0}}, {kPercent}, "%.1f %%"};
   const AnimatedLook animation = lookOf(ui, animated);
   NumberLook look{animated.format, 0.0f, kBlendRange[0], kBlendRange[1], 0.5f, false, true};
@@ -195,7 +217,7 @@ void skinBlendRow(PanelUi& ui, const SurfaceSettings& before, Changed changed) {
   popAnimatedColors(ui, animation);
   notePointed(ui, animated);
   editNumber(
-      ui, id, "Skin blend", edited, typing,
+      ui, id, kSkinBlend.label, edited, typing,
       [&] { return changed([&](SurfaceSettings& s) { s.skinBlend = percent / kPercent; }); },
       [&](const Rig& rig) { return numberText(look.format, kPercent * rig.surface.skinBlend); });
   tooltip(ui, animation.words +
@@ -232,11 +254,11 @@ void drawSurfacePanel(PanelUi& ui) {
     change(settings);
     return setSurface(ui.state.document.rig(), settings);
   };
-  choiceRow(ui, "Mode", "surface/mode", before.mode, std::array{SurfaceMode::kSwell, SurfaceMode::kReplace},
+  choiceRow(ui, kMode, before.mode, std::array{SurfaceMode::kSwell, SurfaceMode::kReplace},
             "How muscles show in the skin.",
             [&](SurfaceMode mode) { return changed([&](SurfaceSettings& s) { s.mode = mode; }); });
   replaceNote(ui);
-  beginRow(ui, "Tightness");
+  beginRow(ui, kIso);
   float iso = before.iso;
   NumberLook isoLook{"%.3f", 0.0f, kIsoRange[0], kIsoRange[1], 0.05f};
   isoLook.clampTyped = false;
@@ -244,7 +266,7 @@ void drawSurfacePanel(PanelUi& ui) {
   isoLook.typing = &typing;
   const bool edited = numberSlider(ui, "##iso", iso, isoLook);
   editNumber(
-      ui, "surface/iso", "Tightness", edited, typing, [&] { return changed([&](SurfaceSettings& s) { s.iso = iso; }); },
+      ui, kIso.id, kIso.label, edited, typing, [&] { return changed([&](SurfaceSettings& s) { s.iso = iso; }); },
       [&](const Rig& rig) { return numberText(isoLook.format, rig.surface.iso); });
   tooltip(
       ui,
@@ -263,14 +285,14 @@ void drawSmoothingPanel(PanelUi& ui) {
   };
   if (before.detail == DetailKind::kAdaptive) toleranceRow(ui, before, changed);
   else depthRow(ui, before, changed);
-  choiceRow(ui, "Detail", "smoothing/detail", before.detail, std::array{DetailKind::kAdaptive, DetailKind::kUniform},
+  choiceRow(ui, kDetail, before.detail, std::array{DetailKind::kAdaptive, DetailKind::kUniform},
             "How finely the file's triangles are divided.",
             [&](DetailKind detail) { return changed([&](SmoothingSettings& s) { s.detail = detail; }); });
-  choiceRow(ui, "Rounding", "smoothing/patch", before.patch,
+  choiceRow(ui, kPatch, before.patch,
             std::array{PatchKind::kPn, PatchKind::kPhong, PatchKind::kSpherigon, PatchKind::kFlat},
             "How the skin curves between the file's vertices (patch).",
             [&](PatchKind patch) { return changed([&](SmoothingSettings& s) { s.patch = patch; }); });
-  choiceRow(ui, "Search", "smoothing/projection", before.projection,
+  choiceRow(ui, kProjection, before.projection,
             std::array{ProjectionKind::kNewton, ProjectionKind::kBisection, ProjectionKind::kAnalytic},
             "How the place of a vertex on the muscles is found (projection).",
             [&](ProjectionKind kind) { return changed([&](SmoothingSettings& s) { s.projection = kind; }); });

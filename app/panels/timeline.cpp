@@ -24,6 +24,9 @@
 namespace sinew::app {
 namespace {
 
+const Control kClipChoice{"timeline/clip", "Clip", "animation choose"};
+const Control kPlaySpeed{"timeline/speed", "Speed", "playback slow fast"};
+
 constexpr float kClipWidth = 180.0f;  // Design pixels.
 constexpr float kClipNarrowest = 96.0f;
 constexpr float kSpeedWidth = 84.0f;
@@ -87,7 +90,7 @@ void clipChoice(PanelUi& ui, float width) {
   // The rows are as wide as the list, so it cannot take its width from them.
   ImGui::SetNextWindowSizeConstraints({ui.px(300), 0.0f}, {ui.px(480), ui.px(420)});
   const bool open = ImGui::BeginCombo("##clip", shown.c_str(), ImGuiComboFlags_HeightLarge);
-  ui.widgets.note("timeline/clip");
+  ui.widgets.note(kClipChoice.id);
   if (!open) {
     fileNameTooltip(ui, shown, transport.clip);
     return;
@@ -116,7 +119,7 @@ void speedField(PanelUi& ui) {
   look.typing = &typing;
   numberField("##speed", ui.state.open.transport.speed, look);
   if (!typing.refusal.empty()) sayRefusal(ui.state, typing.refusal);
-  ui.widgets.note("timeline/speed");
+  ui.widgets.note(kPlaySpeed.id);
   tooltip(ui, "Speed: drag (Shift: precise, Ctrl: steps), or double-click to type");
 }
 

@@ -13,10 +13,11 @@
 #include <GLFW/glfw3.h>
 
 #include <algorithm>
-#include <cstdint>
 
+#include "app/ui/code_points.h"
 #include "app/ui/keyboard_focus.h"
 #include "app/ui/readable_names.h"
+#include "app/ui/reading_order.h"
 #include "app/ui/style.h"
 
 namespace sinew::app {
@@ -24,7 +25,11 @@ namespace {
 
 constexpr float kDoubleClickSeconds = 0.3f;
 
-const char* readClipboard(void* window) { return glfwGetClipboardString(static_cast<GLFWwindow*>(window)); }
+const char* readClipboard(void* window) {
+  const char* const text = glfwGetClipboardString(static_cast<GLFWwindow*>(window));
+  if (text != nullptr) noteShown(codePoints(text));
+  return text;
+}
 void writeClipboard(void* window, const char* text) { glfwSetClipboardString(static_cast<GLFWwindow*>(window), text); }
 
 int glfwShapeOf(int cursor) {
@@ -40,15 +45,6 @@ int glfwShapeOf(int cursor) {
     default:
       return GLFW_ARROW_CURSOR;
   }
-}
-
-/// Into the font texture, which the backend has made by then.
-void uploadLetter(const glm::ivec4& rectangle, std::span<const std::uint32_t> pixels) {
-  const auto texture = reinterpret_cast<std::uintptr_t>(ImGui::GetIO().Fonts->TexID);
-  glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
-  glPixelStorei(GL_UNPACK_ROW_LENGTH, 0);
-  glTextureSubImage2D(static_cast<GLuint>(texture), 0, rectangle.x, rectangle.y, rectangle.z, rectangle.w, GL_RGBA,
-                      GL_UNSIGNED_BYTE, pixels.data());
 }
 
 }  // namespace
@@ -92,7 +88,10 @@ void feedImGui(const RawInput& input) {
   io.KeyShift = input.shift;
   io.KeyAlt = input.alt;
   io.KeySuper = input.super;
-  for (const char32_t c : input.characters) io.AddInputCharacter(c);
+  for (const char32_t c : input.characters) {
+    io.AddInputCharacter(c);
+    noteShown({&c, 1});
+  }
   feedFocusKeys(input);
 }
 
@@ -110,7 +109,7 @@ ImGuiLayer::ImGuiLayer(GLFWwindow* window, float scale) : window_(window), scale
   mapKeys();
   applyStyle(scale);
   makeFonts();
-  setGlyphs([this](char32_t c) { return letters_.has(c); });
+  setGlyphs([this](char32_t c) { return names_.has(c); });
   ImGui_ImplOpenGL3_Init("#version 450 core");
   for (int cursor = 0; cursor < ImGuiMouseCursor_COUNT; ++cursor) {
     cursors_[static_cast<std::size_t>(cursor)] = glfwCreateStandardCursor(glfwShapeOf(cursor));
@@ -128,15 +127,13 @@ ImGuiLayer::~ImGuiLayer() {
 
 void ImGuiLayer::makeFonts() {
   fonts_ = loadFonts(scale_);
-  letters_.reserve(scale_);
-  ImGui::GetIO().Fonts->Build();
-  letters_.attach(fonts_);
+  names_.build(fonts_);
 }
 
-bool ImGuiLayer::setScale(float scale) {
-  if (scale == scale_) return false;
+bool ImGuiLayer::prepareFonts(float scale) {
+  if (scale == scale_ && !names_.outdated()) return false;
+  if (scale != scale_) applyStyle(scale);
   scale_ = scale;
-  applyStyle(scale);
   ImGui_ImplOpenGL3_DestroyFontsTexture();
   ImGui::GetIO().Fonts->Clear();
   makeFonts();
@@ -168,9 +165,8 @@ void ImGuiLayer::beginFrame(const RawInput& input, double seconds, double drawin
 ImDrawData& ImGuiLayer::endFrame() {
   showCursor();
   ImGui::Render();
-  ImDrawData& data = *ImGui::GetDrawData();
-  lettersMissing_ = letters_.fill(data, uploadLetter);
-  return data;
+  names_.want(takeShown());
+  return *ImGui::GetDrawData();
 }
 
 void ImGuiLayer::showCursor() {

@@ -2,11 +2,11 @@
 #pragma once
 
 #include <array>
-#include <cstdint>
+#include <string_view>
 
 #include "app/ui/fonts.h"
 #include "app/ui/input_queue.h"
-#include "app/ui/late_letters.h"
+#include "app/ui/name_texture.h"
 
 struct GLFWcursor;
 struct GLFWwindow;
@@ -34,17 +34,18 @@ class ImGuiLayer {
   /// Shows the pointer ImGui asks for. @return what is to be drawn; until the next frame begins.
   ImDrawData& endFrame();
 
-  /// Between frames: letters drawn anew, spacing and round corners with them. The fonts before are gone.
-  /// @return whether it was another.
-  bool setScale(float scale);
+  /// Between frames: the interface at a scale, its texture with all letters that were shown. The fonts before are gone.
+  /// @return whether anything is drawn otherwise.
+  bool prepareFonts(float scale);
+  /// The frame that has ended shows letters that the next one has.
+  [[nodiscard]] bool lettersMissing() const { return names_.outdated(); }
 
-  /// What a document's names say about Chinese letters.
-  void setRegion(HanRegion region) { letters_.setRegion(region); }
-  [[nodiscard]] bool hasLetter(char32_t c) { return letters_.has(c); }
-  /// The frame that has ended was the first with some letters: the next one has their widths.
-  [[nodiscard]] bool lettersMissing() const { return lettersMissing_; }
-  /// Of the texture with the letters: equal revisions, equal pixels wherever a letter is.
-  [[nodiscard]] std::uint64_t lettersRevision() const { return letters_.revision(); }
+  /// Those of a document's names, which say as well whose Chinese letters they are.
+  void wantLetters(std::u32string_view letters, HanRegion region) {
+    names_.setRegion(region);
+    names_.want(letters);
+  }
+  [[nodiscard]] bool hasLetter(char32_t c) { return names_.has(c); }
 
   [[nodiscard]] const Fonts& fonts() const { return fonts_; }
   [[nodiscard]] float scale() const { return scale_; }
@@ -56,8 +57,7 @@ class ImGuiLayer {
   GLFWwindow* window_;
   float scale_;
   Fonts fonts_;
-  LateLetters letters_;
-  bool lettersMissing_ = false;
+  NameTexture names_;
   int shownCursor_ = -2;
   std::array<GLFWcursor*, 9> cursors_{};  ///< By ImGuiMouseCursor.
 };

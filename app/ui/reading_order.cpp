@@ -5,7 +5,7 @@
 #include <fribidi.h>
 
 #include <algorithm>
-#include <string_view>
+#include <set>
 #include <vector>
 
 #include "app/ui/code_points.h"
@@ -44,16 +44,18 @@ std::u32string lineInOrder(std::u32string_view line) {
 }
 
 /// Looked at in every frame for every label: without decoding it.
-bool mayBeRightToLeft(const std::string& text) {
-  return std::ranges::any_of(text, [](char c) { return static_cast<unsigned char>(c) >= 0xD6u; });
+bool isAscii(const std::string& text) {
+  return std::ranges::none_of(text, [](char c) { return static_cast<unsigned char>(c) >= 0x80u; });
 }
 
-}  // namespace
+std::set<char32_t>& shownLetters() {
+  static std::set<char32_t> letters;
+  return letters;
+}
 
-std::string inReadingOrder(const std::string& text) {
-  if (!mayBeRightToLeft(text)) return text;
-  const std::u32string letters = codePoints(text);
-  if (std::ranges::none_of(letters, isRightToLeft)) return text;
+/// The same text where nothing of it is read from the right.
+std::u32string lettersInOrder(const std::u32string& letters) {
+  if (std::ranges::none_of(letters, isRightToLeft)) return letters;
   std::u32string out;
   for (std::size_t from = 0; from <= letters.size();) {
     const std::size_t end = std::min(letters.find(U'\n', from), letters.size());
@@ -63,7 +65,29 @@ std::string inReadingOrder(const std::string& text) {
     if (end < letters.size()) out.push_back(U'\n');
     from = end + 1;
   }
+  return out;
+}
+
+}  // namespace
+
+std::string inReadingOrder(const std::string& text) {
+  if (isAscii(text)) return text;
+  const std::u32string letters = codePoints(text);
+  const std::u32string out = lettersInOrder(letters);
+  noteShown(out);
   return out == letters ? text : utf8(out);
+}
+
+void noteShown(std::u32string_view letters) {
+  for (const char32_t c : letters) {
+    if (c >= 0x80) shownLetters().insert(c);
+  }
+}
+
+std::u32string takeShown() {
+  std::u32string letters(shownLetters().begin(), shownLetters().end());
+  shownLetters().clear();
+  return letters;
 }
 
 }  // namespace sinew::app

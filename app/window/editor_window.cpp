@@ -171,8 +171,8 @@ class Editor {
     state_.frame.now = start;
     state_.frame.systemScale = window_.contentScale();
     state_.frame.uiScale = scaleOf(window_, state_, options_);
-    if (imgui_.setScale(state_.frame.uiScale)) screen_.forget();
     readNames();
+    if (imgui_.prepareFonts(state_.frame.uiScale)) screen_.forget();
     imgui_.beginFrame(input, since, state_.session.stats.now() * 1e-3);
     step_.run(state_, input, imgui_.fonts(), delta);
     if (step_.cameraMoves()) settle_ = std::max(settle_, 2);  // What is hovered is seen a frame later.
@@ -196,7 +196,7 @@ class Editor {
     if (namesOf_ == state_.session.documentsOpened) return;
     namesOf_ = state_.session.documentsOpened;
     const std::u32string letters = lettersOfNames(state_);
-    imgui_.setRegion(hanRegion(letters, localeOfEnvironment()));
+    imgui_.wantLetters(letters, hanRegion(letters, localeOfEnvironment()));
     const std::string missing = missingLetters(letters, [this](char32_t c) { return imgui_.hasLetter(c); });
     if (!missing.empty()) addMessage(state_.session, MessageKind::kNote, missing);
   }
@@ -217,7 +217,7 @@ class Editor {
     ImDrawData& data = imgui_.endFrame();
     if (imgui_.lettersMissing()) settle_ = std::max(settle_, 1);
     const auto fonts = reinterpret_cast<std::uintptr_t>(ImGui::GetIO().Fonts->TexID);
-    const std::array textures{TextureRevision{fonts, imgui_.lettersRevision()}, picture_.revision()};
+    const std::array textures{TextureRevision{fonts}, picture_.revision()};
     const bool still = exposed_ == 0 && !state_.open.transport.playing && !state_.frame.route.needsFrame;
     if (exposed_ > 0) --exposed_;
     const glm::vec4& v = state_.frame.viewport;

@@ -17,7 +17,6 @@ struct ShapeNumber {
 
   const char* key;     ///< In files; numbers that share one stand side by side and make a list there.
   const char* name;    ///< In keys and drivers: "bend.x".
-  const char* row;     ///< In the inspector, of the whole key: "Bend".
   const char* words;   ///< The number alone: "Bend X".
   const char* change;  ///< In the history, the muscle follows: "Move the belly of".
   const char* hint;

@@ -15,18 +15,16 @@ namespace sinew {
 namespace {
 
 constexpr std::array<ShapeNumber, kShapeNumbers> kNumbers{
-    {{"core", "core", "Straight", "Straight", "Straighten",
+    {{"core", "core", "Straight", "Straighten",
       "Straight part along the longest axis: 0 is an ellipsoid, 0.9 a cylinder with rounded ends",
       [](Shape& shape) -> float& { return shape.core; }, 0.0f, kMostCore},
-     {"belly", "belly", "Belly", "Belly", "Move the belly of",
+     {"belly", "belly", "Belly", "Move the belly of",
       "Where along the longest axis the muscle is thickest. A larger reach allows less",
       [](Shape& shape) -> float& { return shape.belly; }, -1.0f, 1.0f, 1,
       [](const Shape& shape, float reach) { return mostBelly(shape.core, reach); }},
-     {"bend", "bend.x", "Bend", "Bend X", "Bend",
-      "How far the middle is moved along the muscle's own x axis, in its radii",
+     {"bend", "bend.x", "Bend X", "Bend", "How far the middle is moved along the muscle's own x axis, in its radii",
       [](Shape& shape) -> float& { return shape.bend.x; }, -kMostBend, kMostBend, 0},
-     {"bend", "bend.z", "Bend", "Bend Z", "Bend",
-      "How far the middle is moved along the muscle's own z axis, in its radii",
+     {"bend", "bend.z", "Bend Z", "Bend", "How far the middle is moved along the muscle's own z axis, in its radii",
       [](Shape& shape) -> float& { return shape.bend.y; }, -kMostBend, kMostBend, 2}}};
 static_assert(kNumbers.back().key != nullptr, "a row for each member of Shape");
 

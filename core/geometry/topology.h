@@ -22,7 +22,6 @@ struct Topology {
   std::vector<std::array<int, 2>> borderEdges;       ///< One triangle; smaller vertex first, sorted.
   std::vector<std::array<int, 2>> nonManifoldEdges;  ///< More than two triangles; likewise.
 
-  [[nodiscard]] int eulerCharacteristic() const { return vertices - edges + triangles; }
   /// Every edge has exactly two triangles.
   [[nodiscard]] bool closed() const { return triangles > 0 && borderEdges.empty() && nonManifoldEdges.empty(); }
 };

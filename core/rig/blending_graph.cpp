@@ -112,7 +112,6 @@ Result<BlendingGraph> makeBlendingGraph(int groupCount, std::span<const std::arr
 
 Result<const BlendingGraph*> BlendingGraphMemo::graph(int groupCount, std::span<const std::array<int, 2>> links) {
   if (!graph_ || graph_->groupCount != groupCount || !std::ranges::equal(links_, links)) {
-    ++enumerations_;
     Result<BlendingGraph> made = makeBlendingGraph(groupCount, links);
     if (!made) return made.error();
     graph_ = std::move(made).value();

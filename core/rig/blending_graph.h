@@ -30,13 +30,10 @@ class BlendingGraphMemo {
  public:
   /// makeBlendingGraph; valid until the next call. A refused graph leaves the former one remembered.
   [[nodiscard]] Result<const BlendingGraph*> graph(int groupCount, std::span<const std::array<int, 2>> links);
-  /// How often cliques were enumerated.
-  [[nodiscard]] int enumerations() const { return enumerations_; }
 
  private:
   std::optional<BlendingGraph> graph_;
   std::vector<std::array<int, 2>> links_;  ///< Links of graph_.
-  int enumerations_ = 0;
 };
 
 /// The cliques cut down to `presentGroups` (sorted), without those another one contains: all that a place sees where

@@ -121,17 +121,6 @@ Result<Rig> renameLine(Rig rig, int line, const std::string& name) {
   return rig;
 }
 
-Rig removeLine(Rig rig, int line) {
-  const std::string name = at(rig.lines, line).name;
-  rig.lines.erase(rig.lines.begin() + line);
-  dropTwin(rig, name);
-  for (Primitive& primitive : rig.primitives) {
-    if (primitive.line == name) primitive.line.clear();
-  }
-  dropLineInputs(rig, {name});
-  return rig;
-}
-
 Rig setLineOfSeveral(Rig rig, std::span<const int> primitives, int line) {
   std::unordered_set<std::string> left;
   for (const int index : primitives) {

@@ -33,8 +33,6 @@ namespace sinew {
 /// `change` must leave name and mirror alone (asserted).
 [[nodiscard]] Result<Rig> editLine(Rig rig, int line, const std::function<void(MuscleLine&)>& change);
 [[nodiscard]] Result<Rig> renameLine(Rig rig, int line, const std::string& name);
-/// Its primitives ride their bones again; its twin loses its link.
-[[nodiscard]] Rig removeLine(Rig rig, int line);
 /// Puts primitives on a line, or with -1 on their bones alone. Lines that lose their last primitive go.
 [[nodiscard]] Rig setLineOfSeveral(Rig rig, std::span<const int> primitives, int line);
 /// Makes two different lines each other's twins; former twins are unlinked.

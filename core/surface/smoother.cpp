@@ -15,7 +15,6 @@ struct Smoother::State {
   std::shared_ptr<const CharacterTables> tables;
   std::shared_ptr<const Preparation> preparation;  ///< Null until prepare() has succeeded.
   BlendingGraphMemo graphs;
-  int attachments = 0;
   std::vector<int> unattached;
   PosedRig rig;
   SmoothingMemory memory;
@@ -36,7 +35,6 @@ Smoother Smoother::twin() const {
   state->tables = state_->tables;
   state->preparation = state_->preparation;
   state->graphs = state_->graphs;
-  state->attachments = state_->attachments;
   state->unattached = state_->unattached;
   return Smoother(std::move(state));
 }
@@ -49,7 +47,6 @@ Result<void> Smoother::prepare(const Rig& rig, std::span<const int> hidden, cons
   options.region = region;
   auto prepared = sinew::prepare(state_->tables, rig, options, former, state_->graphs);
   if (!prepared) return prepared.error();
-  if (!former || former->attached != prepared.value()->attached) ++state_->attachments;
   state_->preparation = std::move(prepared).value();
   state_->unattached = state_->preparation->attached->attachment.unattached;
   return {};
@@ -65,8 +62,6 @@ bool Smoother::smooth(const Pose& pose, Surface& out, const std::optional<glm::v
 }
 
 const Character& Smoother::character() const { return *state_->tables->character; }
-
-PreparationCounts Smoother::preparationCounts() const { return {state_->attachments, state_->graphs.enumerations()}; }
 
 const std::vector<int>& Smoother::unattached() const { return state_->unattached; }
 

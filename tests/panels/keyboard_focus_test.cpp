@@ -13,7 +13,6 @@
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
-#include "app/panels/palette_controls.h"
 #include "tests/support/editor/headless_editor.h"
 
 namespace sinew::app {

@@ -107,5 +107,19 @@ TEST(CliquesAmong, EqualsTheCliquesOfTheInducedGraph) {
   }
 }
 
+TEST(BlendingGraphMemo, EnumeratesCliquesOnlyWhereGroupsOrLinksChange) {
+  BlendingGraphMemo memo;
+  const auto cliques = [&](int groups, const Links& links) {
+    return memo.graph(groups, links).value()->cliques.data();
+  };
+  const auto* const first = cliques(4, {{0, 1}, {1, 2}});
+  EXPECT_EQ(cliques(4, {{0, 1}, {1, 2}}), first);
+  const auto* const linked = cliques(4, {{0, 1}, {1, 2}, {0, 2}});
+  EXPECT_NE(linked, first);
+  EXPECT_NE(cliques(5, {{0, 1}, {1, 2}, {0, 2}}), linked);
+  EXPECT_EQ(memo.graph(5, Links{{0, 1}, {1, 2}, {0, 2}}).value()->cliques,
+            cliquesByBruteForce(5, {{0, 1}, {1, 2}, {0, 2}}));
+}
+
 }  // namespace
 }  // namespace sinew

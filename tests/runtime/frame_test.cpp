@@ -210,7 +210,7 @@ TEST(BoneLocals, RefuseWhatIsNotOneForEachBone) {
   EXPECT_NE(odd.error().text().find("scales[1]"), std::string::npos) << odd.error().text();
 }
 
-TEST(LevelOfDetail, ATwinAtAnotherToleranceSharesTheAttachmentAndIsWhatItWouldBeAlone) {
+TEST(LevelOfDetail, ATwinAtAnotherToleranceIsWhatItWouldBeAlone) {
   const TrialScene scene = bundledTrialScene("demo");
   Smoother fine(scene.character);
   ASSERT_TRUE(fine.prepare(scene.rig).ok());
@@ -219,8 +219,6 @@ TEST(LevelOfDetail, ATwinAtAnotherToleranceSharesTheAttachmentAndIsWhatItWouldBe
   rig.smoothing.detail = DetailKind::kUniform;
   rig.smoothing.depth = 1;
   ASSERT_TRUE(coarse.prepare(rig).ok());
-  EXPECT_EQ(coarse.preparationCounts().attachments, fine.preparationCounts().attachments);
-  EXPECT_EQ(coarse.preparationCounts().blendingGraphs, fine.preparationCounts().blendingGraphs);
   Smoother alone(scene.character);
   ASSERT_TRUE(alone.prepare(rig).ok());
   Surface shared, own, finer;

@@ -1,14 +1,10 @@
-// tests/ui/letters_test.cpp: which font has a letter, and where it goes in the texture.
+// tests/ui/letters_test.cpp: which font has a letter, and how it draws it.
 
 #include <gtest/gtest.h>
 
 #include <filesystem>
-#include <random>
 #include <string_view>
 
-#include <glm/vec4.hpp>
-
-#include "app/ui/glyph_sheet.h"
 #include "app/ui/letter_faces.h"
 #include "app/ui/letter_fonts.h"
 
@@ -36,39 +32,6 @@ TEST(LetterFonts, TheFaceFollowsTheRegion) {
   EXPECT_NE(strong[0].file.find("Bold"), std::string_view::npos);
   EXPECT_EQ(strong[1], (FontFile{kNoto, 1})) << "where there is no bold one";
   EXPECT_NE(fontFilesFor(U'ع', false, HanRegion::kJapan).front().file, kNoto);
-}
-
-TEST(GlyphSheet, NoTwoTouchAndAllAreInside) {
-  std::mt19937 random(5);
-  for (int round = 0; round < 20; ++round) {
-    const glm::ivec2 area(200, 120);
-    GlyphSheet sheet(area);
-    std::vector<glm::ivec4> placed;
-    std::uniform_int_distribution<int> side(0, 20);
-    for (int i = 0; i < 400; ++i) {
-      const glm::ivec2 size(side(random), side(random));
-      const std::optional<glm::ivec2> at = sheet.place(size);
-      if (!at) continue;
-      ASSERT_TRUE(at->x >= 1 && at->y >= 1 && at->x + size.x <= area.x && at->y + size.y <= area.y);
-      for (const glm::ivec4& other : placed) {
-        const bool apart = at->x > other.x + other.z || other.x > at->x + size.x || at->y > other.y + other.w ||
-                           other.y > at->y + size.y;
-        ASSERT_TRUE(apart) << i;
-      }
-      placed.push_back({*at, size});
-    }
-    EXPECT_GT(placed.size(), 60u);
-  }
-}
-
-TEST(GlyphSheet, WhatIsFullIsEmptyOnceCleared) {
-  GlyphSheet sheet({32, 32});
-  EXPECT_FALSE(sheet.place({33, 5}));
-  int count = 0;
-  while (sheet.place({14, 15})) ++count;
-  EXPECT_EQ(count, 4);
-  sheet.clear();
-  EXPECT_TRUE(sheet.place({14, 15}));
 }
 
 TEST(LetterFaces, ScriptsOfThePackageThatSinewNeeds) {

@@ -23,10 +23,6 @@ std::vector<card::Vertex> CardSurface::readSurface() const {
   return read<card::Vertex>(Buffer::kSurface, static_cast<std::size_t>(options_.bodies * making_.refinedVertices));
 }
 
-std::vector<card::Drawn> CardSurface::readDrawn() const {
-  return read<card::Drawn>(Buffer::kDrawn, static_cast<std::size_t>(options_.bodies * making_.drawnVertices));
-}
-
 std::uint32_t CardSurface::readUnsure() const { return read<card::ListHead>(Buffer::kUnsure, 1).front().count; }
 
 bool CardSurface::readSlopesRest() const {

@@ -64,7 +64,6 @@ class CardSurface {
   [[nodiscard]] std::vector<card::Root> readRoots() const;      ///< [bodies * V']
   [[nodiscard]] std::vector<card::Vertex> readPatches() const;  ///< [bodies * V']
   [[nodiscard]] std::vector<card::Vertex> readSurface() const;  ///< [bodies * V']
-  [[nodiscard]] std::vector<card::Drawn> readDrawn() const;     ///< [bodies * D]
   /// Vertices of the last make() that were left to double precision.
   [[nodiscard]] std::uint32_t readUnsure() const;
   /// Whether the bound on slopes has come to rest.

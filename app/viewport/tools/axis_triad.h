@@ -27,8 +27,6 @@ struct AxisTriad {
   bool turning = false;  ///< ... and has moved the camera: its release is no click.
   glm::vec2 pressPixel{0.0f};
   glm::vec2 lastPixel{0.0f};
-
-  [[nodiscard]] bool ownsMouse() const { return pressed; }
 };
 
 /// Where everything is on screen. Pixels of the viewport, y down.

@@ -157,24 +157,24 @@ TEST_F(CardSurfaces, AreTheSameBytesWhateverTheGroupsAndTheCrowd) {
   for (const Pose& pose : poses) {
     ASSERT_FALSE(one.setPose(pose).has_value());
     one.make();
-    alone.push_back(one.readDrawn());
+    alone.push_back(readDrawn(one));
   }
   // What came before leaves nothing behind.
   ASSERT_FALSE(one.setPose(poses.front()).has_value());
   one.make();
-  EXPECT_TRUE(sameBytes(one.readDrawn(), alone.front()));
+  EXPECT_TRUE(sameBytes(readDrawn(one), alone.front()));
 
   // Five groups along an axis, so that rows are many and the last one is not full.
   CardSurface narrow = surfaceFor(preparation, {1, 5});
   ASSERT_FALSE(narrow.setPose(poses.back()).has_value());
   narrow.make();
-  EXPECT_TRUE(sameBytes(narrow.readDrawn(), alone.back()));
+  EXPECT_TRUE(sameBytes(readDrawn(narrow), alone.back()));
 
   const auto bodies = static_cast<int>(poses.size());
   CardSurface crowd = surfaceFor(preparation, {bodies, app::kMostGroupsAlong});
   for (int b = 0; b < bodies; ++b) ASSERT_FALSE(crowd.setPose(poses[static_cast<std::size_t>(b)], b).has_value());
   crowd.make();
-  const std::vector<app::card::Drawn> all = crowd.readDrawn();
+  const std::vector<app::card::Drawn> all = readDrawn(crowd, poses.size());
   std::vector<app::card::Drawn> expected;
   for (const auto& body : alone) expected.insert(expected.end(), body.begin(), body.end());
   EXPECT_TRUE(sameBytes(all, expected));
@@ -187,7 +187,7 @@ TEST_F(CardSurfaces, DrawWhatIsOnTheSurface) {
   ASSERT_FALSE(card.setPose(spreadPoses(*scene.character, 1).back()).has_value());
   card.make();
   const std::vector<app::card::Vertex> surface = card.readSurface();
-  const std::vector<app::card::Drawn> drawn = card.readDrawn();
+  const std::vector<app::card::Drawn> drawn = readDrawn(card);
   ASSERT_EQ(drawn.size(), preparation->refinement().drawVertex.size());
   forEachDrawVertex(preparation->refinement(), [&](std::size_t d, std::size_t v) {
     const app::card::Drawn& at = drawn[d];

@@ -109,7 +109,7 @@ TEST_F(FrameCalls, AskForNoMemoryAndNeverWait) {
     const std::vector<Pose> poses = spreadPoses(*scene.character, 12);
     ASSERT_FALSE(card.setPose(poses.front()).has_value());
     card.make();
-    (void)card.readDrawn();  // All functions have been called once: the driver's stand in their places.
+    (void)readDrawn(card);  // All functions have been called once: the driver's stand in their places.
     (void)card.seconds();
     glFinish();
     Complaints complaints;
@@ -121,7 +121,7 @@ TEST_F(FrameCalls, AskForNoMemoryAndNeverWait) {
       }
       EXPECT_EQ(calls.allocations, 0) << name;
       EXPECT_EQ(calls.waits, 0) << name;
-      (void)card.readDrawn();
+      (void)readDrawn(card);
       EXPECT_GT(calls.waits, 0) << "reading back is counted";
       (void)surfaceFor(prepared(scene.character, scene.rig));
       EXPECT_GT(calls.allocations, 10) << "so is a new surface";

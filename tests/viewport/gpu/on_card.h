@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -50,6 +51,15 @@ class OnCard : public ::testing::Test {
     auto made = app::CardSurface::create(programs(), preparation, options);
     if (!made) throw std::runtime_error(made.error().text());
     return std::move(made).value();
+  }
+
+  /// What is drawn, [bodies * D]. Waits for the card.
+  static std::vector<app::card::Drawn> readDrawn(const app::CardSurface& card, std::size_t bodies = 1) {
+    std::vector<app::card::Drawn> drawn(bodies * card.preparation().refinement().drawVertex.size());
+    glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+    glGetNamedBufferSubData(card.drawnVertices(), 0, static_cast<GLsizeiptr>(drawn.size() * sizeof(app::card::Drawn)),
+                            drawn.data());
+    return drawn;
   }
 
   /// What docs/performance.md promises of every moment.

@@ -132,7 +132,7 @@ TEST(AxisTriad, ADragOrbitsAndIsNoClick) {
         routeTriad(triad, camera, hold(start + glm::vec2(-10.0f * static_cast<float>(step), 0)), kWindow, 1.0f));
   }
   EXPECT_TRUE(routeTriad(triad, camera, release(start + glm::vec2(-200, 0)), kWindow, 1.0f));
-  EXPECT_FALSE(triad.ownsMouse());
+  EXPECT_FALSE(triad.pressed);
   EXPECT_FALSE(isMoving(camera));
   EXPECT_EQ(camera.stand.target, before.target);
   EXPECT_EQ(camera.stand.distance, before.distance);
@@ -169,12 +169,12 @@ TEST(AxisTriad, TakesTheMouseOnTheBallAloneAndNeverFromOthers) {
   covered.mouseTaken = true;
   const CameraStand before = camera.stand;
   EXPECT_FALSE(routeTriad(triad, camera, covered, kWindow, 1.0f));
-  EXPECT_FALSE(triad.ownsMouse());
+  EXPECT_FALSE(triad.pressed);
   EXPECT_EQ(camera.stand.yaw, before.yaw);
   // A release that never came (the window lost the focus) ends the press all the same.
   EXPECT_TRUE(routeTriad(triad, camera, press(layout.center + glm::vec2(0, 30)), kWindow, 1.0f));
   routeTriad(triad, camera, at({100, 100}), kWindow, 1.0f);
-  EXPECT_FALSE(triad.ownsMouse());
+  EXPECT_FALSE(triad.pressed);
 }
 
 TEST(AxisTriad, TellsWhatAClickDoes) {

@@ -14,12 +14,6 @@
 
 namespace sinew {
 
-/// What a Smoother has recomputed over all its preparations; the rest was kept from one to the next.
-struct PreparationCounts {
-  int attachments = 0;     ///< Bones, territories and candidate lists: after edits of other things than shapes.
-  int blendingGraphs = 0;  ///< Cliques enumerated: after edits of groups and links.
-};
-
 /// Skin, patch, project, remove folds, shading normals: stages in files of their own, in order.
 /// prepare() once per edit, smooth() once per pose. Editor, command line, export and tests all go through here.
 /// The surface depends on the character, the rig and the pose alone, never on what was smoothed before.
@@ -54,7 +48,6 @@ class Smoother {
   [[nodiscard]] const Character& character() const;
   /// Indices into the prepared rig's primitives whose bone this character lacks; valid until the next prepare().
   [[nodiscard]] const std::vector<int>& unattached() const;
-  [[nodiscard]] PreparationCounts preparationCounts() const;
 
  private:
   struct State;

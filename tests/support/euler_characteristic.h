@@ -1,0 +1,10 @@
+// tests/support/euler_characteristic.h: what tells a sphere from a torus.
+#pragma once
+
+#include "core/geometry/topology.h"
+
+namespace sinew {
+
+inline int eulerCharacteristic(const Topology& of) { return of.vertices - of.edges + of.triangles; }
+
+}  // namespace sinew
