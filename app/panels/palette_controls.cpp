@@ -122,8 +122,6 @@ constexpr PaletteControl kControls[] = {
     {"smoothing/auto", "Automatic detail", "size on screen lod", Shelf::kSmoothing, "", withCharacter},
     {"smoothing/detail", "Detail: adaptive or uniform", "subdivision", Shelf::kSmoothing, "", withCharacter},
     {"smoothing/patch", "Rounding", "patch curve smooth pn phong spherigon flat", Shelf::kSmoothing, "", withCharacter},
-    {"smoothing/projection", "Search for the surface", "projection newton bisection analytic exact fast",
-     Shelf::kSmoothing, "", withCharacter},
     {"smoothing/crease", "Crease angle", "hard edge sharp normals", Shelf::kSmoothing, "", withCharacter},
     {"layers/guess-all", "Guess all layers", "parts of the mesh skin cloth rigid reset automatic", Shelf::kLayers, "",
      withSetLayers},

@@ -47,18 +47,6 @@ Word wordFor(PatchKind patch) {
   return {"Flat", "The triangles of the file as they are"};
 }
 
-Word wordFor(ProjectionKind kind) {
-  switch (kind) {
-    case ProjectionKind::kNewton:
-      return {"Fast", "A few steps along the slope (Newton)"};
-    case ProjectionKind::kBisection:
-      return {"Careful", "Halves the distance until it is found (bisection)"};
-    case ProjectionKind::kAnalytic:
-      break;
-  }
-  return {"Exact", "Solves for the surface piece by piece (analytic)"};
-}
-
 Word wordFor(DetailKind detail) {
   if (detail == DetailKind::kAdaptive)
     return {"Adaptive", "Fine where muscles shape the skin, coarse where it is flat"};
@@ -270,10 +258,6 @@ void drawSmoothingPanel(PanelUi& ui) {
             std::array{PatchKind::kPn, PatchKind::kPhong, PatchKind::kSpherigon, PatchKind::kFlat},
             "How the skin curves between the file's vertices (patch).",
             [&](PatchKind patch) { return changed([&](SmoothingSettings& s) { s.patch = patch; }); });
-  choiceRow(ui, "Search", "smoothing/projection", before.projection,
-            std::array{ProjectionKind::kNewton, ProjectionKind::kBisection, ProjectionKind::kAnalytic},
-            "How the place of a vertex on the muscles is found (projection).",
-            [&](ProjectionKind kind) { return changed([&](SmoothingSettings& s) { s.projection = kind; }); });
   creaseRow(ui, before, changed);
 }
 
