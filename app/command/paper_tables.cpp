@@ -8,6 +8,7 @@
 #include "app/command/measuring.h"
 #include "app/viewport/render/framing.h"
 #include "core/character/skinning.h"
+#include "core/geometry/instruction_set.h"
 
 namespace sinew::app {
 namespace {
@@ -73,10 +74,11 @@ Result<std::vector<Table1Row>> measureTable1(const BenchScene& scene, int rounds
   const bool humanoid = isPaperHumanoid(*scene.character);
   const std::vector<Moment> moments = momentsOf(*scene.character);
   std::vector<Table1Row> rows;
+  const InstructionSetScope vertexByVertex(InstructionSet::kScalar);  // Like with like: vectors know newton alone.
   for (const PaperRates& paper : kPaperTable1) {  // One depth after the other: all at once fill the memory.
     std::vector<Smoother> smoothers;
     for (const ProjectionKind projection : kProjections) {
-      Result<Smoother> smoother = preparedSmoother(scene, rigAt(scene, paper.depth, projection));
+      Result<Smoother> smoother = preparedSmoother(scene, rigAt(scene, paper.depth), projection);
       if (!smoother) return smoother.error();
       smoothers.push_back(std::move(smoother.value()));
     }

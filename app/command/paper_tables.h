@@ -41,7 +41,8 @@ struct Table1Row {
   std::optional<double> paperFps;  ///< The paper's humanoid's, where the mesh has as many triangles; not by newton.
 };
 
-/// All projections with and without culling in turn, one depth after the other. Error: the rig is refused.
+/// All projections by the scalar reference, with and without culling in turn, one depth after the other. Error: the rig
+/// is refused.
 [[nodiscard]] Result<std::vector<Table1Row>> measureTable1(const BenchScene& scene, int rounds);
 
 /// By newton, back faces culled as in the paper.

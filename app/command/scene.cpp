@@ -23,17 +23,16 @@ Result<BenchScene> openScene(const std::filesystem::path& file) {
                     bare ? trialRig(*document->character, kTrialMuscles, kTrialSeed) : document->rig()};
 }
 
-Rig rigAt(const BenchScene& scene, int depth, ProjectionKind projection) {
+Rig rigAt(const BenchScene& scene, int depth) {
   Rig rig = scene.rig;
   rig.smoothing.detail = DetailKind::kUniform;
   rig.smoothing.depth = depth;
   rig.smoothing.autoDepth = false;
-  rig.smoothing.projection = projection;
   return rig;
 }
 
-Result<Smoother> preparedSmoother(const BenchScene& scene, const Rig& rig) {
-  Smoother smoother(scene.character);
+Result<Smoother> preparedSmoother(const BenchScene& scene, const Rig& rig, ProjectionKind projection) {
+  Smoother smoother(scene.character, projection);
   if (const Result<void> prepared = smoother.prepare(rig); !prepared) return prepared.error();
   return smoother;
 }

@@ -25,10 +25,11 @@ struct BenchScene {
 /// The depth at which single figures are taken: the paper's highest in its second table.
 inline constexpr int kBenchDepth = 5;
 
-/// The scene's rig at a depth, roots found by one method.
-[[nodiscard]] Rig rigAt(const BenchScene& scene, int depth, ProjectionKind projection = ProjectionKind::kNewton);
+/// The scene's rig at a depth.
+[[nodiscard]] Rig rigAt(const BenchScene& scene, int depth);
 
 /// A smoother that has the rig. Error: the rig is refused.
-[[nodiscard]] Result<Smoother> preparedSmoother(const BenchScene& scene, const Rig& rig);
+[[nodiscard]] Result<Smoother> preparedSmoother(const BenchScene& scene, const Rig& rig,
+                                                ProjectionKind projection = ProjectionKind::kNewton);
 
 }  // namespace sinew::app

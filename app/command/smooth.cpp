@@ -33,6 +33,7 @@ struct SmoothOptions {
   std::optional<double> time;       ///< Seconds into the clip.
   BatchOptions batch;
   SurfaceOptions surface;
+  ProjectionKind projection = ProjectionKind::kNewton;
   std::vector<std::string> clips;  ///< Files whose clips are added.
 };
 
@@ -82,6 +83,11 @@ void addSmoothOptions(CLI::App& verb, SmoothOptions& options) {
   verb.add_option("--time", options.time, "Seconds into the clip (0)")->type_name("S")->check(isTime)->needs(clip);
   addFrameOptions(verb, options.batch);
   addSurfaceOptions(verb, options.surface);
+  verb.add_option_function<std::string>(
+          "--projection", [&options](const std::string& word) { options.projection = *projectionKindNamed(word); },
+          "How roots are found: newton, or to compare, by the slow reference, the paper's bisection or analytic")
+      ->type_name("P")
+      ->check(CLI::IsMember({"newton", "bisection", "analytic"}));
   verb.add_option_function<std::string>("-o,--output", to(options.output), "Surface to write: " + exportNameEndings())
       ->type_name("OUT")
       ->required()
@@ -164,7 +170,7 @@ int smoothInput(const SmoothOptions& options, const SmoothJob& job, const BatchI
   if (!opened) return badInput(opened.error());
   if (!opened->frames.left.empty()) message(opened->frames.left);
   if (options.batch.dryRun) return putNames(input, opened->frames.wanted);
-  Smoother smoother(opened->character);
+  Smoother smoother(opened->character, options.projection);
   if (const auto prepared = smoother.prepare(opened->rig); !prepared) {
     return badInput({input.file.string(), prepared.error().place, prepared.error().reason});
   }

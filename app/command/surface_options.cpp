@@ -108,9 +108,6 @@ void addSurfaceOptions(CLI::App& verb, SurfaceOptions& options) {
   verb.add_option("--patch", options.patch, "Curved patch over each triangle: pn, phong, spherigon or flat")
       ->type_name("P")
       ->check(CLI::IsMember({"pn", "phong", "spherigon", "flat"}));
-  verb.add_option("--projection", options.projection, "How roots are found: newton, bisection or analytic")
-      ->type_name("P")
-      ->check(CLI::IsMember({"newton", "bisection", "analytic"}));
   verb.add_option("--crease", options.crease,
                   "Shade faces that meet at more than this angle apart; 180: smooth everywhere")
       ->type_name("DEGREES")
@@ -128,7 +125,6 @@ Result<Rig> overridden(const Document& document, const SurfaceOptions& options) 
   if (options.crease) rig.smoothing.creaseAngle = *options.crease;
   rig.surface.mode = surfaceModeNamed(options.mode).value_or(rig.surface.mode);
   rig.smoothing.patch = patchKindNamed(options.patch).value_or(rig.smoothing.patch);
-  rig.smoothing.projection = projectionKindNamed(options.projection).value_or(rig.smoothing.projection);
   for (const std::string& shape : options.shapes) {
     Result<Rig> with = withShape(std::move(rig), shape, document);
     if (!with) return with;

@@ -21,14 +21,12 @@ namespace sinew::app {
 struct SurfaceOptions {
   DetailOverride detail;
   std::optional<float> crease;  ///< Degrees.
-  std::string mode;             ///< Empty: the rig's, as for the next two.
+  std::string mode;             ///< Empty: the rig's, as for the next.
   std::string patch;
-  std::string projection;
   std::vector<std::string> shapes;  ///< "NAME=W"
 };
 
-/// --depth, --detail, --tolerance, --mode, --patch, --projection, --crease and --shape. `options` must outlive the
-/// parse.
+/// --depth, --detail, --tolerance, --mode, --patch, --crease and --shape. `options` must outlive the parse.
 void addSurfaceOptions(CLI::App& verb, SurfaceOptions& options);
 
 /// --clips, once for each file.

@@ -1,5 +1,4 @@
-// app/panels/surface_panel.cpp: how the surface is made: mode, tightness, skin blend; depth, rounding,
-// search.
+// app/panels/surface_panel.cpp: how the surface is made: mode, tightness, skin blend; depth, rounding.
 
 #include <imgui.h>
 #include "app/panels/animated_field.h"
@@ -34,8 +33,6 @@ const Control kTolerance{"smoothing/tolerance", "Tolerance", "adaptive error sub
 const Control kAutoDetail{"smoothing/auto", "Automatic detail", "size on screen lod"};
 const Control kDetail{"smoothing/detail", "Detail", "adaptive or uniform subdivision"};
 const Control kPatch{"smoothing/patch", "Rounding", "patch curve smooth pn phong spherigon flat"};
-const Control kProjection{"smoothing/projection", "Search",
-                          "for the surface projection newton bisection analytic exact fast"};
 const Control kCrease{"smoothing/crease", "Crease", "angle hard edge sharp normals"};
 
 constexpr int kDepthOfSlider = 8;
@@ -66,18 +63,6 @@ Word wordFor(PatchKind patch) {
       break;
   }
   return {"Flat", "The triangles of the file as they are"};
-}
-
-Word wordFor(ProjectionKind kind) {
-  switch (kind) {
-    case ProjectionKind::kNewton:
-      return {"Fast", "A few steps along the slope (Newton)"};
-    case ProjectionKind::kBisection:
-      return {"Careful", "Halves the distance until it is found (bisection)"};
-    case ProjectionKind::kAnalytic:
-      break;
-  }
-  return {"Exact", "Solves for the surface piece by piece (analytic)"};
 }
 
 Word wordFor(DetailKind detail) {
@@ -292,10 +277,6 @@ void drawSmoothingPanel(PanelUi& ui) {
             std::array{PatchKind::kPn, PatchKind::kPhong, PatchKind::kSpherigon, PatchKind::kFlat},
             "How the skin curves between the file's vertices (patch).",
             [&](PatchKind patch) { return changed([&](SmoothingSettings& s) { s.patch = patch; }); });
-  choiceRow(ui, kProjection, before.projection,
-            std::array{ProjectionKind::kNewton, ProjectionKind::kBisection, ProjectionKind::kAnalytic},
-            "How the place of a vertex on the muscles is found (projection).",
-            [&](ProjectionKind kind) { return changed([&](SmoothingSettings& s) { s.projection = kind; }); });
   creaseRow(ui, before, changed);
 }
 

@@ -42,9 +42,7 @@ Json surfaceNode(const SurfaceSettings& surface) {
 
 Json smoothingNode(const SmoothingSettings& smoothing) {
   ObjectWriter writer;
-  writer.set("depth", smoothing.depth)
-      .set("patch", nameOf(smoothing.patch))
-      .set("projection", nameOf(smoothing.projection));
+  writer.set("depth", smoothing.depth).set("patch", nameOf(smoothing.patch));
   if (smoothing.creaseAngle != kDefaultCreaseAngle) writer.set("crease_angle", smoothing.creaseAngle);
   if (smoothing.detail != DetailKind::kUniform) writer.set("detail", nameOf(smoothing.detail));
   if (smoothing.tolerance != kDefaultTolerance) writer.set("tolerance", smoothing.tolerance);

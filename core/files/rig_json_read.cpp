@@ -14,6 +14,7 @@
 #include "core/geometry/affine_image.h"
 #include "core/rig/mesh_layers.h"
 #include "core/rig/validation.h"
+#include "sinew/surface/projection_kind.h"
 
 namespace sinew {
 namespace {
@@ -42,8 +43,9 @@ SmoothingSettings readSmoothing(Reader& reader, const Json& node) {
   }
   readWord(reader, node, "smoothing", "patch", "\"pn\", \"phong\", \"spherigon\" or \"flat\"", patchKindNamed,
            smoothing.patch);
+  ProjectionKind projection = ProjectionKind::kNewton;  // Once a choice, without meaning now.
   readWord(reader, node, "smoothing", "projection", "\"newton\", \"bisection\" or \"analytic\"", projectionKindNamed,
-           smoothing.projection);
+           projection);
   readFloat(reader, node, "smoothing", "crease_angle", smoothing.creaseAngle);
   readWord(reader, node, "smoothing", "detail", "\"uniform\" or \"adaptive\"", detailKindNamed, smoothing.detail);
   readFloat(reader, node, "smoothing", "tolerance", smoothing.tolerance);

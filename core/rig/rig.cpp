@@ -119,18 +119,6 @@ const char* nameOf(PatchKind patch) {
   return "flat";
 }
 
-const char* nameOf(ProjectionKind projection) {
-  switch (projection) {
-    case ProjectionKind::kNewton:
-      return "newton";
-    case ProjectionKind::kBisection:
-      return "bisection";
-    case ProjectionKind::kAnalytic:
-      break;
-  }
-  return "analytic";
-}
-
 const char* nameOf(DetailKind detail) { return detail == DetailKind::kAdaptive ? "adaptive" : "uniform"; }
 
 std::optional<SurfaceMode> surfaceModeNamed(const std::string& name) {
@@ -139,10 +127,6 @@ std::optional<SurfaceMode> surfaceModeNamed(const std::string& name) {
 
 std::optional<PatchKind> patchKindNamed(const std::string& name) {
   return named(std::array{PatchKind::kPn, PatchKind::kPhong, PatchKind::kSpherigon, PatchKind::kFlat}, name);
-}
-
-std::optional<ProjectionKind> projectionKindNamed(const std::string& name) {
-  return named(std::array{ProjectionKind::kNewton, ProjectionKind::kBisection, ProjectionKind::kAnalytic}, name);
 }
 
 std::optional<DetailKind> detailKindNamed(const std::string& name) {

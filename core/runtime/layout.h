@@ -445,10 +445,11 @@ void fields(A& a, typename A::template Ref<SurfaceSettings> value) {
 
 template <class A>
 void fields(A& a, typename A::template Ref<SmoothingSettings> value) {
-  auto& [depth, patch, projection, creaseAngle, detail, tolerance, autoDepth, unknownKeys] = value;
+  auto& [depth, patch, creaseAngle, detail, tolerance, autoDepth, unknownKeys] = value;
   a.number(depth);
   a.choice(patch, PatchKind::kFlat);
-  a.choice(projection, ProjectionKind::kAnalytic);
+  std::uint8_t projection = 0;  // Once one of three; without meaning now.
+  a.choice(projection, std::uint8_t{2});
   a.floats(creaseAngle);
   a.choice(detail, DetailKind::kAdaptive);
   a.floats(tolerance);

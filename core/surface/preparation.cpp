@@ -205,6 +205,7 @@ Result<std::shared_ptr<const Preparation>> prepare(const std::shared_ptr<const C
   next->iso = rig.surface.iso;
   next->smoothing = rig.smoothing;
   next->smoothing.depth = depth;
+  next->projection = options.projection;
   next->poser = options.poser ? options.poser : std::make_shared<const RigPoser>(rig, character);
   next->layered = std::move(layered);
   next->attached = std::move(attached).value();
@@ -255,13 +256,12 @@ void readBindPose(const Preparation& preparation, std::span<const FieldPrimitive
 
 SwellSettings swellSettings(const Preparation& preparation, float skinBlend) {
   const float height = preparation.character().height;
-  return {preparation.iso, skinBlend * height, preparation.smoothing.projection,
-          kRootTolerance * static_cast<double>(height)};
+  return {preparation.iso, skinBlend * height, preparation.projection, kRootTolerance * static_cast<double>(height)};
 }
 
 ReplaceSettings replaceSettings(const Preparation& preparation) {
   const float height = preparation.character().height;
-  return {preparation.iso, kSearchLength * height, preparation.smoothing.projection,
+  return {preparation.iso, kSearchLength * height, preparation.projection,
           kRootTolerance * static_cast<double>(height)};
 }
 

@@ -72,6 +72,7 @@ struct Preparation {
   SurfaceMode mode = SurfaceMode::kSwell;
   float iso = kDefaultIso;
   SmoothingSettings smoothing;
+  ProjectionKind projection = ProjectionKind::kNewton;
   std::shared_ptr<const RigPoser> poser;
   std::shared_ptr<const LayeredSkin> layered;  ///< Null: all is skin.
   std::shared_ptr<const AttachedRig> attached;
@@ -108,9 +109,10 @@ struct PreparationOptions {
   std::optional<int> depth{};        ///< 1..kMaxDepth, in place of the rig's.
   std::optional<float> tolerance{};  ///< Of adaptive detail, in place of the rig's.
   bool keepLevels = false;           ///< Adaptive detail keeps the former preparation's levels, while an edit goes on.
-  std::shared_ptr<const Rig> shared{};      ///< The rig itself, if it is shared: kept in place of a copy.
-  std::shared_ptr<const RigPoser> poser{};  ///< A poser of this rig and character, if there is one.
-  std::span<const std::uint8_t> region{};   ///< [T] a Region. Empty: the whole body.
+  std::shared_ptr<const Rig> shared{};                  ///< The rig itself, if it is shared: kept in place of a copy.
+  std::shared_ptr<const RigPoser> poser{};              ///< A poser of this rig and character, if there is one.
+  std::span<const std::uint8_t> region{};               ///< [T] a Region. Empty: the whole body.
+  ProjectionKind projection = ProjectionKind::kNewton;  ///< The same as `former`'s.
 };
 
 /// Error: the rig is invalid, the blending graph too large, or the refined mesh would not fit memory.

@@ -56,6 +56,10 @@ constexpr std::array kProjectors{Projector{"scalar", projectScalar}, Projector{"
 
 std::span<const Projector> projectors() { return kProjectors; }
 
-const Projector& chosenProjector() { return kProjectors[chosenInstructionSet() == InstructionSet::kScalar ? 0 : 1]; }
+const Projector& chosenProjector(const Preparation& preparation) {
+  const bool vectors =
+      chosenInstructionSet() != InstructionSet::kScalar && preparation.projection == ProjectionKind::kNewton;
+  return kProjectors[vectors ? 1 : 0];
+}
 
 }  // namespace sinew

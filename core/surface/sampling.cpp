@@ -19,7 +19,7 @@ const Surface& SurfaceSampler::sample(const Pose& pose) {
   layPatch(*preparation_, posed_, workspace_, surface_);
   if (preparation_->shownPrimitives > 0) {
     const FieldView field{posed_.primitives, preparation_->seen.get(), skipped_};
-    chosenProjector().project({*preparation_, posed_, field}, pose, workspace_, surface_);
+    chosenProjector(*preparation_).project({*preparation_, posed_, field}, pose, workspace_, surface_);
   }
   return surface_;
 }

@@ -13,6 +13,7 @@ namespace sinew {
 
 struct Smoother::State {
   std::shared_ptr<const CharacterTables> tables;
+  ProjectionKind projection = ProjectionKind::kNewton;
   std::shared_ptr<const Preparation> preparation;  ///< Null until prepare() has succeeded.
   BlendingGraphMemo graphs;
   std::vector<int> unattached;
@@ -20,9 +21,11 @@ struct Smoother::State {
   SmoothingMemory memory;
 };
 
-Smoother::Smoother(std::shared_ptr<const Character> character) : state_(std::make_unique<State>()) {
+Smoother::Smoother(std::shared_ptr<const Character> character, ProjectionKind projection)
+    : state_(std::make_unique<State>()) {
   assert(character);
   state_->tables = characterTables(std::move(character));
+  state_->projection = projection;
 }
 
 Smoother::Smoother(std::unique_ptr<State> state) : state_(std::move(state)) {}
@@ -33,6 +36,7 @@ Smoother& Smoother::operator=(Smoother&&) noexcept = default;
 Smoother Smoother::twin() const {
   auto state = std::make_unique<State>();
   state->tables = state_->tables;
+  state->projection = state_->projection;
   state->preparation = state_->preparation;
   state->graphs = state_->graphs;
   state->unattached = state_->unattached;
@@ -45,6 +49,7 @@ Result<void> Smoother::prepare(const Rig& rig, std::span<const int> hidden, cons
   PreparationOptions options;
   options.hidden = hidden;
   options.region = region;
+  options.projection = state_->projection;
   auto prepared = sinew::prepare(state_->tables, rig, options, former, state_->graphs);
   if (!prepared) return prepared.error();
   state_->preparation = std::move(prepared).value();

@@ -83,7 +83,7 @@ SmoothingReport reportOf(const Preparation& p) {
   SmoothingReport report;
   report.mode = p.mode;
   report.patch = p.smoothing.patch;
-  report.projection = p.smoothing.projection;
+  report.projection = p.projection;
   report.depth = p.refinement().depth;
   report.controlTriangles = static_cast<int>(p.mesh().triangles.size());
   report.refinedTriangles = static_cast<int>(p.refinement().triangles.size());
@@ -111,7 +111,7 @@ void project(const Preparation& preparation, const PosedField& posed, const Pose
   cull(preparation, posed, field, eye, workspace.culling, out);
   if (preparation.shownPrimitives == 0) return;
   field.skipped = workspace.culling.carriers;
-  chosenProjector().project({preparation, posed, field}, pose, workspace, out);
+  chosenProjector(preparation).project({preparation, posed, field}, pose, workspace, out);
 }
 
 bool findMoved(const Preparation& preparation, const PosedField& posed, Workspace& workspace, const Surface& out) {

@@ -67,9 +67,9 @@ _sinew() {
         smooth:--tolerance) :; return ;;
         smooth:--mode) _sinew_words swell replace; return ;;
         smooth:--patch) _sinew_words pn phong spherigon flat; return ;;
-        smooth:--projection) _sinew_words newton bisection analytic; return ;;
         smooth:--crease) :; return ;;
         smooth:--shape) :; return ;;
+        smooth:--projection) _sinew_words newton bisection analytic; return ;;
         smooth:-o|smooth:--output) _sinew_files obj ply glb; return ;;
         smooth:--report) _sinew_files json; return ;;
         smooth:--list) _sinew_files -; return ;;
@@ -118,7 +118,6 @@ _sinew() {
         render:--tolerance) :; return ;;
         render:--mode) _sinew_words swell replace; return ;;
         render:--patch) _sinew_words pn phong spherigon flat; return ;;
-        render:--projection) _sinew_words newton bisection analytic; return ;;
         render:--crease) :; return ;;
         render:--shape) :; return ;;
         render:-o|render:--output) _sinew_files png webp gif mp4; return ;;
@@ -147,13 +146,13 @@ _sinew() {
         muscle:*) _sinew_files glb gltf vrm rig.json ;;
         retarget:-*) _sinew_words -h --help -o --output --report ;;
         retarget:*) _sinew_files glb gltf vrm rig.json ;;
-        smooth:-*) _sinew_words -h --help --clip --clips --time --frames --fps --depth --detail --tolerance --mode --patch --projection --crease --shape -o --output --report --list --shard --resume --dry-run --threads --progress ;;
+        smooth:-*) _sinew_words -h --help --clip --clips --time --frames --fps --depth --detail --tolerance --mode --patch --crease --shape --projection -o --output --report --list --shard --resume --dry-run --threads --progress ;;
         smooth:*) _sinew_files glb gltf vrm rig.json ;;
         export:-*) _sinew_words -h --help --as --clips --mesh --depth --detail --tolerance --weights --clip --joints --joint-scale --fps --substeps --bound --json --error-map -o --output --list --shard --resume --dry-run --threads --progress ;;
         export:*) _sinew_files glb gltf vrm rig.json ;;
         pack:-*) _sinew_words -h --help -o --output --depth --detail --tolerance ;;
         pack:*) _sinew_files glb gltf vrm rig.json ;;
-        render:-*) _sinew_words -h --help --clips --clip --time --frames --fps --turntable --sheet --view --orthographic --shading --show --glass --surface --no-surface --ground --no-ground --cull --on --transparent --light --background --ao --size --samples --depth --detail --tolerance --mode --patch --projection --crease --shape -o --output --list --shard --resume --dry-run --threads --progress ;;
+        render:-*) _sinew_words -h --help --clips --clip --time --frames --fps --turntable --sheet --view --orthographic --shading --show --glass --surface --no-surface --ground --no-ground --cull --on --transparent --light --background --ao --size --samples --depth --detail --tolerance --mode --patch --crease --shape -o --output --list --shard --resume --dry-run --threads --progress ;;
         render:*) _sinew_files glb gltf vrm rig.json ;;
         farm:-*) _sinew_words -h --help --to --tasks --program --job ;;
         bench:-*) _sinew_words -h --help --json --rounds --crowd --frames --progress ;;

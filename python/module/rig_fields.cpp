@@ -154,9 +154,9 @@ const Field<Rig> kSettings[] = {
      [](Rig& r, py::handle v, const std::string& place) {
        r.smoothing.patch = wordFrom(v, place, patchKindNamed, {"pn", "phong", "spherigon", "flat"});
      }},
-    {"projection", [](const Rig& r) -> py::object { return py::str(nameOf(r.smoothing.projection)); },
-     [](Rig& r, py::handle v, const std::string& place) {
-       r.smoothing.projection = wordFrom(v, place, projectionKindNamed, {"newton", "bisection", "analytic"});
+    {"projection", [](const Rig&) -> py::object { return py::str(nameOf(ProjectionKind::kNewton)); },
+     [](Rig&, py::handle v, const std::string& place) {
+       (void)wordFrom(v, place, projectionKindNamed, {"newton", "bisection", "analytic"});
      }},
     {"crease_angle", [](const Rig& r) -> py::object { return py::float_(r.smoothing.creaseAngle); },
      [](Rig& r, py::handle v, const std::string& place) { r.smoothing.creaseAngle = numberFrom(v, place); }},

@@ -58,7 +58,7 @@ void run(benchmark::State& state, Subject& subject, InstructionSet set) {
 bool addSubjects(const char* scene, std::vector<std::unique_ptr<Subject>>& subjects) {
   const TrialScene trial = bundledTrialScene(scene);
   for (const int depth : {3, 5}) {
-    Rig rig = withMode(trial.rig, trial.rig.surface.mode);  // By newton: the others have no vectors.
+    Rig rig = trial.rig;
     rig.smoothing.detail = DetailKind::kUniform;
     rig.smoothing.depth = depth;
     auto subject =

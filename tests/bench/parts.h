@@ -32,8 +32,6 @@ struct Report {
 [[nodiscard]] Result<Report> reportField(Files files, const Effort& effort);
 /// 4,000 lines and 1,000 drivers beside skinning the first file's character. A round is a pose of its first clip.
 [[nodiscard]] Result<Report> reportAnimation(Files files, const Effort& effort);
-/// Work, time and agreement of newton, bisection and analytic in both modes.
-[[nodiscard]] Result<Report> reportProjections(Files files, const Effort& effort);
 /// Frames of a drag with short and long history, few and many muscles.
 [[nodiscard]] Result<Report> reportDrag(Files files, const Effort& effort);
 /// How often the skin steps far, and pops, over all clips. A round is a random rig, frames are at most so many a clip.

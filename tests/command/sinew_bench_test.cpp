@@ -10,43 +10,6 @@ class Parts : public Program {
   Outcome run(const std::vector<std::string>& arguments) const { return Program::run(arguments, SINEW_BENCH); }
 };
 
-TEST_F(Parts, ProjectionsOfTheBundledScenes) {
-  const auto file = folder_ / "bench.json";
-  const Outcome outcome = run({"projections", "--frames", "2", "--rounds", "1", "--json", file.string()});
-  ASSERT_EQ(outcome.status, 0) << outcome.error;
-  EXPECT_NE(outcome.out.find("x newton"), std::string::npos) << outcome.out;
-  const auto json = Json::parse(readWholeFile(file, 1 << 20).value());
-  ASSERT_TRUE(json.ok());
-  const std::vector<Json> rows = json.value().at("rows").items();
-  ASSERT_EQ(rows.size(), 3u * 2u * 3u) << "scenes x modes x projections";
-  for (const Json& row : rows) {
-    const std::string what = row.dump();
-    EXPECT_GT(row.at("vertices").number(0), 100.0) << what;
-    EXPECT_GE(row.at("field_per_vertex").number(0), 1.0) << what;
-    EXPECT_GT(row.at("quartic_per_vertex").number(0), 0.0) << what;
-    EXPECT_GT(row.at("project_seconds").number(0), 0.0) << what;
-    const bool swell = row.at("mode").text("") == "swell";
-    if (row.at("projection").text("") == "newton") {
-      EXPECT_EQ(row.at("difference_max").number(1), 0.0) << what;
-      EXPECT_EQ(row.at("frame_ratio").number(0), 1.0) << what;
-    }
-    if (swell) {
-      EXPECT_LE(row.at("difference_share").number(1), 0.008) << what;
-      EXPECT_EQ(row.at("unresolved").number(1), 0.0) << what;
-    }
-  }
-  // Bisection halves each bracket eight times; a closed form is solved once a stretch that may hold a root.
-  const auto quartics = [&](std::size_t row) { return rows[row].at("quartic_per_vertex").number(0); };
-  EXPECT_GT(quartics(1), 7.0);
-  EXPECT_LT(quartics(2), quartics(0));
-}
-
-TEST_F(Parts, PlainCharactersGetMusclesByRule) {
-  const Outcome outcome = run({"projections", demo("demo.glb"), "--frames", "1", "--rounds", "1"});
-  ASSERT_EQ(outcome.status, 0) << outcome.error;
-  EXPECT_NE(outcome.out.find("\ndemo "), std::string::npos) << outcome.out;
-}
-
 TEST_F(Parts, FieldOfSpheresAndEllipsoids) {
   const Outcome outcome = run({"field", "--rounds", "1"});
   ASSERT_EQ(outcome.status, 0) << outcome.error;
@@ -197,7 +160,7 @@ TEST_F(Parts, AnimationBesideSkinning) {
 }
 
 TEST_F(Parts, BadInputAndBadCommandLine) {
-  for (const char* part : {"animation", "detail", "projections", "drag", "pops", "settle", "stages"}) {
+  for (const char* part : {"animation", "detail", "drag", "pops", "settle", "stages"}) {
     const Outcome absent = run({part, "no such file.glb"});
     EXPECT_EQ(absent.status, 1);
     EXPECT_TRUE(absent.oneErrorLine()) << absent.error;
@@ -208,7 +171,7 @@ TEST_F(Parts, BadInputAndBadCommandLine) {
                                 {"field", demo("demo.glb")},
                                 {"animation", demo("demo.glb"), demo("demo.glb")},
                                 {"--rounds", "3", "stages"},
-                                {"projections", "--rounds", "0"},
+                                {"stages", "--rounds", "0"},
                                 {"drag", "--frames", "0"}}) {
     const Outcome outcome = run(arguments);
     EXPECT_EQ(outcome.status, 2);

@@ -52,7 +52,7 @@ TEST(RigJson, WritesKeysInOrderAndFloatsShort) {
   "version": 1,
   "character": "fox.glb",
   "surface": { "mode": "swell", "iso": 0.25, "skin_blend": 0.04 },
-  "smoothing": { "depth": 3, "patch": "pn", "projection": "newton" },
+  "smoothing": { "depth": 3, "patch": "pn" },
   "groups": [
     { "name": "legs" }
   ],
@@ -146,7 +146,6 @@ TEST(RigJson, OpensTheFullFileOfVersion1) {
   EXPECT_EQ(rig.surface.unknownKeys, R"({"x-shade":"matte"})");
   EXPECT_EQ(rig.smoothing.depth, 5);
   EXPECT_EQ(rig.smoothing.patch, PatchKind::kPhong);
-  EXPECT_EQ(rig.smoothing.projection, ProjectionKind::kBisection);
   ASSERT_EQ(rig.primitives.size(), 3u);
   EXPECT_EQ(rig.primitives[0].mirror, "thigh R");
   EXPECT_EQ(rig.primitives[1].placement.radii, glm::vec3(6, 12, 7));
@@ -200,6 +199,14 @@ std::string fullWith(const std::string& from, const std::string& to) {
   const std::size_t at = text.find(from);
   EXPECT_NE(at, std::string::npos) << from;
   return text.replace(at, from.size(), to);
+}
+
+TEST(RigJson, TheSearchOfOldFilesIsReadAndMeansNothing) {
+  const Rig rig = loadRig(dataFile("v1-full.rig.json")).value();
+  EXPECT_EQ(rigToJson(rig).find("projection"), std::string::npos);
+  for (const char* word : {"\"newton\"", "\"analytic\""}) {
+    EXPECT_TRUE(rigFromJson(fullWith("\"bisection\"", word)).value() == rig) << word;
+  }
 }
 
 struct BadRig {

@@ -65,6 +65,6 @@ def rig(character, radius=0.6, depth=2):
     return json.dumps({
         "format": "sinew-rig", "version": 1, "character": character,
         "surface": {"mode": "swell", "iso": 0.25, "skin_blend": 0.04},
-        "smoothing": {"depth": depth, "patch": "flat", "projection": "newton"}, "groups": [{"name": "all"}], "links": [],
+        "smoothing": {"depth": depth, "patch": "flat"}, "groups": [{"name": "all"}], "links": [],
         "primitives": [{"name": "calf", "bone": "knee", "group": "all", "kind": "ellipsoid", "center": [0, 0.3, 0],
                         "rotation": [0, 0, 0, 1], "radii": [radius, 0.5, radius], "reach": 1.4, "sign": 1}]})

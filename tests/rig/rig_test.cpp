@@ -22,10 +22,6 @@ TEST(Rig, EqualityNoticesEveryMember) {
       [](Rig& r) { r.surface.unknownKeys += ' '; },
       [](Rig& r) { r.smoothing.depth += 1; },
       [](Rig& r) { r.smoothing.patch = r.smoothing.patch == PatchKind::kPn ? PatchKind::kFlat : PatchKind::kPn; },
-      [](Rig& r) {
-        r.smoothing.projection =
-            r.smoothing.projection == ProjectionKind::kNewton ? ProjectionKind::kAnalytic : ProjectionKind::kNewton;
-      },
       [](Rig& r) { r.smoothing.unknownKeys += ' '; },
       [](Rig& r) { r.groups[0].name += 'x'; },
       [](Rig& r) { r.groups[0].unknownKeys += ' '; },
@@ -75,12 +71,8 @@ TEST(Rig, WordsOfFilesAndCommandLineGoBothWays) {
   for (const auto patch : {PatchKind::kPn, PatchKind::kPhong, PatchKind::kSpherigon, PatchKind::kFlat}) {
     EXPECT_EQ(patchKindNamed(nameOf(patch)), patch);
   }
-  for (const auto kind : {ProjectionKind::kNewton, ProjectionKind::kBisection, ProjectionKind::kAnalytic}) {
-    EXPECT_EQ(projectionKindNamed(nameOf(kind)), kind);
-  }
   EXPECT_EQ(surfaceModeNamed("Swell"), std::nullopt);
   EXPECT_EQ(patchKindNamed(""), std::nullopt);
-  EXPECT_EQ(projectionKindNamed("pn"), std::nullopt);
 }
 
 }  // namespace

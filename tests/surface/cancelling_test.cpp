@@ -28,29 +28,25 @@ Rig undone(Rig rig) {
 
 TEST(Canceling, AMuscleAndTheCarveThatUndoesItLeaveTheSkin) {
   for (const auto& character : {makeLimb(), makeTwoLegged(), makeStrip()}) {
-    for (const ProjectionKind projection :
-         {ProjectionKind::kNewton, ProjectionKind::kBisection, ProjectionKind::kAnalytic}) {
-      int projected = 0;
-      for (std::uint64_t seed = 0; seed < 20; ++seed) {
-        RigRecipe recipe;
-        recipe.primitives = 3;
-        recipe.groups = 1;
-        recipe.carveChance = 0.0f;
-        Rig rig = undone(randomRig(*character, recipe, seed));
-        rig.smoothing.projection = projection;
-        rig.smoothing.depth = 4;
-        Smoother smoother(character);
-        ASSERT_TRUE(smoother.prepare(rig).ok());
-        Surface surface;
-        smoother.smooth(randomPose(character->skeleton, 0.5f, 0.1f, seed), surface);
-        projected += surface.report.projected;
-        for (std::size_t v = 0; v < surface.displacement.size(); ++v) {
-          ASSERT_LE(std::abs(surface.displacement[v]), kStays * character->height)
-              << character->name << ", " << nameOf(projection) << ", seed " << seed << ", vertex " << v;
-        }
+    int projected = 0;
+    for (std::uint64_t seed = 0; seed < 20; ++seed) {
+      RigRecipe recipe;
+      recipe.primitives = 3;
+      recipe.groups = 1;
+      recipe.carveChance = 0.0f;
+      Rig rig = undone(randomRig(*character, recipe, seed));
+      rig.smoothing.depth = 4;
+      Smoother smoother(character);
+      ASSERT_TRUE(smoother.prepare(rig).ok());
+      Surface surface;
+      smoother.smooth(randomPose(character->skeleton, 0.5f, 0.1f, seed), surface);
+      projected += surface.report.projected;
+      for (std::size_t v = 0; v < surface.displacement.size(); ++v) {
+        ASSERT_LE(std::abs(surface.displacement[v]), kStays * character->height)
+            << character->name << ", seed " << seed << ", vertex " << v;
       }
-      EXPECT_GT(projected, 20) << "rounding never met the search";
     }
+    EXPECT_GT(projected, 20) << "rounding never met the search";
   }
 }
 

@@ -11,6 +11,7 @@
 #include "tests/support/long_run.h"
 #include "tests/support/oracle/compare.h"
 #include "tests/support/rigs/random_rigs.h"
+#include "tests/support/surface/every_kind.h"
 #include "tests/support/surface/mesh_checks.h"
 #include "tests/support/surface/projected.h"
 
@@ -38,13 +39,14 @@ std::vector<Pose> posesOf(const Character& character, int count) {
   return out;
 }
 
-oracle::Tally tallyOf(const CharacterPtr& character, const Rig& rig, int poses, int wanted) {
-  Smoother smoother(character);
+oracle::Tally tallyOf(const CharacterPtr& character, const Rig& rig, int poses, int wanted,
+                      ProjectionKind projection = ProjectionKind::kNewton) {
+  Smoother smoother(character, projection);
   const auto prepared = smoother.prepare(rig);
   EXPECT_TRUE(prepared.ok()) << prepared.error().text();
   if (!prepared) return {};
-  oracle::Oracle oracle(*character, rig);
-  Projected projected(*character, rig);
+  oracle::Oracle oracle(*character, rig, projection);
+  Projected projected(*character, rig, projection);
   oracle::Tally total;
   Surface surface;
   int first = 0;
@@ -73,15 +75,11 @@ void expectAgreement(const std::string& what, const oracle::Tally& tally) {
   EXPECT_EQ(tally.shadingOff, 0) << what << "; " << tally.firstOff;
 }
 
-const std::vector<ProjectionKind> kProjections{ProjectionKind::kNewton, ProjectionKind::kBisection,
-                                               ProjectionKind::kAnalytic};
-
 void expectSwellAgrees(const CharacterPtr& character, int primitives, int wanted) {
   int sought = 0;
-  for (const ProjectionKind projection : kProjections) {
-    Rig rig = randomRig(*character, recipeOf(primitives), static_cast<std::uint64_t>(primitives));
-    rig.smoothing.projection = projection;
-    const oracle::Tally tally = tallyOf(character, rig, 5, wanted);
+  for (const ProjectionKind projection : kEveryProjection) {
+    const Rig rig = randomRig(*character, recipeOf(primitives), static_cast<std::uint64_t>(primitives));
+    const oracle::Tally tally = tallyOf(character, rig, 5, wanted, projection);
     expectAgreement(character->name + ", swell, " + nameOf(projection) + ", " + std::to_string(primitives), tally);
     sought += tally.sought;
   }
@@ -100,9 +98,8 @@ Rig wrappingRig(const Character& character, int primitives) {
 }
 
 void expectReplaceAgrees(const CharacterPtr& character, ProjectionKind projection, int primitives, int wanted) {
-  Rig rig = wrappingRig(*character, primitives);
-  rig.smoothing.projection = projection;
-  const oracle::Tally tally = tallyOf(character, rig, 5, wanted);
+  const Rig rig = wrappingRig(*character, primitives);
+  const oracle::Tally tally = tallyOf(character, rig, 5, wanted, projection);
   expectAgreement(character->name + ", replace, " + nameOf(projection) + ", " + std::to_string(primitives), tally);
   EXPECT_GT(tally.sought, 0);
 }
@@ -193,13 +190,12 @@ TEST(Oracle, EveryPatchUnderMuscles) {
 
 TEST(Oracle, SpheresByTheirCheaperPath) {
   for (const SurfaceMode mode : {SurfaceMode::kSwell, SurfaceMode::kReplace}) {
-    for (const ProjectionKind projection : kProjections) {
+    for (const ProjectionKind projection : kEveryProjection) {
       const CharacterPtr character = makeTwoLegged();
       Rig rig = mode == SurfaceMode::kSwell ? randomRig(*character, recipeOf(20), 4) : wrappingRig(*character, 20);
       for (Primitive& p : rig.primitives) p.placement.radii = glm::vec3(p.placement.radii.x);
-      rig.smoothing.projection = projection;
       expectAgreement(std::string("two-legged, spheres, ") + nameOf(mode) + ", " + nameOf(projection),
-                      tallyOf(character, rig, 3, 1500));
+                      tallyOf(character, rig, 3, 1500, projection));
     }
   }
 }

@@ -36,9 +36,7 @@ Rig anyRig(const Character& character, std::uint64_t seed) {
   rig.surface.skinBlend = random.uniform(0.001f, 0.3f);
   rig.smoothing.depth = 1 + random.below(5);
   constexpr std::array kPatches{PatchKind::kPn, PatchKind::kPhong, PatchKind::kSpherigon, PatchKind::kFlat};
-  constexpr std::array kProjections{ProjectionKind::kNewton, ProjectionKind::kBisection, ProjectionKind::kAnalytic};
   rig.smoothing.patch = kPatches[static_cast<std::size_t>(random.below(4))];
-  rig.smoothing.projection = kProjections[static_cast<std::size_t>(random.below(3))];
   for (Primitive& primitive : rig.primitives) {
     if (random.chance(0.1f)) primitive.reach = random.uniform(1.001f, 6.0f);
   }

@@ -130,11 +130,10 @@ static_assert(sizeof(Drawn) == 28);
 struct Making {
   std::int32_t controlVertices = 0, controlEdges = 0, refinedVertices = 0, refinedTriangles = 0;
   std::int32_t drawnVertices = 0, primitives = 0, bindings = 0, patchKind = 0;
-  std::int32_t carriers = 0, cliqueSets = 0, wraps = 0, toAnchors = 0;
+  std::int32_t carriers = 0, cliqueSets = 0, wraps = 0, bones = 0;
   float iso = 0.0f, isoRoot = 0.0f, isoRadius = 0.0f, tolerance = 0.0f;
   float searchLength = 0.0f;
-  std::int32_t bones = 0;
-  std::array<std::int32_t, 2> unused{};
+  std::array<std::int32_t, 3> unused{};
   std::array<std::uint32_t, 4> vertexGroups{}, triangleGroups{};  ///< x, y, z of dispatches over all bodies.
 };
 static_assert(sizeof(Making) == 112 && sizeof(Making) % 16 == 0);

@@ -31,9 +31,6 @@ std::optional<std::string> tooMany(const CandidateLists& lists) {
 }  // namespace
 
 std::optional<std::string> leftToProcessor(const Preparation& preparation, int bodies) {
-  if (preparation.smoothing.projection == ProjectionKind::kBisection) {
-    return "roots are to be found by bisection";
-  }
   if (!preparation.swells() && preparation.poser->drivesMuscles()) {
     return "in replace, keys or drivers change muscles";
   }

@@ -53,4 +53,4 @@ def rig():
     spanning = {line["name"] for line in lines}
     rows = [_on_line(row) if row["name"] in spanning else row for row in under_the_skin()]
     return laid.rig_text("horse.glb", {"mode": "swell", "iso": 0.25, "skin_blend": 0.04},
-                         {"depth": 3, "patch": "pn", "projection": "newton", "detail": "adaptive"}, GROUPS, LINKS, rows, lines)
+                         {"depth": 3, "patch": "pn", "detail": "adaptive"}, GROUPS, LINKS, rows, lines)

@@ -60,7 +60,7 @@ REACH = 1.42
 # Broad and flat ones end softly.
 _SOFT = {"pectoralis": 1.6, "pectoralis, upper": 1.8}
 SURFACE = {"mode": "swell", "iso": 0.25, "skin_blend": 0.026}
-SMOOTHING = {"depth": 3, "patch": "pn", "projection": "newton"}
+SMOOTHING = {"depth": 3, "patch": "pn"}
 ADAPTIVE = {**SMOOTHING, "detail": "adaptive"}
 
 
@@ -165,5 +165,4 @@ def wrapped_rig():
         else:
             rows += laid.pair(name, bone, group, centre, rotation, radii, ORIGIN, territory=wrap_territory(row))
     return laid.rig_text("humanoid.glb", {"mode": "replace", "iso": 0.25, "skin_blend": 0.04},
-                         {**SMOOTHING, "projection": "analytic"}, WRAP_GROUPS,
-                         WRAP_LINKS, rows)
+                         SMOOTHING, WRAP_GROUPS, WRAP_LINKS, rows)

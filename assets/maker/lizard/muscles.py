@@ -53,7 +53,7 @@ def rig_text():
     primitives += [_primitive(*row, "") for row in _MIDDLE]
     head = {"format": "sinew-rig", "version": 1, "character": "demo.glb",
             "surface": {"mode": "swell", "iso": 0.25, "skin_blend": 0.04},
-            "smoothing": {"depth": 3, "patch": "pn", "projection": "newton"},
+            "smoothing": {"depth": 3, "patch": "pn"},
             "groups": [{"name": "legs"}, {"name": "torso"}, {"name": "arms"}],
             "links": [["legs", "torso"], ["torso", "arms"]]}
     lines = ["  %s: %s" % (json.dumps(key), json.dumps(value)) for key, value in head.items()]

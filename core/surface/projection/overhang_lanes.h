@@ -46,7 +46,6 @@ HWY_INLINE void lowerInside(const SlowFall& fall, LaneEnd low, LaneEnd high, M a
   asked = dips();
   for (int k = 0; k < Overhang::kNarrowings && any(asked); ++k) {
     const LaneEnd inside = fall.endAt(lowestBetween(low, high, k));
-    fall.rays.count(asked);
     height = select(asked, hn::Min(height, inside.sum), height);
     const M fallsOn = hn::Lt(inside.slope, zero());
     low = select(fallsOn, inside, low);
@@ -59,13 +58,11 @@ HWY_INLINE void lowerInside(const SlowFall& fall, LaneEnd low, LaneEnd high, M a
 HWY_NOINLINE inline V heightBelowOverhangs(const RayLanes& rays, V t, V sigma, V part, M asked) {
   const SlowFall fall{rays, all(1.0f) / sigma};
   LaneEnd from = fall.endAt(zero());
-  rays.count(asked);
   V height = select(asked, hn::Min(t, from.sum), t);
   for (int i = 0; i < Overhang::kMostParts; ++i) {
     asked = both(asked, hn::Lt(all(static_cast<float>(i)) * part, t));
     if (!any(asked)) break;
     const LaneEnd to = fall.endAt(hn::Min(all(static_cast<float>(i + 1)) * part, t));
-    rays.count(asked);
     height = select(both(asked, hn::Lt(to.at, t)), hn::Min(height, to.sum), height);
     lowerInside(fall, from, to, asked, height);
     from = to;

@@ -50,11 +50,6 @@ struct ProjectionScratch : VertexScratch {
   std::vector<TileScratch> tiles;     ///< Scratch of the ranges that a frame's tiles are divided into.
 };
 
-inline void add(const Evaluations& part, Evaluations& sum) {
-  sum.field += part.field;
-  sum.quartic += part.quartic;
-}
-
 inline void add(const VertexCounts& part, VertexCounts& sum) {
   sum.projected += part.projected;
   sum.unresolved += part.unresolved;
@@ -68,7 +63,6 @@ inline void tell(const VertexScratch& scratch, SmoothingReport& report) {
   report.unresolved += scratch.counts.unresolved;
   report.anchorFallbacks = scratch.counts.anchorFallbacks;
   report.residualMax = std::max(report.residualMax, scratch.counts.residualMax);
-  report.evaluations = scratch.roots.evaluations;
 }
 
 }  // namespace sinew

@@ -215,7 +215,6 @@ void moveVertex(const CarriedVertex& vertex, std::span<const CarrierCandidate> n
 void replaceShare(const ControlMesh& mesh, const WalkShare& share, const FieldView& field,
                   const ReplaceSettings& settings, const FlatVertices& flat, const ImplicitWeights& weights,
                   Surface& surface, VertexScratch& scratch) {
-  scratch.roots.evaluations = {};
   scratch.counts = {};
   VertexReplacer projector(field, settings, scratch);
   const auto move = [&](const CarriedVertex& vertex, std::span<const CarrierCandidate> near) {
@@ -276,11 +275,7 @@ void replace(const ControlMesh& mesh, const FieldView& field, const ReplaceSetti
     replaceShare(mesh, {index, shares}, field, settings, flat, weights, surface, scratch.shares[index]);
   });
   scratch.counts = {};
-  scratch.roots.evaluations = {};
-  for (const VertexScratch& share : std::span(scratch.shares).first(shares)) {
-    add(share.counts, scratch.counts);
-    add(share.roots.evaluations, scratch.roots.evaluations);
-  }
+  for (const VertexScratch& share : std::span(scratch.shares).first(shares)) add(share.counts, scratch.counts);
   tell(scratch, surface.report);
 }
 

@@ -48,8 +48,7 @@ class TileReplacer : TileField {
   explicit TileReplacer(ReplaceInputs& inputs)
       : TileField(*inputs.tiles, inputs.field, *inputs.scratch),
         inputs_(inputs),
-        toAnchors_(inputs.wraps && inputs.settings.projection != ProjectionKind::kAnalytic),
-        roots_(inputs.settings.projection, inputs.settings.tolerance),
+        tolerance_(static_cast<float>(inputs.settings.tolerance)),
         skin_{false, zero(), zero(), zero(), zero(), zero(), zero()},
         asked_(none()),
         open_(none()),
@@ -65,7 +64,7 @@ class TileReplacer : TileField {
   /// The tile's muscles that its vertices' lines can meet. False if there are none.
   bool gatherNear() {
     float reach = inputs_.settings.searchLength;
-    for (int lane = 0; toAnchors_ && lane < tile_->used; ++lane) {
+    for (int lane = 0; inputs_.wraps && lane < tile_->used; ++lane) {
       const auto v = static_cast<std::size_t>(tile_->vertices[static_cast<std::size_t>(lane)]);
       reach = std::max(reach, glm::distance(inputs_.flat.positions[v], inputs_.flat.anchors[v]));
     }
@@ -97,7 +96,7 @@ class TileReplacer : TileField {
     const V3 back = zero3() - n;
     const V search = all(inputs_.settings.searchLength);
     LineLanes line{p, back, n, search};
-    if (toAnchors_) {
+    if (inputs_.wraps) {
       const V3 way = anchors.load(first_) - p;
       line.length = hn::Sqrt(dot(way, way));
       line.inwards = unitOr(way, back);
@@ -108,7 +107,7 @@ class TileReplacer : TileField {
     asked_ = open_;
     CompositeLanes composite{zero3(), zero3(), zero(), zero(), none()};
     compositeLine(line, inside, composite);
-    if (toAnchors_) {
+    if (inputs_.wraps) {
       // The anchor is not always inside.
       const M again = both(andNot(open_, inside), hn::Gt(composite.left(), zero()));
       fallback_ = again;
@@ -180,14 +179,8 @@ class TileReplacer : TileField {
 
   /// First change of sign. Lanes that cannot be vouched for leave open_.
   FoundLanes findChange(const RayLanes& rays, V begin, V end, M active) {
-    if (roots_.method == ProjectionKind::kAnalytic) {
-      // Quartics lie between breakpoints: there is no root before the first or after the last.
-      const Range influence = rays.influence();
-      begin = hn::Max(begin, influence.low);
-      end = hn::Min(end, influence.high);
-    }
     const LaneSearch search = rays.bracketBetween(begin, end, active);
-    const LaneRoots roots = solve(rays, search, roots_);
+    const LaneRoots roots = rootsIn(rays, search, tolerance_);
     open_ = andNot(open_, andNot(active, hn::Or(roots.solved, search.rootless)));
     return {roots.t, both(both(active, roots.solved), open_)};
   }
@@ -224,7 +217,7 @@ class TileReplacer : TileField {
   /// From `begin` inwards, as long as there is weight left.
   void compositeStretches(const LineLanes& line, V begin, CompositeLanes& composite) {
     const V reachable = hn::Min(line.length, all(inputs_.settings.searchLength));
-    const V nudge = all(4.0f * roots_.tolerance);  // Off a root, where rounding decides the sign.
+    const V nudge = all(4.0f * tolerance_);  // Off a root, where rounding decides the sign.
     V t = select(hn::Gt(begin, zero()), begin + nudge, zero());
     M goesOn = open_;
     for (int i = 0; i < kMostStretches; ++i) {
@@ -296,8 +289,7 @@ class TileReplacer : TileField {
   }
 
   ReplaceInputs& inputs_;
-  bool toAnchors_;  ///< Lines go to the anchors, otherwise along the normals.
-  RootSettings roots_;
+  float tolerance_;            ///< Of roots, world units.
   std::size_t lineCount_ = 0;  ///< Used part of scratch_.lines.
   LaneSkin skin_;
   M asked_;

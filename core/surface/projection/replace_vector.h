@@ -8,7 +8,7 @@
 
 namespace sinew {
 
-/// As replace(), to 1e-6 H where roots are certain (by bisection to 1e-4), and vertex by vertex where they are not. All
+/// As replace() by newton, to 1e-6 H where roots are certain, and vertex by vertex where they are not. All
 /// instruction sets and any number of threads give the same bits.
 /// @param tiles  of the field's lists.  @param set  not kScalar; one that this machine runs.
 void replaceInTiles(const ControlMesh& mesh, const FieldView& field, const ReplaceSettings& settings,

@@ -188,7 +188,6 @@ void swellVertex(const CarriedVertex& vertex, const FieldView& field, const Swel
 
 void swell(const ControlMesh& mesh, const FieldView& field, const SwellSettings& settings, const RiseView& rise,
            Surface& surface, ProjectionScratch& scratch) {
-  scratch.roots.evaluations = {};
   scratch.counts = {};
   Sweller sweller(field, settings, rise, surface, scratch);
   forEachReachable(

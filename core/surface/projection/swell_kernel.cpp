@@ -39,7 +39,7 @@ class TileSweller : TileField {
   explicit TileSweller(SwellInputs& inputs)
       : TileField(*inputs.tiles, inputs.field, *inputs.scratch),
         inputs_(inputs),
-        roots_(inputs.settings.projection, inputs.settings.tolerance),
+        tolerance_(static_cast<float>(inputs.settings.tolerance)),
         isoRoot_(isoRoot(inputs.settings.iso)),
         isoRadius_(static_cast<float>(isoRadius(static_cast<double>(inputs.settings.iso)))) {}
 
@@ -83,7 +83,7 @@ class TileSweller : TileField {
     const RayLanes rays(scratch_.lanes, cliques_, skin, first_);
     const LaneRise rise = riseOf(rays, onSkin);
     const LaneSearch search = rays.bracketFromSkin(rise, active);
-    const LaneRoots roots = solve(rays, search, roots_);
+    const LaneRoots roots = rootsIn(rays, search, tolerance_);
     const M known = both(active, hn::Or(roots.solved, search.rootless));
     scratch_.counts.projected += static_cast<int>(hn::CountTrue(kTag, known));
     giveUp(andNot(active, known));
@@ -205,7 +205,6 @@ class TileSweller : TileField {
     const V steep = select(hn::Gt(skin.sign, zero()), hn::Min(all(0.5f) * blendWidth, found.risesFrom), zero());
     M asked = both(moved, hn::Lt(steep, found.t));
     if (!any(asked)) return found.t;
-    rays.count(asked);
     asked = both(asked, hn::Gt(rays.bounds(steep, found.t).maxSlope, zero() - sigma));
     if (!any(asked)) return found.t;
     return heightBelowOverhangs(rays, found.t, sigma, all(Overhang::kPart) * blendWidth, asked);
@@ -257,7 +256,7 @@ class TileSweller : TileField {
   }
 
   SwellInputs& inputs_;
-  RootSettings roots_;
+  float tolerance_;  ///< Of roots, world units.
   float isoRoot_;
   float isoRadius_;
   LanePoints directions_;

@@ -8,7 +8,7 @@
 
 namespace sinew {
 
-/// As swell(), to 1e-6 H (by bisection to 1e-4): 16 vertices at a time, and vertex by vertex where the first root is
+/// As swell() by newton, to 1e-6 H: 16 vertices at a time, and vertex by vertex where the first root is
 /// not certain (TileScratch::uncertified). All instruction sets and any number of threads give the same bits, and a
 /// vertex gets the same whatever lies beside it.
 /// @param tiles  of the field's lists.  @param set  not kScalar; one that this machine runs.

@@ -14,23 +14,17 @@ void makeRoom(const VertexTiles& tiles, std::size_t range, TileScratch& scratch)
   grow(scratch.spans, tiles.mostCandidates);
   grow(scratch.near, tiles.mostCandidates);
   scratch.counts = {};
-  scratch.lanes.evaluations = {};
   scratch.vertices.counts = {};
-  scratch.vertices.roots.evaluations = {};
   scratch.uncertified.clear();
   scratch.uncertified.reserve(range * kLanes);
 }
 
 void tellOfRanges(std::size_t ranges, ProjectionScratch& scratch, SmoothingReport& report) {
   scratch.counts = {};
-  scratch.roots.evaluations = {};
   report.uncertified = 0;
   for (const TileScratch& range : std::span(scratch.tiles).first(ranges)) {
     report.uncertified += static_cast<int>(range.uncertified.size());
     for (const VertexCounts* counts : {&range.counts, &range.vertices.counts}) add(*counts, scratch.counts);
-    for (const Evaluations* done : {&range.lanes.evaluations, &range.vertices.roots.evaluations}) {
-      add(*done, scratch.roots.evaluations);
-    }
   }
   tell(scratch, report);
 }

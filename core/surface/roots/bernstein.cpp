@@ -92,9 +92,8 @@ Bernstein operator*(const Bernstein& x, const Bernstein& y) {
   return product;
 }
 
-std::optional<double> firstFallIsolated(const Bernstein& q, double from, double tolerance, BracketSolver solver,
-                                        std::int64_t* evaluations) {
-  return isolation::firstFall(q, from, tolerance, solver, evaluations);
+std::optional<double> firstFallIsolated(const Bernstein& q, double from, double tolerance, BracketSolver solver) {
+  return isolation::firstFall(q, from, tolerance, solver);
 }
 
 }  // namespace sinew

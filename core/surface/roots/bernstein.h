@@ -3,7 +3,6 @@
 
 #include <array>
 #include <cstddef>
-#include <cstdint>
 #include <optional>
 #include <span>
 
@@ -44,7 +43,6 @@ struct Bernstein {
 
 /// As the one for quartics.
 [[nodiscard]] std::optional<double> firstFallIsolated(const Bernstein& q, double from, double tolerance,
-                                                      BracketSolver solver = BracketSolver::kNewton,
-                                                      std::int64_t* evaluations = nullptr);
+                                                      BracketSolver solver = BracketSolver::kNewton);
 
 }  // namespace sinew

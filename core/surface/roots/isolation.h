@@ -5,7 +5,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
 #include <optional>
 
 #include "core/surface/roots/quartic.h"
@@ -30,13 +29,12 @@ int signChanges(const Polynomial& q) {
 
 /// The one root of q on [0, 1], q(0) > 0 > q(1).
 template <class Polynomial>
-double bracketedNewton(const Polynomial& q, double tolerance, std::int64_t& evaluations) {
+double bracketedNewton(const Polynomial& q, double tolerance) {
   const typename Polynomial::Evaluator evaluate(q);
   double low = 0.0;
   double high = 1.0;
   double u = q.coefficients().front() / (q.coefficients().front() - q.coefficients().back());
   for (int step = 0; step < kMostNewtonSteps; ++step) {
-    ++evaluations;
     const auto [value, slope] = evaluate(u);
     (value > 0.0 ? low : high) = u;
     double next = u - value / slope;
@@ -49,12 +47,11 @@ double bracketedNewton(const Polynomial& q, double tolerance, std::int64_t& eval
 
 /// The same by halving.
 template <class Polynomial>
-double bracketedBisection(const Polynomial& q, std::int64_t& evaluations) {
+double bracketedBisection(const Polynomial& q) {
   double low = 0.0;
   double high = 1.0;
   double valueLow = q.coefficients().front();
   double valueHigh = q.coefficients().back();
-  evaluations += kBisectionHalvings;
   for (int i = 0; i < kBisectionHalvings; ++i) {
     const double middle = 0.5 * (low + high);
     const double value = q.at(middle);
@@ -68,7 +65,6 @@ double bracketedBisection(const Polynomial& q, std::int64_t& evaluations) {
 struct Wanted {
   double tolerance;
   BracketSolver solver;
-  std::int64_t& evaluations;
 };
 
 template <class Polynomial>
@@ -78,15 +74,13 @@ std::optional<double> isolate(const Polynomial& q, double low, double high, cons
   if (changes == 0) return std::nullopt;
   const bool endsBelow = q.coefficients().back() < 0.0;
   if (changes == 1 && endsBelow) {
-    const double inside = wanted.solver == BracketSolver::kNewton
-                              ? bracketedNewton(q, wanted.tolerance / (high - low), wanted.evaluations)
-                              : bracketedBisection(q, wanted.evaluations);
+    const double inside = wanted.solver == BracketSolver::kNewton ? bracketedNewton(q, wanted.tolerance / (high - low))
+                                                                  : bracketedBisection(q);
     return low + (high - low) * inside;
   }
   if (halvingsLeft == 0) return endsBelow ? std::optional(low) : std::nullopt;
   Polynomial left;
   Polynomial right;
-  ++wanted.evaluations;
   q.split(0.5, left, right);
   const double middle = 0.5 * (low + high);
   if (const auto root = isolate(left, low, middle, wanted, halvingsLeft - 1)) return root;
@@ -95,10 +89,8 @@ std::optional<double> isolate(const Polynomial& q, double low, double high, cons
 
 /// See firstFallIsolated (quartic.h), of which this is the scheme for any degree.
 template <class Polynomial>
-std::optional<double> firstFall(const Polynomial& q, double from, double tolerance, BracketSolver solver,
-                                std::int64_t* evaluations) {
-  std::int64_t uncounted = 0;
-  const Wanted wanted{tolerance, solver, evaluations ? *evaluations : uncounted};
+std::optional<double> firstFall(const Polynomial& q, double from, double tolerance, BracketSolver solver) {
+  const Wanted wanted{tolerance, solver};
   if (from <= 0.0) return isolate(q, 0.0, 1.0, wanted, kMostHalvings);
   if (from >= 1.0) return q.coefficients().back() <= 0.0 ? std::optional(1.0) : std::nullopt;
   Polynomial left;
@@ -123,8 +115,7 @@ void allRoots(const Polynomial& q, double low, double high, double tolerance, Ro
   if (changes == 1 && atStart * q.coefficients().back() < 0.0) {
     Polynomial falling = q;
     if (atStart < 0.0) std::ranges::transform(falling.b, falling.b.begin(), [](double value) { return -value; });
-    std::int64_t uncounted = 0;
-    roots.at[roots.count++] = low + (high - low) * bracketedNewton(falling, tolerance / (high - low), uncounted);
+    roots.at[roots.count++] = low + (high - low) * bracketedNewton(falling, tolerance / (high - low));
     return;
   }
   if (halvingsLeft == 0) return;

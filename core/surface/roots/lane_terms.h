@@ -3,13 +3,11 @@
 
 #include <array>
 #include <cstddef>
-#include <cstdint>
 #include <span>
 #include <vector>
 
 #include "core/geometry/lane_floats.h"
 #include "sinew/geometry/shape.h"
-#include "sinew/surface/evaluations.h"
 
 namespace sinew {
 
@@ -66,7 +64,6 @@ struct LaneScratch {
   std::vector<LaneShape> shapes;
   std::size_t shapeCount = 0;
   std::vector<SlotSums> sums;
-  Evaluations evaluations;
 };
 
 }  // namespace sinew

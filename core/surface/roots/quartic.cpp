@@ -117,15 +117,13 @@ void Quartic::split(double u, Quartic& left, Quartic& right) const {
 
 Quartic::Evaluator::Evaluator(const Quartic& q) : c(powerBasis(q)) {}
 
-std::optional<double> firstFallIsolated(const Quartic& q, double from, double tolerance, BracketSolver solver,
-                                        std::int64_t* evaluations) {
-  return isolation::firstFall(q, from, tolerance, solver, evaluations);
+std::optional<double> firstFallIsolated(const Quartic& q, double from, double tolerance, BracketSolver solver) {
+  return isolation::firstFall(q, from, tolerance, solver);
 }
 
-std::optional<double> firstFallClosedForm(const Quartic& q, double from, double tolerance, std::int64_t* evaluations) {
+std::optional<double> firstFallClosedForm(const Quartic& q, double from, double tolerance) {
   if (q.at(from) <= 0.0) return from;
   if (std::ranges::all_of(q.b, [](double value) { return value > 0.0; })) return std::nullopt;
-  if (evaluations) ++*evaluations;
   const std::array<double, 5> c = powerBasis(q);
   RealRoots inside;
   const RealRoots everywhere = realRoots(c);
@@ -139,7 +137,7 @@ std::optional<double> firstFallClosedForm(const Quartic& q, double from, double 
     if (q.at(after) < 0.0 || (roots[i] == 1.0 && q.b[4] <= 0.0)) return roots[i];
   }
   // Rounding hid a root that the ends prove.
-  return q.b[4] < 0.0 ? firstFallIsolated(q, from, tolerance, BracketSolver::kNewton, evaluations) : std::nullopt;
+  return q.b[4] < 0.0 ? firstFallIsolated(q, from, tolerance) : std::nullopt;
 }
 
 RealRoots realRoots(const std::array<double, 5>& c) {

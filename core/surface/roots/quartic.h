@@ -4,7 +4,6 @@
 #include <array>
 #include <cassert>
 #include <cstddef>
-#include <cstdint>
 #include <optional>
 #include <span>
 
@@ -49,14 +48,11 @@ struct Quartic {
 
 /// First u in [from, 1] at which q, positive before, becomes <= 0: by subdivision until one sign change is left, then
 /// by `solver`. q(from) <= 0 gives `from`. A touch without crossing may be passed over.
-/// @param evaluations if not null, the values and halvings of q that it took are added.
 [[nodiscard]] std::optional<double> firstFallIsolated(const Quartic& q, double from, double tolerance,
-                                                      BracketSolver solver = BracketSolver::kNewton,
-                                                      std::int64_t* evaluations = nullptr);
+                                                      BracketSolver solver = BracketSolver::kNewton);
 
 /// The same by closed form: all real roots (Ferrari; relative tests throughout, see the .cpp), the first that crosses.
-[[nodiscard]] std::optional<double> firstFallClosedForm(const Quartic& q, double from, double tolerance,
-                                                        std::int64_t* evaluations = nullptr);
+[[nodiscard]] std::optional<double> firstFallClosedForm(const Quartic& q, double from, double tolerance);
 
 /// Up to four numbers, ascending.
 class RealRoots {

@@ -85,7 +85,6 @@ inline RaySample RayField::sampleTerm(const RayTerm& term, double t) const {
 }
 
 RaySample RayField::sample(double t, RayScratch& scratch) const {
-  ++scratch.evaluations.field;
   RaySample everywhere{-iso_, 0.0};
   if (cliques_->empty()) {
     for (const RayTerm& term : terms_) add(everywhere, sampleTerm(term, t));

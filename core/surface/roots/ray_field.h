@@ -10,7 +10,6 @@
 #include "core/surface/roots/bernstein.h"
 #include "core/surface/roots/quartic.h"
 #include "core/surface/roots/shaped_ray.h"
-#include "sinew/surface/evaluations.h"
 
 namespace sinew {
 
@@ -44,14 +43,13 @@ struct PolynomialSums {
   std::vector<Polynomial> sums;  ///< One per clique.
 };
 
-/// Memory that is reused from ray to ray, so that nothing is allocated, and the count of what was done with it. Its
-/// contents carry nothing from one call to the next. One a thread.
+/// Memory that is reused from ray to ray, so that nothing is allocated. Its contents carry nothing from one call to the
+/// next. One a thread.
 struct RayScratch {
   std::vector<RaySample> ofSlot;
   std::vector<double> breakpoints;
   PolynomialSums<Quartic> quartics;
   PolynomialSums<Bernstein> polynomials;  ///< On stretches with a term of higher degree.
-  Evaluations evaluations;
 };
 
 /// phi(t) = skin(t) + F(p + t d) - T. Kept and refilled from ray to ray, so that nothing is allocated.

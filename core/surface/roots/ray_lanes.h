@@ -7,7 +7,6 @@
 #define SINEW_RAY_LANES_H
 #endif
 
-#include <cstdint>
 #include <limits>
 #include <span>
 
@@ -91,7 +90,6 @@ class RayLanes {
   HWY_INLINE std::span<const LaneShape> shapes() const { return {scratch_.shapes.data(), scratch_.shapeCount}; }
   HWY_INLINE ShapeOnRays onRays(const LaneShape& shape) const { return {shape, first_}; }
   HWY_INLINE const LaneSkin& skin() const { return skin_; }
-  HWY_INLINE const LaneCliques& cliques() const { return cliques_; }
 
   LaneSample sample(V t) const {
     LaneSample sum{zero(), zero()};  // The slope's over -4.
@@ -147,7 +145,6 @@ class RayLanes {
     M open = andNot(active, search.bracketed);
     if (!any(open)) return search;
     const V value = sample(from).value;
-    count(open);
     const M below = both(open, hn::Le(value, zero()));
     const M above = both(open, hn::Gt(value, zero()));
     search.bracketed = hn::Or(search.bracketed, below);
@@ -168,7 +165,6 @@ class RayLanes {
     M open = andNot(active, search.rootless);
     if (!any(open)) return search;
     search.bracketed = both(open, hn::Le(sample(begin).value, zero()));
-    count(open);
     open = andNot(open, search.bracketed);
     search.high = select(search.bracketed, begin, end);
     march(end, end, none(), 40, open, search);
@@ -176,7 +172,6 @@ class RayLanes {
   }
 
   HWY_INLINE V load(const LaneFloats& floats) const { return hn::Load(kTag, floats.at(first_)); }
-  HWY_INLINE void store(V value, LaneFloats& floats) const { hn::Store(value, kTag, floats.at(first_)); }
 
   // Sums of terms by their groups' slots, for those that are not in every sum.
   HWY_INLINE bool isEverywhere(int slot) const { return cliques_.empty() || slot == LaneTerm::kEverySum; }
@@ -204,26 +199,6 @@ class RayLanes {
     const V half = hn::Sqrt(hn::Max(zero(), load(term.peak)) / load(term.a));
     return {load(term.middle) - half, load(term.middle) + half};
   }
-  /// From where the first influence begins to where the last one ends: F is 0 before and after.
-  Range influence() const {
-    Range whole{all(1e30f), all(-1e30f)};
-    const auto include = [&](const Range& extent, V factor) HWY_ATTR {
-      const M seen = both(hn::Ne(factor, zero()), hn::Lt(extent.low, extent.high));
-      whole.low = select(seen, hn::Min(whole.low, extent.low), whole.low);
-      whole.high = select(seen, hn::Max(whole.high, extent.high), whole.high);
-    };
-    for (const LaneTerm& term : terms()) include(extentOf(term), load(term.factor));
-    for (const LaneShape& shape : shapes()) {
-      const ShapeOnRays ray = onRays(shape);
-      include(ray.box(), ray.factor());
-    }
-    return whole;
-  }
-
-  void count(M lanes) const { scratch_.evaluations.field += static_cast<std::int64_t>(hn::CountTrue(kTag, lanes)); }
-  void countQuartics(M lanes) const {
-    scratch_.evaluations.quartic += static_cast<std::int64_t>(hn::CountTrue(kTag, lanes));
-  }
 
  private:
   static constexpr std::size_t kMin = 0;
@@ -231,6 +206,8 @@ class RayLanes {
   static constexpr std::size_t kMaxSlope = 2;
   static constexpr std::size_t kMinSlope = 3;
   static constexpr std::size_t kMax = 4;
+
+  HWY_INLINE void store(V value, LaneFloats& floats) const { hn::Store(value, kTag, floats.at(first_)); }
 
   HWY_INLINE void addSample(int slot, V fw, V w, V halfSlope, LaneSample& sum) const {
     if (isEverywhere(slot)) {
@@ -308,7 +285,6 @@ class RayLanes {
     V high = search.high;
     for (int i = 0; i < maxStretches && any(open); ++i) {
       const LaneBounds seen = bounds(low, high);
-      count(open);
       const M clear = hn::Gt(seen.value, all(1e-5f) * seen.values);
       const V enough = all(1e-3f) * seen.slopes;
       const M rises = hn::Ge(seen.minSlope, enough);

@@ -73,26 +73,24 @@ void fillSums(const RayField& field, double begin, double end, double sign, Poly
 struct Search {
   ProjectionKind method;
   double tolerance;
-  std::int64_t* evaluations;
 };
 
 std::optional<double> firstFall(const Quartic& q, double from, const Search& search) {
   switch (search.method) {
     case ProjectionKind::kAnalytic:
-      return firstFallClosedForm(q, from, search.tolerance, search.evaluations);
+      return firstFallClosedForm(q, from, search.tolerance);
     case ProjectionKind::kBisection:
-      return firstFallIsolated(q, from, search.tolerance, BracketSolver::kBisection, search.evaluations);
+      return firstFallIsolated(q, from, search.tolerance, BracketSolver::kBisection);
     case ProjectionKind::kNewton:
       break;
   }
-  return firstFallIsolated(q, from, search.tolerance, BracketSolver::kNewton, search.evaluations);
+  return firstFallIsolated(q, from, search.tolerance);
 }
 
 /// Above degree 4 there is no closed form: `analytic` isolates and goes on by Newton's steps.
 std::optional<double> firstFall(const Bernstein& q, double from, const Search& search) {
   const bool halves = search.method == ProjectionKind::kBisection;
-  return firstFallIsolated(q, from, search.tolerance, halves ? BracketSolver::kBisection : BracketSolver::kNewton,
-                           search.evaluations);
+  return firstFallIsolated(q, from, search.tolerance, halves ? BracketSolver::kBisection : BracketSolver::kNewton);
 }
 
 /// Where the largest of the sums falls to 0: follows one clique until it falls, then whichever still stands.
@@ -141,14 +139,32 @@ bool isQuarticOn(const RayField& field, double begin, double end) {
 
 }  // namespace
 
+const char* nameOf(ProjectionKind projection) {
+  switch (projection) {
+    case ProjectionKind::kNewton:
+      return "newton";
+    case ProjectionKind::kBisection:
+      return "bisection";
+    case ProjectionKind::kAnalytic:
+      break;
+  }
+  return "analytic";
+}
+
+std::optional<ProjectionKind> projectionKindNamed(const std::string& name) {
+  for (const auto kind : {ProjectionKind::kNewton, ProjectionKind::kBisection, ProjectionKind::kAnalytic}) {
+    if (name == nameOf(kind)) return kind;
+  }
+  return std::nullopt;
+}
+
 std::optional<double> firstChange(const RayField& field, double begin, double end, bool fromPositive,
                                   ProjectionKind method, double tolerance, RayScratch& scratch) {
   const std::span<const double> breaks = field.breakpoints(begin, end, scratch);
   for (std::size_t i = 0; i + 1 < breaks.size(); ++i) {
     const double length = breaks[i + 1] - breaks[i];
     if (!(length > 0.0)) continue;
-    ++scratch.evaluations.field;
-    const Search search{method, tolerance / length, &scratch.evaluations.quartic};
+    const Search search{method, tolerance / length};
     const double from = breaks[i];
     const double to = breaks[i + 1];
     const auto root = isQuarticOn(field, from, to)

@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "core/surface/roots/ray_field.h"
-#include "sinew/rig/rig.h"
+#include "sinew/surface/projection_kind.h"
 
 namespace sinew {
 

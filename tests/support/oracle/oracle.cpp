@@ -49,9 +49,10 @@ Site siteOf(const ControlMesh& mesh, const Refinement& refinement, int vertex) {
   return site;
 }
 
-Oracle::Oracle(const Character& character, const Rig& rig)
+Oracle::Oracle(const Character& character, const Rig& rig, ProjectionKind projection)
     : character_(character),
       rig_(rig),
+      projection_(projection),
       field_(character, rig),
       height_(static_cast<double>(character.height)),
       riseInBind_(relaxedDirections(character.mesh, kRise * height_)) {

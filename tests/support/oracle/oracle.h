@@ -11,6 +11,7 @@
 #include "sinew/character/character.h"
 #include "sinew/character/pose.h"
 #include "sinew/rig/rig.h"
+#include "sinew/surface/projection_kind.h"
 #include "sinew/surface/refinement.h"
 #include "tests/support/oracle/field.h"
 #include "tests/support/oracle/patch.h"
@@ -49,7 +50,7 @@ struct Answer {
 
 class Oracle {
  public:
-  Oracle(const Character& character, const Rig& rig);
+  Oracle(const Character& character, const Rig& rig, ProjectionKind projection = ProjectionKind::kNewton);
 
   void pose(const Pose& pose);
   [[nodiscard]] Answer evaluate(const Site& site) const;
@@ -112,6 +113,7 @@ class Oracle {
 
   const Character& character_;
   Rig rig_;
+  ProjectionKind projection_;
   Field field_;
   double height_ = 1.0;
   bool wraps_ = false;                              ///< `replace`: muscles wrap the body.

@@ -155,7 +155,7 @@ Oracle::Hit Oracle::project(const PatchPoint& flat, const Vec& anchor, const std
   const double searchLength = kSearchLength * height_;
   const Line alongNormal{flat.position, -1.0 * flat.normal, searchLength, inside};
   Hit hit;
-  if (rig_.smoothing.projection == ProjectionKind::kAnalytic) {
+  if (projection_ == ProjectionKind::kAnalytic) {
     hit.line = alongNormal;
     lay(hit.line, weights, hit);
     return hit;

@@ -63,9 +63,8 @@ const TrialScene& trialScene(const std::string& name) {
   return trialScenes().front();
 }
 
-Rig withMode(Rig rig, SurfaceMode mode, ProjectionKind projection) {
+Rig withMode(Rig rig, SurfaceMode mode) {
   rig.surface.mode = mode;
-  rig.smoothing.projection = projection;
   return rig;
 }
 

@@ -32,7 +32,7 @@ struct TrialScene {
 /// One of them; fails the test if there is none of that name.
 [[nodiscard]] const TrialScene& trialScene(const std::string& name);
 
-[[nodiscard]] Rig withMode(Rig rig, SurfaceMode mode, ProjectionKind projection = ProjectionKind::kNewton);
+[[nodiscard]] Rig withMode(Rig rig, SurfaceMode mode);
 
 /// The bind pose, then `count` moments spread over all clips.
 [[nodiscard]] std::vector<Pose> spreadPoses(const Character& character, int count);

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "sinew/rig/rig.h"
+#include "sinew/surface/projection_kind.h"
 
 namespace sinew::test {
 

@@ -7,11 +7,14 @@
 namespace sinew::test {
 namespace {
 
-std::shared_ptr<const Preparation> preparationOf(const Character& character, const Rig& rig) {
+std::shared_ptr<const Preparation> preparationOf(const Character& character, const Rig& rig,
+                                                 ProjectionKind projection) {
   BlendingGraphMemo graphs;
   // The caller's character outlives this: nothing is owned.
   const std::shared_ptr<const Character> shared(std::shared_ptr<const Character>{}, &character);
-  return prepare(characterTables(shared), rig, {}, nullptr, graphs).value();
+  PreparationOptions options;
+  options.projection = projection;
+  return prepare(characterTables(shared), rig, options, nullptr, graphs).value();
 }
 
 }  // namespace
@@ -26,8 +29,9 @@ struct Projected::State {
   Surface bindPatch;
 };
 
-Projected::Projected(const Character& character, const Rig& rig) : state_(std::make_unique<State>()) {
-  state_->preparation = preparationOf(character, rig);
+Projected::Projected(const Character& character, const Rig& rig, ProjectionKind projection)
+    : state_(std::make_unique<State>()) {
+  state_->preparation = preparationOf(character, rig, projection);
   at(bindPose(character.skeleton));
   state_->bindPatch.refinement = state_->preparation->refined->refinement;
   evaluatePatch(*state_->preparation, rig.smoothing.patch, character.mesh.positions, character.mesh.normals,

@@ -13,7 +13,7 @@ namespace sinew::test {
 /// The stages of core/surface up to swell() or replace(), put together by hand.
 class Projected {
  public:
-  Projected(const Character& character, const Rig& rig);
+  Projected(const Character& character, const Rig& rig, ProjectionKind projection = ProjectionKind::kNewton);
   ~Projected();
   Projected(const Projected&) = delete;
   Projected& operator=(const Projected&) = delete;

@@ -21,13 +21,13 @@ constexpr double kAgreement = 1e-4;  // Fraction of H.
 constexpr int kPoses = 3;
 constexpr int kAsked = 900;  ///< Vertices the oracle is asked about, a scene, mode and projection.
 
-oracle::Tally tallyOf(const TrialScene& scene, const Rig& rig) {
-  Smoother smoother(scene.character);
+oracle::Tally tallyOf(const TrialScene& scene, const Rig& rig, ProjectionKind projection) {
+  Smoother smoother(scene.character, projection);
   const auto prepared = smoother.prepare(rig);
   EXPECT_TRUE(prepared.ok()) << prepared.error().text();
   if (!prepared) return {};
-  oracle::Oracle oracle(*scene.character, rig);
-  Projected projected(*scene.character, rig);
+  oracle::Oracle oracle(*scene.character, rig, projection);
+  Projected projected(*scene.character, rig, projection);
   oracle::Tally total;
   Surface surface;
   int first = 0;
@@ -49,7 +49,7 @@ void expectAgreement(SurfaceMode mode) {
               "beyond 1e-4 H: another root, near-tangent, unexplained; normals off; guarded (off), shading off");
   for (const TrialScene& scene : trialScenes()) {
     for (const ProjectionKind projection : kEveryProjection) {
-      const oracle::Tally tally = tallyOf(scene, withMode(scene.rig, mode, projection));
+      const oracle::Tally tally = tallyOf(scene, withMode(scene.rig, mode), projection);
       std::printf("  %-11s %-8s %-10s %8d %8d %7.2f%%  %d: %d, %d, %d; %d (%d on a crease); %d (%d), %d\n",
                   scene.name.c_str(), nameOf(mode), nameOf(projection), tally.compared, tally.sought,
                   100.0 * (1.0 - tally.farShare()), tally.far, tally.anotherRoot, tally.nearTangent, tally.unexplained,
@@ -80,10 +80,10 @@ struct Difference {
 /// All vertices of two projections of the same rays, before folds are taken out. Where they differ, the oracle is
 /// asked how many roots there are.
 Difference differenceOf(const TrialScene& scene, SurfaceMode mode, ProjectionKind other) {
-  const Rig newtonRig = withMode(scene.rig, mode);
-  Projected newton(*scene.character, newtonRig);
-  Projected second(*scene.character, withMode(scene.rig, mode, other));
-  oracle::Oracle oracle(*scene.character, newtonRig);
+  const Rig rig = withMode(scene.rig, mode);
+  Projected newton(*scene.character, rig);
+  Projected second(*scene.character, rig, other);
+  oracle::Oracle oracle(*scene.character, rig);
   Difference out;
   const double height = static_cast<double>(scene.character->height);
   for (const Pose& pose : spreadPoses(*scene.character, 6)) {

@@ -92,16 +92,12 @@ Rig shinRig(const Character& character) {
 TEST(Territory, MuscleOnOneLegLeavesTheOtherAlone) {
   const CharacterPtr character = makeTwoLegged();
   for (const SurfaceMode mode : {SurfaceMode::kSwell, SurfaceMode::kReplace}) {
-    for (const ProjectionKind projection :
-         {ProjectionKind::kNewton, ProjectionKind::kBisection, ProjectionKind::kAnalytic}) {
-      Rig rig = shinRig(*character);
-      rig.surface.mode = mode;
-      rig.smoothing.projection = projection;
-      const Moved moved = countMoved(character, rig, character->clips[0], 21, {"leg L", "shin L"});
-      EXPECT_EQ(moved.outside, 0) << nameOf(mode) << ", " << nameOf(projection);
-      EXPECT_GT(moved.inside, 0);
-      EXPECT_GT(moved.watchedOutside, 100);
-    }
+    Rig rig = shinRig(*character);
+    rig.surface.mode = mode;
+    const Moved moved = countMoved(character, rig, character->clips[0], 21, {"leg L", "shin L"});
+    EXPECT_EQ(moved.outside, 0) << nameOf(mode);
+    EXPECT_GT(moved.inside, 0);
+    EXPECT_GT(moved.watchedOutside, 100);
   }
 }
 

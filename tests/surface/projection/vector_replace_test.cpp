@@ -9,7 +9,6 @@
 
 #include "tests/support/rigs/random_rigs.h"
 #include "tests/support/rigs/trial_scenes.h"
-#include "tests/support/surface/every_kind.h"
 #include "tests/support/surface/projected.h"
 #include "tests/support/surface/vector_agreement.h"
 
@@ -26,24 +25,18 @@ std::vector<TrialScene> scenes() {
 
 TEST(VectorReplace, IsTheScalarOnCharacters) {
   for (const TrialScene& scene : scenes()) {
-    for (const ProjectionKind projection : kEveryProjection) {
-      Agreement seen;
-      addAgreement(*scene.character, withMode(scene.rig, SurfaceMode::kReplace, projection),
-                   spreadPoses(*scene.character, 4), seen);
-      const std::string what = scene.name + ", " + nameOf(projection);
-      print(what, seen);
-      EXPECT_GT(seen.projected, 50) << what;
-      EXPECT_EQ(seen.far, 0) << what;
-      EXPECT_LE(seen.uncertifiedShare(), 0.025) << what;
-    }
+    Agreement seen;
+    addAgreement(*scene.character, withMode(scene.rig, SurfaceMode::kReplace), spreadPoses(*scene.character, 4), seen);
+    print(scene.name, seen);
+    EXPECT_GT(seen.projected, 50) << scene.name;
+    EXPECT_EQ(seen.far, 0) << scene.name;
+    EXPECT_LE(seen.uncertifiedShare(), 0.025) << scene.name;
   }
 }
 
 TEST(VectorReplace, EverySetGivesTheSameBits) {
-  std::size_t number = 0;
   for (const TrialScene& scene : scenes()) {
-    const ProjectionKind projection = kEveryProjection[number++ % kEveryProjection.size()];
-    Projected projected(*scene.character, withMode(scene.rig, SurfaceMode::kReplace, projection));
+    Projected projected(*scene.character, withMode(scene.rig, SurfaceMode::kReplace));
     for (const Pose& pose : spreadPoses(*scene.character, 2)) {
       const Surface widest = projected.at(pose);
       for (const InstructionSet set : availableInstructionSets()) {

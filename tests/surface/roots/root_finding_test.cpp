@@ -52,6 +52,13 @@ std::optional<double> march(const RayField& field, double end) {
   return std::nullopt;
 }
 
+TEST(ProjectionKinds, HaveNames) {
+  for (const auto kind : {ProjectionKind::kNewton, ProjectionKind::kBisection, ProjectionKind::kAnalytic}) {
+    EXPECT_EQ(projectionKindNamed(nameOf(kind)), kind);
+  }
+  EXPECT_EQ(projectionKindNamed("pn"), std::nullopt);
+}
+
 TEST(FirstRoot, AllMethodsAgreeWithMarching) {
   std::mt19937 random(31);
   Scene scene;

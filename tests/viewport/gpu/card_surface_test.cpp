@@ -110,7 +110,6 @@ TEST_F(CardSurfaces, AreTheProcessorsOfRandomRigs) {
       rig.smoothing.detail = seed % 3 == 0 ? DetailKind::kAdaptive : DetailKind::kUniform;
       rig.smoothing.depth = 4;
       rig.smoothing.patch = static_cast<PatchKind>(seed % 4);
-      rig.smoothing.projection = ProjectionKind::kNewton;
       rig.surface.mode = SurfaceMode::kSwell;
       const std::string name = (shapedChance > 0.0f ? "shapes, seed " : "seed ") + std::to_string(seed);
       unsure += compare({name, character, rig}, {randomPose(character->skeleton, 0.6f, 0.3f, seed)}).unsure;

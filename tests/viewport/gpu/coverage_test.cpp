@@ -36,10 +36,6 @@ TEST(Coverage, HoldsTheBundledRigs) {
 
 TEST(Coverage, NamesWhatIsLeftToTheProcessor) {
   TrialScene scene = bundledTrialScene("demo");
-  scene.rig.smoothing.projection = ProjectionKind::kBisection;
-  EXPECT_EQ(reasonOf(scene), "roots are to be found by bisection");
-
-  scene = bundledTrialScene("demo");
   scene.rig.smoothing.creaseAngle = 10.0f;
   EXPECT_EQ(reasonOf(scene), "the surface has creases");
 

@@ -75,11 +75,9 @@ TEST_F(GpuVerbs, RenderOnTheCardOrSayWhyNot) {
   EXPECT_EQ(drawn.status, 0) << drawn.error;
   EXPECT_EQ(drawn.error.find("computed by the processor"), std::string::npos) << drawn.error;
 
-  const Outcome left =
-      run({"render", rig, "--on", "gpu", "--projection", "bisection", "--size", "64x48", "-o", "b.png"});
+  const Outcome left = run({"render", rig, "--on", "gpu", "--crease", "10", "--size", "64x48", "-o", "b.png"});
   EXPECT_EQ(left.status, 0) << left.error;
-  EXPECT_NE(left.error.find("the surface is computed by the processor: roots are to be found by bisection"),
-            std::string::npos)
+  EXPECT_NE(left.error.find("the surface is computed by the processor: the surface has creases"), std::string::npos)
       << left.error;
 
   const Outcome culled = run({"render", rig, "--on", "gpu", "--cull", "-o", "c.png"});
@@ -106,9 +104,9 @@ TEST_F(GpuVerbs, BenchTellsBothAndTheDifference) {
   EXPECT_LE(scenes[0].at("difference").at("surface_of_height").number(1), 1e-4);
   // A rig of which the card has no code.
   std::string text = textOf(rig);
-  const std::string newton = "\"projection\": \"newton\"";
-  ASSERT_NE(text.find(newton), std::string::npos);
-  text.replace(text.find(newton), newton.size(), "\"projection\": \"bisection\"");
+  const std::string patch = "\"patch\": \"pn\"";
+  ASSERT_NE(text.find(patch), std::string::npos);
+  text.replace(text.find(patch), patch.size(), patch + ", \"crease_angle\": 10");
   const std::string character = "\"character\": \"demo.glb\"";
   ASSERT_NE(text.find(character), std::string::npos);
   text.replace(text.find(character), character.size(),
@@ -117,7 +115,7 @@ TEST_F(GpuVerbs, BenchTellsBothAndTheDifference) {
   const Outcome refused = run({"bench", "gpu", folder.write("demo.rig.json", text).string()});
   EXPECT_EQ(refused.status, 1);
   EXPECT_TRUE(refused.oneErrorLine()) << refused.error;
-  EXPECT_NE(refused.error.find("not computed on the card: roots are to be found by bisection"), std::string::npos)
+  EXPECT_NE(refused.error.find("not computed on the card: the surface has creases"), std::string::npos)
       << refused.error;
   EXPECT_EQ(run({"bench", "--crowd", "3"}).status, 2);
 }

@@ -87,7 +87,7 @@ TEST_F(SurfaceOnCardTest, AnotherDocumentIsAnotherSurface) {
 TEST_F(SurfaceOnCardTest, IsLeftToTheProcessorWithOneMessage) {
   frame();
   SmoothingSettings settings = state_.document.rig().smoothing;
-  settings.projection = ProjectionKind::kBisection;
+  settings.creaseAngle = 10.0f;
   apply(settings);
   for (int i = 0; i < 3; ++i) {
     state_.open.transport.time = 0.1 * i;
@@ -96,7 +96,7 @@ TEST_F(SurfaceOnCardTest, IsLeftToTheProcessorWithOneMessage) {
     EXPECT_FALSE(maker().onCard);
   }
   ASSERT_EQ(state_.session.messages.size(), 1u);
-  EXPECT_NE(state_.session.messages[0].text.find("computed by the processor: roots are to be found by bisection"),
+  EXPECT_NE(state_.session.messages[0].text.find("computed by the processor: the surface has creases"),
             std::string::npos)
       << state_.session.messages[0].text;
   EXPECT_EQ(state_.session.messages[0].count, 1);
@@ -154,10 +154,10 @@ TEST_F(SurfaceOnCardTest, AutomaticKeepsTheFasterAsMeasured) {
   const NamedCard named;
   state_.session.preferences.surfaceBy = SurfaceBy::kAutomatic;
   SmoothingSettings settings = state_.document.rig().smoothing;
-  settings.projection = ProjectionKind::kBisection;
+  settings.creaseAngle = 10.0f;
   apply(settings);
   frame();
-  EXPECT_NE(maker().why.find("bisection"), std::string::npos) << maker().why << ": it cannot be measured";
+  EXPECT_NE(maker().why.find("creases"), std::string::npos) << maker().why << ": it cannot be measured";
   EXPECT_EQ(onCard_.drawn(), nullptr);
   state_.document.commands.undo();
   frame();

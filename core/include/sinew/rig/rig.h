@@ -17,7 +17,6 @@ namespace sinew {
 
 enum class SurfaceMode { kSwell, kReplace };
 enum class PatchKind { kPn, kPhong, kSpherigon, kFlat };
-enum class ProjectionKind { kNewton, kBisection, kAnalytic };
 enum class DetailKind { kUniform, kAdaptive };
 
 inline constexpr float kDefaultIso = 0.25f;
@@ -68,7 +67,6 @@ struct SurfaceSettings {
 struct SmoothingSettings {
   int depth = 3;  ///< n, 1..kMaxDepth: with uniform detail every control triangle becomes n^2.
   PatchKind patch = PatchKind::kPn;
-  ProjectionKind projection = ProjectionKind::kNewton;
   float creaseAngle =
       kDefaultCreaseAngle;  ///< Degrees, 0..180: faces that meet at more are shaded apart (mesh/creases.h).
   DetailKind detail = DetailKind::kUniform;
@@ -185,11 +183,9 @@ struct Rig {
 /// Names as they stand in files, menus and on the command line.
 [[nodiscard]] const char* nameOf(SurfaceMode mode);
 [[nodiscard]] const char* nameOf(PatchKind patch);
-[[nodiscard]] const char* nameOf(ProjectionKind projection);
 [[nodiscard]] const char* nameOf(DetailKind detail);
 [[nodiscard]] std::optional<SurfaceMode> surfaceModeNamed(const std::string& name);
 [[nodiscard]] std::optional<PatchKind> patchKindNamed(const std::string& name);
-[[nodiscard]] std::optional<ProjectionKind> projectionKindNamed(const std::string& name);
 [[nodiscard]] std::optional<DetailKind> detailKindNamed(const std::string& name);
 
 }  // namespace sinew

@@ -21,7 +21,8 @@ namespace sinew {
 /// CrowdSmoother.
 class Smoother {
  public:
-  explicit Smoother(std::shared_ptr<const Character> character);
+  /// @param projection  anything but newton goes vertex by vertex in double precision: a reference, to compare with.
+  explicit Smoother(std::shared_ptr<const Character> character, ProjectionKind projection = ProjectionKind::kNewton);
   ~Smoother();
   Smoother(Smoother&&) noexcept;
   Smoother& operator=(Smoother&&) noexcept;

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "sinew/rig/rig.h"
-#include "sinew/surface/evaluations.h"
+#include "sinew/surface/projection_kind.h"
 #include "sinew/surface/refinement.h"
 
 namespace sinew {
@@ -46,7 +46,6 @@ struct SmoothingReport {
   int unwrapped = 0;    ///< `replace`: control vertices under muscles that do not wrap the body: they keep the skin.
   int guarded = 0;      ///< Vertices moved again because a triangle had folded (fold_spread.h).
   int anchorFallbacks = 0;   ///< `replace`: anchors outside the implicit surface; the normal served instead.
-  Evaluations evaluations;   ///< Along all projection rays.
   double residualMax = 0.0;  ///< Largest |phi| at the found roots.
   StageSeconds seconds;
 };
