@@ -3,8 +3,19 @@
 #pragma once
 
 #include "app/command/scene.h"
+#include "sinew/character/character.h"
+#include "sinew/rig/rig.h"
 
 namespace sinew::app {
+
+// Any number of muscles over the whole body, always as many at a place.
+
+/// `muscles` balls spread evenly over the bound skin, each half under it and of such a radius that kEvenOverlap of them
+/// reach a place of the skin whatever their number: what is left to compare is the search for those. Each rides the
+/// bone that its skin follows most; one group, no territories of its own. The character has a triangle with an area.
+[[nodiscard]] Rig evenRig(const Character& character, int muscles);
+
+inline constexpr float kEvenOverlap = 5.0f;
 
 /// At kBenchDepth, of a clip that plays at 60 frames a second. Medians of frames of the same moment in the same round.
 struct MuscleCost {

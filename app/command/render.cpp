@@ -1,16 +1,17 @@
 // app/command/render.cpp: open, frame all moments at once, then pose, smooth, draw and write each.
 #include <cstdio>
+#include <filesystem>
+#include <future>
 #include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
 #include <CLI/CLI.hpp>
 
-#include "app/command/anchor_segments.h"
 #include "app/command/clip_frames.h"
 #include "app/command/console.h"
 #include "app/command/contact_sheet.h"
-#include "app/command/picture_writer.h"
 #include "app/command/render_input.h"
 #include "app/command/render_plan.h"
 #include "app/command/surface_options.h"
@@ -18,16 +19,97 @@
 #include "app/ui/offscreen.h"
 #include "app/viewport/gpu/drawn_on_card.h"
 #include "app/viewport/render/movie.h"
+#include "app/viewport/render/png.h"
 #include "app/viewport/render/render_target.h"
+#include "app/viewport/render/scene.h"
 #include "app/viewport/render/viewport.h"
 #include "core/character/skinning.h"
+#include "core/files/disk/atomic_file.h"
 #include "core/geometry/stopwatch.h"
 #include "core/rig/mesh_layers.h"
+#include "core/surface/projection/anchors.h"
 #include "sinew/character/pose_check.h"
+#include "sinew/geometry/result.h"
 #include "sinew/surface/smoother.h"
 
 namespace sinew::app {
 namespace {
+
+// .png files, written beside the drawing of the next one.
+// A thread for the picture that is written.
+
+/// One at a time, in order.
+class PictureWriter {
+ public:
+  /// First finishes the picture before. @return its failure, if it failed.
+  Result<void> write(const std::filesystem::path& file, Image image);
+  /// Waits for the last picture, and names its file among the verb's results.
+  Result<void> finish();
+  [[nodiscard]] double seconds() const { return seconds_; }
+  /// kDone, or what became of the standard output.
+  [[nodiscard]] int status() const { return status_; }
+
+ private:
+  struct Written {
+    Result<void> result;
+    double seconds = 0.0;
+  };
+  std::filesystem::path file_;
+  std::future<Written> writing_;
+  double seconds_ = 0.0;
+  int status_ = kDone;
+};
+
+Result<void> PictureWriter::write(const std::filesystem::path& file, Image image) {
+  if (const Result<void> before = finish(); !before) return before;
+  file_ = file;
+  writing_ = std::async(std::launch::async, [file, image = std::move(image)]() -> Written {
+    Stopwatch watch;
+    const Result<std::string> bytes = pngBytes(image);
+    if (!bytes) return {Error{file.string(), bytes.error().place, bytes.error().reason}, 0.0};
+    Result<void> done = writeFileAtomically(file, bytes.value());
+    return {std::move(done), watch.lap()};
+  });
+  return {};
+}
+
+Result<void> PictureWriter::finish() {
+  if (!writing_.valid()) return {};
+  Written written = writing_.get();
+  seconds_ += written.seconds;
+  if (written.result) status_ = putResult(file_.string() + '\n');
+  return std::move(written.result);
+}
+
+// The segments that `replace` searches, as lines to draw (paper Fig. 5).
+// Anchors of the control vertices, found in the bind pose, carried by their bones.
+
+std::vector<bool> cornersOfImplicitTriangles(const ControlMesh& mesh, const Surface& surface) {
+  std::vector<bool> held(mesh.positions.size(), false);
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    if (surface.classes[t] != TriangleClass::kImplicit) continue;
+    for (const int v : mesh.triangles[t].vertices) held[static_cast<std::size_t>(v)] = true;
+  }
+  return held;
+}
+
+/// From each control vertex that the muscles hold (a corner of an implicit triangle, by `surface.classes`) to its
+/// anchor, both in the pose; kFound where the smoothed surface lies off the control vertex, else kLost. World space.
+std::vector<SceneSegment> anchorSegments(const Character& character, const Pose& pose,
+                                         std::span<const float> morphWeights, const Surface& surface) {
+  SkinnedMesh skinned;
+  skin(character, pose, morphWeights, skinned);
+  std::vector<glm::vec3> anchors;
+  poseAnchors(findAnchors(character.skeleton, character.mesh.positions), pose, anchors);
+  const std::vector<bool> held = cornersOfImplicitTriangles(character.mesh, surface);
+  std::vector<SceneSegment> segments;
+  for (std::size_t v = 0; v < anchors.size(); ++v) {
+    if (!held[v]) continue;
+    const bool moved = surface.positions[v] != skinned.positions[v];
+    segments.push_back({skinned.positions[v], anchors[v], moved ? SegmentClass::kFound : SegmentClass::kLost});
+  }
+  return segments;
+}
 
 struct RenderSeconds {
   double smooth = 0.0, upload = 0.0, draw = 0.0, write = 0.0;

@@ -2,15 +2,35 @@
 #pragma once
 
 #include <filesystem>
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "app/editor/actions.h"
+#include "app/editor/editor_state.h"
+#include "app/editor/possible.h"
 #include "app/panels/palette_controls.h"
 #include "app/panels/palette_search.h"
 #include "app/ui/icons.h"
 
 namespace sinew::app {
+
+// What the palette finds besides the menus' actions, and other words for things.
+
+/// A button of a panel.
+struct PanelCommand {
+  const char* id;  ///< "panel/learn"
+  const char* label;
+  const char* context;   ///< Where the button is.
+  const char* synonyms;  ///< What else one may call it, apart by spaces.
+  Possible (*enabled)(const EditorState&);
+  void (*run)(EditorState&);
+};
+[[nodiscard]] std::span<const PanelCommand> panelCommands();
+
+/// What other programs call an action, apart by spaces; "" for most.
+[[nodiscard]] std::string_view synonymsOf(std::string_view actionId);
 
 enum class EntryKind { kAction, kPanel, kControl, kMuscle, kGroup, kBone, kPart, kClip, kSet, kPage, kFile };
 

@@ -1,9 +1,5 @@
 // app/window/editor_window.cpp: one frame, in order.
-
 #include "app/window/editor_window.h"
-
-#include <epoxy/gl.h>
-#include <imgui.h>
 
 #include <algorithm>
 #include <array>
@@ -13,6 +9,9 @@
 #include <memory>
 #include <optional>
 #include <utility>
+
+#include <epoxy/gl.h>
+#include <imgui.h>
 
 #include "app/document/folder_listing.h"
 #include "app/document/thumbnail_files.h"
@@ -24,6 +23,7 @@
 #include "app/editor/open_file.h"
 #include "app/editor/reference_commands.h"
 #include "app/editor/session.h"
+#include "app/ui/code_points.h"
 #include "app/ui/imgui_layer.h"
 #include "app/ui/window.h"
 #include "app/viewport/render/gl_objects.h"
@@ -31,7 +31,6 @@
 #include "app/viewport/render/viewport.h"
 #include "app/window/editor_step.h"
 #include "app/window/moving_resolution.h"
-#include "app/window/name_letters.h"
 #include "app/window/picture.h"
 #include "app/window/screen.h"
 #include "app/window/session_keeper.h"
@@ -39,6 +38,43 @@
 #include "app/window/surface_on_card.h"
 
 namespace sinew::app {
+
+// All names of a document, as letters.
+
+namespace {
+
+template <class Named>
+void addNameLetters(std::u32string& letters, const std::vector<Named>& all) {
+  for (const Named& each : all) letters += codePoints(each.name);
+}
+
+}  // namespace
+
+std::u32string lettersOfNames(const EditorState& state) {
+  std::u32string letters = codePoints(state.document.name());
+  if (state.hasCharacter()) {
+    const Character& character = state.character();
+    addNameLetters(letters, character.skeleton.bones);
+    addNameLetters(letters, character.clips);
+    addNameLetters(letters, character.morphTargets);
+    addNameLetters(letters, character.parts);
+    addNameLetters(letters, state.document.rig().primitives);
+    addNameLetters(letters, state.document.rig().groups);
+    for (const LayerChoice& choice : state.document.rig().layers) letters += codePoints(choice.part);
+  }
+  std::erase_if(letters, [](char32_t c) { return c < 0x80; });
+  return letters;
+}
+
+std::string missingLetters(const std::u32string& letters, const HasGlyph& hasGlyph) {
+  const auto missing = [&](char32_t c) { return !isInvisible(c) && !hasGlyph(c); };
+  const auto wide = [&](char32_t c) { return isWide(c) && missing(c); };
+  if (std::ranges::none_of(letters, missing)) return "";
+  std::string text = "Some names are shown by number: no installed font has their letters.";
+  if (std::ranges::any_of(letters, wide)) text += " Debian's package fonts-noto-cjk has Chinese, Japanese and Korean.";
+  return text;
+}
+
 namespace {
 
 constexpr glm::ivec2 kWindowSize{1280, 800};

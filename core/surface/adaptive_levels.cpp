@@ -3,22 +3,238 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <memory>
+#include <span>
 #include <utility>
+#include <vector>
 
 #include <glm/geometric.hpp>
 
+#include "core/character/range_of_motion.h"
 #include "core/geometry/at.h"
 #include "core/geometry/parallel.h"
-#include "core/surface/cloth_levels.h"
-#include "core/surface/detail_moments.h"
+#include "core/rig/motion_clip.h"
+#include "core/rig/posed_rig.h"
 #include "core/surface/patches/lattice.h"
 #include "core/surface/patches/level_fit.h"
 #include "core/surface/patches/sample_points.h"
+#include "core/surface/preparation.h"
 #include "core/surface/sampling.h"
 #include "core/surface/split_check.h"
+#include "sinew/character/character.h"
+#include "sinew/character/pose.h"
+#include "sinew/surface/refinement.h"
 
 namespace sinew {
 namespace {
+
+// The poses in which adaptive refinement looks at a surface.
+// Farthest-point sampling over what a pose does to muscles.
+
+/// The bind pose, relaxed and flexed, and those of the moments that differ most from it and from each other in how
+/// joints under muscles are bent, lines stretched and muscles' numbers driven: farthest-point sampling, at most
+/// kMostDetailPoses in all. A function of character and rig.
+inline constexpr int kMostDetailPoses = 8;
+
+constexpr int kMomentsOfClips = 96;  ///< In all, but at least kLeastOfClip of each.
+constexpr int kLeastOfClip = 4;
+constexpr int kMostMoments = 256;
+constexpr double kStretchWeight = 2.0;    ///< A line's stretch by 1 counts as much as a joint bent by two radians.
+constexpr double kLeastDifference = 0.1;  ///< Poses that are nearer show nothing new.
+using Features = std::vector<float>;
+
+void addMoments(const Skeleton& skeleton, const AnimationClip& clip, int count, std::vector<Pose>& out) {
+  for (int i = 0; i < count && static_cast<int>(out.size()) < kMostMoments; ++i) {
+    const float share = (static_cast<float>(i) + 0.5f) / static_cast<float>(count);
+    out.push_back(samplePose(skeleton, clip, share * clip.duration));
+  }
+}
+
+/// How a bone is turned against its parent, compared with the bind pose.
+glm::mat3 turnOf(const Skeleton& skeleton, const Pose& pose, int bone) {
+  const auto axes = [](const glm::mat4& m) {
+    glm::mat3 out(m);
+    for (int i = 0; i < 3; ++i) {
+      const float length = glm::length(out[i]);
+      if (length > 0.0f) out[i] /= length;
+    }
+    return out;
+  };
+  const Bone& own = at(skeleton.bones, bone);
+  const glm::mat3 now = axes(at(pose.boneInWorld, bone));
+  const glm::mat3 then = axes(own.bindInWorld);
+  if (own.parent < 0) return glm::mat3(1.0f);
+  const glm::mat3 parentNow = axes(at(pose.boneInWorld, own.parent));
+  const glm::mat3 parentThen = axes(at(skeleton.bones, own.parent).bindInWorld);
+  return glm::transpose(parentNow) * now - glm::transpose(parentThen) * then;
+}
+
+class FeatureReader {
+ public:
+  FeatureReader(const Character& character, const Rig& rig, const RigPoser& poser)
+      : character_(character), poser_(poser) {
+    const Skeleton& skeleton = character.skeleton;
+    std::vector<bool> counts(skeleton.bones.size(), false);
+    for (const Primitive& primitive : rig.primitives) {
+      const auto bone = skeleton.findBone(primitive.bone);
+      if (!bone) continue;
+      counts[toIndex(*bone)] = true;
+      for (const int child : at(skeleton.bones, *bone).children) counts[toIndex(child)] = true;
+    }
+    for (std::size_t b = 0; b < counts.size(); ++b) {
+      if (counts[b]) bones_.push_back(static_cast<int>(b));
+    }
+  }
+
+  Features read(const Pose& pose) {
+    Features out;
+    for (const int bone : bones_) {
+      const glm::mat3 turn = turnOf(character_.skeleton, pose, bone);
+      for (int c = 0; c < 3; ++c) out.insert(out.end(), {turn[c].x, turn[c].y, turn[c].z});
+    }
+    poser_.pose(pose, posed_);
+    for (const PosedLine& line : posed_.lines) {
+      out.push_back(line.usable ? static_cast<float>(kStretchWeight) * line.bellyStretch : 0.0f);
+      out.push_back(line.usable ? line.activation : 0.0f);
+    }
+    for (const MuscleNumbers& numbers : posed_.numbers.primitives) {
+      out.push_back(numbers.amount);
+      out.push_back(numbers.reach);
+    }
+    return out;
+  }
+
+ private:
+  const Character& character_;
+  const RigPoser& poser_;
+  std::vector<int> bones_;
+  PosedRig posed_;
+};
+
+double squaredDifference(const Features& a, const Features& b) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    const double difference = static_cast<double>(a[i]) - static_cast<double>(b[i]);
+    sum += difference * difference;
+  }
+  return sum;
+}
+
+/// Moments of a character's clips and of its range of motion, some evenly spaced ones of each. Once a character: a clip
+/// that was made in memory does not count.
+std::vector<Pose> detailMoments(const Character& character) {
+  std::vector<Pose> moments;
+  std::vector<const AnimationClip*> clips;
+  for (const AnimationClip& clip : character.clips) {
+    if (!clip.turnsBindPose && clip.duration > 0.0f) clips.push_back(&clip);
+  }
+  const int each = clips.empty() ? 0 : std::max(kLeastOfClip, kMomentsOfClips / static_cast<int>(clips.size()));
+  for (const AnimationClip* clip : clips) addMoments(character.skeleton, *clip, each, moments);
+  const AnimationClip motion = rangeOfMotion(character.skeleton, motionHints(character));
+  const int steps = static_cast<int>(motion.duration * 2.0f);
+  if (!motion.channels.empty()) addMoments(character.skeleton, motion, std::clamp(steps, 1, kMostMoments), moments);
+  return moments;
+}
+
+std::vector<Pose> detailPoses(const Character& character, const Rig& rig, const RigPoser& poser,
+                              const std::vector<Pose>& moments) {
+  std::vector<Pose> out{bindPose(character.skeleton)};
+  if (rig.primitives.empty()) return out;
+  if (!rig.lines.empty()) {
+    out.push_back(out.front());
+    out.back().flex = 1.0f;
+  }
+  FeatureReader reader(character, rig, poser);
+  std::vector<Features> features;
+  for (const Pose& moment : moments) features.push_back(reader.read(moment));
+  std::vector<double> apart(moments.size(), 1e30);
+  const auto keepAway = [&](const Features& from) {
+    for (std::size_t i = 0; i < apart.size(); ++i) apart[i] = std::min(apart[i], squaredDifference(features[i], from));
+  };
+  for (const Pose& pose : out) keepAway(reader.read(pose));
+  while (!apart.empty() && static_cast<int>(out.size()) < kMostDetailPoses) {
+    const auto next = static_cast<std::size_t>(std::ranges::max_element(apart) - apart.begin());
+    if (!(apart[next] > kLeastDifference * kLeastDifference)) break;
+    out.push_back(moments[next]);
+    keepAway(features[next]);
+  }
+  return out;
+}
+
+// Cloth is split as finely as the skin that moves it.
+// The length of skin's pieces, handed on to what lies over it.
+
+constexpr float kNoPiece = std::numeric_limits<float>::max();
+
+class ClothSplitter {
+ public:
+  ClothSplitter(const Preparation& next, RefinementLevels& levels)
+      : next_(next), layers_(*next.layers()), mesh_(next.mesh()), levels_(levels) {
+    pieces_.assign(mesh_.positions.size(), kNoPiece);
+    for (std::size_t v = 0; v < pieces_.size(); ++v) {
+      if (layers_.carriers[v] == SkinLayer::kCloth) pieces_[v] = pieceUnder(layers_.skinUnder[v]);
+    }
+  }
+
+  void run() {
+    const std::size_t firstEdge = mesh_.positions.size();
+    const std::size_t firstTriangle = firstEdge + mesh_.edges.size();
+    for (std::size_t e = 0; e < mesh_.edges.size(); ++e) {
+      if (layers_.carriers[firstEdge + e] == SkinLayer::kCloth) raise(mesh_.edges[e].vertices, levels_.edges[e]);
+    }
+    for (std::size_t t = 0; t < mesh_.triangles.size(); ++t) {
+      if (layers_.carriers[firstTriangle + t] != SkinLayer::kCloth) continue;
+      raise(mesh_.triangles[t].vertices, levels_.triangles[t]);
+    }
+  }
+
+ private:
+  [[nodiscard]] float lengthOf(int a, int b) const {
+    return glm::distance(at(mesh_.positions, a), at(mesh_.positions, b));
+  }
+
+  /// Of the longest side.
+  [[nodiscard]] float longest(std::span<const int> corners) const {
+    float length = 0.0f;
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+      length = std::max(length, lengthOf(corners[i], corners[(i + 1) % corners.size()]));
+    }
+    return length;
+  }
+
+  [[nodiscard]] float pieceUnder(int triangle) const {
+    if (triangle < 0) return kNoPiece;
+    const int carrier = static_cast<int>(mesh_.positions.size() + mesh_.edges.size()) + triangle;
+    if (next_.seen->of(carrier).empty()) return kNoPiece;
+    const ControlTriangle& skin = at(mesh_.triangles, triangle);
+    int level = at(levels_.triangles, triangle);
+    for (const int e : skin.edges) level = std::max<int>(level, at(levels_.edges, e));
+    return longest(skin.vertices) / static_cast<float>(level);
+  }
+
+  void raise(std::span<const int> corners, std::uint8_t& level) const {
+    float piece = kNoPiece;
+    for (const int v : corners) piece = std::min(piece, at(pieces_, v));
+    if (!(piece > 0.0f) || piece == kNoPiece) return;
+    const float wanted = std::min(std::ceil(longest(corners) / piece), static_cast<float>(kMaxDepth));
+    level = std::max(level, static_cast<std::uint8_t>(wanted));
+  }
+
+  const Preparation& next_;
+  const MeshLayers& layers_;
+  const ControlMesh& mesh_;
+  RefinementLevels& levels_;
+  std::vector<float> pieces_;  ///< [V] of cloth: how long the skin's pieces are under it.
+};
+
+/// Levels at which pieces of cloth are no longer than those of the skin under their corners, where that skin sees
+/// muscles. Never less than they were.
+/// @param next  attached  @param levels  in which the skin's are found
+RefinementLevels withClothLevels(const Preparation& next, RefinementLevels levels) {
+  if (next.layers() && next.layers()->hasCloth()) ClothSplitter(next, levels).run();
+  return levels;
+}
 
 // Samples along an edge: each number divides the next, so that a triangle finds its own among its edges'.
 constexpr int kFewSamples = 2;

@@ -16,7 +16,7 @@ layout(std430, binding = 6) readonly buffer Ways { vec4 ways[]; };
 
 const float kRelaxation = 1.5;
 
-// As near to where muscles have put it as they have moved it (core/surface/finish/fold_mesh.h).
+// As near to where muscles have put it as they have moved it (core/surface/finish/fold_spread.h).
 vec3 keptNear(vec3 to, vec3 from, vec3 patchPlace) {
   vec3 way = to - from;
   float most = distance(from, patchPlace), far = length(way);

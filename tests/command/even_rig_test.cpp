@@ -1,6 +1,6 @@
 // tests/command/even_rig_test.cpp: muscles spread evenly: valid, repeatable, and as many at a place whatever their
 // number.
-#include "app/command/even_rig.h"
+#include "app/command/costs.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // tests/panels/name_letters_test.cpp: names whose letters no font has, in the panels and in a message.
 
-#include "app/window/name_letters.h"
+#include "app/window/editor_window.h"
 
 #include <algorithm>
 

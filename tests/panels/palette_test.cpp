@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "app/panels/palette_words.h"
+#include "app/panels/palette_entries.h"
 #include "tests/panels/palette_editor.h"
 #include "tests/support/editor/muscles_named.h"
 

@@ -7,7 +7,6 @@
 #include "core/geometry/at.h"
 #include "core/surface/adaptive_levels.h"
 #include "core/surface/patches/sample_points.h"
-#include "core/surface/sampled_part.h"
 #include "core/surface/sampling.h"
 #include "sinew/geometry/threads.h"
 #include "tests/support/characters/body_with_arms.h"

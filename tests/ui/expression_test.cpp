@@ -1,6 +1,6 @@
 // tests/ui/expression_test.cpp: arithmetic in number fields.
 
-#include "app/ui/expression.h"
+#include "app/ui/number_field.h"
 
 #include <charconv>
 #include <clocale>

@@ -6,7 +6,6 @@
 #include <string_view>
 
 #include "app/ui/letter_faces.h"
-#include "app/ui/letter_fonts.h"
 
 namespace sinew::app {
 namespace {

@@ -7,10 +7,78 @@
 
 #include <glm/vec2.hpp>
 
-#include "app/viewport/gpu/coverage.h"
+#include "app/viewport/gpu/card_layout.h"
 #include "core/surface/finish/lift_filter.h"
 
 namespace sinew::app {
+
+// What the shaders have no code for, and their limits.
+
+namespace {
+
+/// What the lists of muscles exceed.
+std::optional<std::string> tooMany(const CandidateLists& lists) {
+  std::size_t muscles = 0, ways = 0;
+  int groups = 0;
+  for (std::size_t carrier = 0; carrier + 1 < lists.begin.size(); ++carrier) {
+    const auto own = lists.of(static_cast<int>(carrier));
+    muscles = std::max(muscles, own.size());
+    for (const CarrierCandidate& one : own) groups = std::max(groups, one.slot + 1);
+  }
+  for (const CliqueLists& cliques : lists.cliqueSets) ways = std::max(ways, cliques.size());
+  const auto most = [](const auto& number) { return " one place of the skin, at most " + std::to_string(number); };
+  if (muscles > card::kMostCandidates) {
+    return std::to_string(muscles) + " muscles reach" + most(card::kMostCandidates);
+  }
+  if (groups > card::kMostSlots) return std::to_string(groups) + " groups reach" + most(card::kMostSlots);
+  if (ways > card::kMostCliques)
+    return "groups blend in " + std::to_string(ways) + " ways at" + most(card::kMostCliques);
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<std::string> leftToProcessor(const Preparation& preparation, int bodies) {
+  if (!preparation.swells() && preparation.poser->drivesMuscles()) {
+    return "in replace, keys or drivers change muscles";
+  }
+  if (preparation.layered && preparation.layered->layers.hasCloth()) return "the character wears cloth";
+  if (preparation.refined->creased) return "the surface has creases";
+  if (bodies > 1 && !preparation.character().morphTargets.empty()) return "a crowd's bodies have morph targets";
+  return tooMany(*preparation.seen);
+}
+
+// OpenGL's time stamps.
+
+PartTimers::PartTimers() {
+  for (std::size_t i = 0; i <= kSurfaceParts; ++i) stamps_.push_back(makeQuery(GL_TIMESTAMP));
+}
+
+void PartTimers::begin() {
+  glQueryCounter(stamps_.front().id(), GL_TIMESTAMP);
+  begun_ = true;
+}
+
+void PartTimers::end(SurfacePart part) {
+  glQueryCounter(stamps_[static_cast<std::size_t>(part) + 1].id(), GL_TIMESTAMP);
+}
+
+PartSeconds PartTimers::seconds() const {
+  std::array<GLuint64, kSurfaceParts + 1> at{};
+  for (std::size_t i = 0; i <= kSurfaceParts; ++i) glGetQueryObjectui64v(stamps_[i].id(), GL_QUERY_RESULT, &at[i]);
+  PartSeconds seconds{};
+  for (std::size_t i = 0; i < kSurfaceParts; ++i) seconds[i] = static_cast<double>(at[i + 1] - at[i]) * 1e-9;
+  return seconds;
+}
+
+std::optional<PartSeconds> PartTimers::secondsIfDone() const {
+  if (!begun_) return std::nullopt;
+  GLint done = GL_FALSE;
+  glGetQueryObjectiv(stamps_.back().id(), GL_QUERY_RESULT_AVAILABLE, &done);
+  if (done == GL_FALSE) return std::nullopt;
+  return seconds();
+}
+
 namespace {
 
 constexpr GLuint kMakingBinding = 2;  ///< shaders/compute/items.glsl.
@@ -305,6 +373,34 @@ void CardSurface::make(SurfacePart last) {
     timers_.end(part);
   }
   glMemoryBarrier(GL_VERTEX_ATTRIB_ARRAY_BARRIER_BIT);
+}
+
+// What tests and measurements read back from the card.
+
+template <class T>
+std::vector<T> CardSurface::read(Buffer buffer, std::size_t count) const {
+  std::vector<T> values(count);
+  glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+  glGetNamedBufferSubData(of(buffer).id(), 0, static_cast<GLsizeiptr>(count * sizeof(T)), values.data());
+  return values;
+}
+
+std::vector<card::Root> CardSurface::readRoots() const {
+  return read<card::Root>(Buffer::kRoots, static_cast<std::size_t>(options_.bodies * making_.refinedVertices));
+}
+
+std::vector<card::Vertex> CardSurface::readPatches() const {
+  return read<card::Vertex>(Buffer::kPatches, static_cast<std::size_t>(options_.bodies * making_.refinedVertices));
+}
+
+std::vector<card::Vertex> CardSurface::readSurface() const {
+  return read<card::Vertex>(Buffer::kSurface, static_cast<std::size_t>(options_.bodies * making_.refinedVertices));
+}
+
+std::uint32_t CardSurface::readUnsure() const { return read<card::ListHead>(Buffer::kUnsure, 1).front().count; }
+
+bool CardSurface::readSlopesRest() const {
+  return read<card::Round>(Buffer::kRoundsAsked, kRounds)[kFirstSlope + kSlopeRounds].vertexGroups[0] == 0;
 }
 
 }  // namespace sinew::app

@@ -12,12 +12,60 @@
 
 #include "app/viewport/gpu/card_pose.h"
 #include "app/viewport/gpu/card_tables.h"
-#include "app/viewport/gpu/dispatch.h"
-#include "app/viewport/gpu/part_timers.h"
 #include "app/viewport/gpu/stages.h"
+#include "app/viewport/gpu/surface_parts.h"
+#include "app/viewport/render/gl_objects.h"
 #include "core/surface/finish/fold_spread.h"
+#include "core/surface/preparation.h"
 
 namespace sinew::app {
+
+// Which surfaces the graphics card computes. docs/performance.md.
+
+/// What holds in every pose; poseMuscles (card_pose.h) tells what only some poses ask for.
+///
+/// Why the whole surface is left to the processor, in the user's words, one line; nullopt: the card computes it.
+/// @param bodies  of a crowd, each in a pose of its own
+[[nodiscard]] std::optional<std::string> leftToProcessor(const Preparation& preparation, int bodies = 1);
+
+// How long the card takes for each part of a surface, by its own clock.
+
+/// Time stamps between the parts of one surface.
+class PartTimers {
+ public:
+  PartTimers();
+  void begin();
+  void end(SurfacePart part);
+  /// Waits for the card.
+  [[nodiscard]] PartSeconds seconds() const;
+  /// nullopt: the card is not done, or has not begun.
+  [[nodiscard]] std::optional<PartSeconds> secondsIfDone() const;
+
+ private:
+  std::vector<GlQuery> stamps_;  ///< [kSurfaceParts + 1]
+  bool begun_ = false;
+};
+
+// Work groups of a stage, in two dimensions.
+
+inline constexpr std::uint32_t kGroupSize = 64;  ///< Invocations: local_size_x of shaders/compute/items.glsl.
+
+/// What every card allows along an axis, and some no more.
+inline constexpr std::uint32_t kMostGroupsAlong = 65'535;
+
+struct Groups {
+  std::uint32_t x = 0;
+  std::uint32_t y = 1;
+};
+
+/// So many groups that each of `items` has an invocation; surplus ones have nothing to do.
+/// @param most  along an axis
+[[nodiscard]] constexpr Groups groupsFor(std::uint32_t items, std::uint32_t most = kMostGroupsAlong) {
+  const std::uint32_t groups = (items + kGroupSize - 1) / kGroupSize;
+  if (groups <= most) return {groups, 1};
+  const std::uint32_t rows = (groups + most - 1) / most;
+  return {(groups + rows - 1) / rows, rows};
+}
 
 /// The stages of the one pipeline (core/surface/smooth.h) as compute shaders. A preparation is uploaded once; a pose
 /// is bones and placed muscles. Nothing is read back unless a caller asks. Needs a current OpenGL 4.5 context.

@@ -6,11 +6,13 @@
 #include <cassert>
 #include <cmath>
 #include <cstddef>
+#include <numeric>
 #include <utility>
 
 #include <glm/gtc/matrix_access.hpp>
 
 #include "app/viewport/render/color_scales.h"
+#include "app/viewport/render/gl_objects.h"
 #include "app/viewport/render/occlusion.h"
 #include "app/viewport/render/shape_colors.h"
 #include "app/viewport/render/shape_mesh.h"
@@ -410,6 +412,137 @@ void SurfaceDrawer::drawBlended(const Frame& frame) const {
   glDisable(GL_CULL_FACE);
   glDepthMask(GL_TRUE);
   glDisable(GL_BLEND);
+}
+
+// The surface as it casts its shadow, and parts of it as a tint.
+
+namespace {
+
+// Opacity of the tint of a part.
+constexpr float kHoveredPart = 0.52f;
+constexpr float kChosenPart = 0.40f;
+constexpr float kHiddenPart = 0.85f;  ///< Share of these where nothing is seen of it.
+
+}  // namespace
+
+void SurfaceDrawer::drawForShadow(const Frame& frame, const GlProgram& solid, const GlProgram& withAlpha) const {
+  if (refinement_ == nullptr) return;
+  glBindVertexArray(array_.id());
+  glVertexArrayElementBuffer(array_.id(), isSoftwareRenderer() ? shadowIndices_.id() : indices_.id());
+  glVertexAttrib4f(5, 1.0f, 1.0f, 1.0f, 1.0f);  // For surfaces without colors.
+  for (const Range& range : shadowRanges_) {
+    const Material& material = materialOf(range);
+    const AlphaMode alpha = alphaIn(frame, material);
+    const GlProgram& program = alpha == AlphaMode::kOpaque ? solid : withAlpha;
+    program.use();
+    if (alpha != AlphaMode::kOpaque) {
+      program.set("baseMap", 0);
+      program.set("alpha", glm::vec2(material.baseColor.a, alpha == AlphaMode::kMask ? material.alphaCutoff : -1.0f));
+      textures_.bindBase(material);
+    }
+    drawTriangles(range.firstTriangle, range.triangles);
+  }
+  glVertexArrayElementBuffer(array_.id(), culled_.empty() ? indices_.id() : keptIndices_.id());
+}
+
+void SurfaceDrawer::drawPart(const Frame& frame, const LitPart& lit, float strength) const {
+  if (lit.part >= static_cast<int>(materialOfPart_.size())) return;
+  const int material = materialOfPart_[static_cast<std::size_t>(lit.part)];
+  partProgram_.set("part", lit.part);
+  partProgram_.set("tint", glm::vec4(linearFromSrgb(layerColor(lit.layer).srgb), strength));
+  for (const Range& range : ranges_) {
+    if (range.material == material) drawRange(partProgram_, frame, range, 0);
+  }
+}
+
+void SurfaceDrawer::drawLitParts(const Frame& frame) const {
+  if (refinement_ == nullptr || frame.scene.litParts.empty()) return;
+  partProgram_.use();
+  partProgram_.set("baseMap", 0);
+  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, parts_.id());
+  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 1, controlOf_.id());
+  glBindVertexArray(array_.id());
+  glVertexAttrib4f(5, 1.0f, 1.0f, 1.0f, 1.0f);  // For surfaces without colors.
+  blendPremultiplied();
+  glDepthMask(GL_FALSE);
+  glEnable(GL_CULL_FACE);
+  glCullFace(GL_BACK);
+  for (const LitPart& lit : frame.scene.litParts) {
+    const float strength = lit.hovered ? kHoveredPart : kChosenPart;
+    glDepthFunc(GL_LEQUAL);
+    glBeginQuery(GL_ANY_SAMPLES_PASSED, partSeen_.id());
+    drawPart(frame, lit, strength);
+    glEndQuery(GL_ANY_SAMPLES_PASSED);
+    glDepthFunc(GL_GREATER);
+    glBeginConditionalRender(partSeen_.id(), GL_QUERY_WAIT_INVERTED);
+    drawPart(frame, lit, strength * kHiddenPart);
+    glEndConditionalRender();
+  }
+  glDepthFunc(GL_LESS);
+  glDisable(GL_CULL_FACE);
+  glDepthMask(GL_TRUE);
+  glDisable(GL_BLEND);
+}
+
+// Index buffers of a refinement: triangles by material, and those of the
+// shadow.
+
+namespace {
+
+/// Refined triangles of control triangles, one after the other.
+std::vector<int> refinedOf(const Refinement& refinement, std::span<const int> controls) {
+  std::vector<int> refined;
+  refined.reserve(refinement.drawTriangles.size());
+  for (const int t : controls) {
+    const int first = refinement.triangleBegin[static_cast<std::size_t>(t)];
+    for (int i = 0; i < refinement.refinedTriangles(t); ++i) refined.push_back(first + i);
+  }
+  return refined;
+}
+
+}  // namespace
+
+void SurfaceDrawer::rebuildOrder(const ControlMesh& mesh, const GlBuffer& indices, GLenum usage) {
+  const auto materialIndex = [&](int t) { return mesh.triangles[static_cast<std::size_t>(t)].material; };
+  controlOrder_.resize(mesh.triangles.size());
+  std::iota(controlOrder_.begin(), controlOrder_.end(), 0);
+  if (!culled_.empty()) std::erase_if(controlOrder_, [&](int t) { return culled_[static_cast<std::size_t>(t)] != 0; });
+  std::ranges::stable_sort(controlOrder_, {}, materialIndex);
+  refinedOrder_ = refinedOf(*refinement_, controlOrder_);
+  std::vector<std::array<std::uint32_t, 3>> ordered;
+  std::vector<int> controlOf;
+  ordered.reserve(refinedOrder_.size());
+  controlOf.reserve(refinedOrder_.size());
+  ranges_.clear();
+  for (const int refined : refinedOrder_) {
+    const int t = refinement_->controlOf[static_cast<std::size_t>(refined)];
+    if (ranges_.empty() || ranges_.back().material != materialIndex(t)) {
+      ranges_.push_back({materialIndex(t), static_cast<int>(ordered.size()), 0});
+    }
+    ordered.push_back(refinement_->drawTriangles[static_cast<std::size_t>(refined)]);
+    controlOf.push_back(t);
+    ++ranges_.back().triangles;
+  }
+  showsBacks_.clear();
+  for (const Range& range : ranges_) showsBacks_.push_back(materialOf(range).doubleSided ? 1 : 0);
+  uploadBuffer(indices, std::span<const std::array<std::uint32_t, 3>>(ordered), usage);
+  uploadBuffer(controlOf_, std::span<const int>(controlOf), usage);
+  glVertexArrayElementBuffer(array_.id(), indices.id());
+}
+
+void SurfaceDrawer::rebuildTopology(const Character& character) {
+  const Refinement& refinement = *refinement_;
+  culled_.clear();
+  rebuildOrder(character.mesh, indices_, GL_STATIC_DRAW);
+  uploadBuffer(uvs_, std::span<const glm::vec2>(refinement.drawUv), GL_STATIC_DRAW);
+  uploadBuffer(colors_, std::span<const glm::vec4>(refinement.drawColor), GL_STATIC_DRAW);
+  if (refinement.drawColor.empty()) glDisableVertexArrayAttrib(array_.id(), 5);
+  else glEnableVertexArrayAttrib(array_.id(), 5);
+  shadowRanges_ = ranges_;
+  if (!isSoftwareRenderer()) return;
+  const ShadowMesh shadow = makeShadowMesh(character, shadowClusters_, refinement, controlOrder_);
+  uploadBuffer(shadowIndices_, std::span<const std::uint32_t>(shadow.indices), GL_STATIC_DRAW);
+  shadowRanges_ = shadow.ranges;
 }
 
 }  // namespace sinew::app

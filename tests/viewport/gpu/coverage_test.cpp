@@ -1,12 +1,11 @@
 // tests/viewport/gpu/coverage_test.cpp: what the card does not compute is left to the processor, with a reason.
-#include "app/viewport/gpu/coverage.h"
+#include "app/viewport/gpu/card_surface.h"
 
 #include <string>
 
 #include <gtest/gtest.h>
 
 #include "app/viewport/gpu/card_pose.h"
-#include "app/viewport/gpu/dispatch.h"
 #include "sinew/files/gltf_import.h"
 #include "tests/support/characters/dressed_humanoid.h"
 #include "tests/support/characters/synthetic_characters.h"
