@@ -46,12 +46,12 @@ struct Word {
   const char* hint;
 };
 
-Word wordFor(SurfaceMode mode) {
+Word surfaceWord(SurfaceMode mode) {
   if (mode == SurfaceMode::kSwell) return {"Swell", "The skin rises over the muscles"};
   return {"Replace", "The muscles become the surface"};
 }
 
-Word wordFor(PatchKind patch) {
+Word surfaceWord(PatchKind patch) {
   switch (patch) {
     case PatchKind::kPn:
       return {"Smooth", "Round, along the normals of the vertices (PN triangles)"};
@@ -65,7 +65,7 @@ Word wordFor(PatchKind patch) {
   return {"Flat", "The triangles of the file as they are"};
 }
 
-Word wordFor(DetailKind detail) {
+Word surfaceWord(DetailKind detail) {
   if (detail == DetailKind::kAdaptive)
     return {"Adaptive", "Fine where muscles shape the skin, coarse where it is flat"};
   return {"Uniform", "Every triangle of the file becomes depth x depth triangles (N-adic)"};
@@ -77,16 +77,16 @@ void choiceRow(PanelUi& ui, const Control& control, Kind current, const std::arr
                const std::string& hint, Apply apply) {
   beginRow(ui, control);
   const std::string id = control.id;
-  const bool open = ImGui::BeginCombo(("##" + id).c_str(), wordFor(current).name);
+  const bool open = ImGui::BeginCombo(("##" + id).c_str(), surfaceWord(current).name);
   ui.widgets.note(id);
   if (!open) {
-    tooltip(ui, hint + "\n" + wordFor(current).name + ": " + wordFor(current).hint + ".");
+    tooltip(ui, hint + "\n" + surfaceWord(current).name + ": " + surfaceWord(current).hint + ".");
     return;
   }
   for (const Kind kind : kinds) {
-    const bool chosen = ImGui::Selectable(wordFor(kind).name, kind == current);
+    const bool chosen = ImGui::Selectable(surfaceWord(kind).name, kind == current);
     ui.widgets.note(id + "/" + nameOf(kind));
-    tooltip(ui, wordFor(kind).hint);
+    tooltip(ui, surfaceWord(kind).hint);
     if (chosen && kind != current) edit(ui.state, control.label, apply(kind));
   }
   ImGui::EndCombo();

@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "app/ui/letter_faces.h"
+#include "app/ui/letter_fonts.h"
 
 namespace sinew::app {
 namespace {
