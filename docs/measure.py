@@ -93,10 +93,11 @@ def main():
     processor = re.search(r"model name\s*: (.*)", pathlib.Path("/proc/cpuinfo").read_text())
     text = HEAD + "\nTaken on %d cores of an %s, %s.\n" % (os.cpu_count(), processor[1] if processor else "unknown processor", platform.system())
     for title in titles:
-        if title in words or title not in former or not words:
+        if title in words or not words:
             print(title, file=sys.stderr, flush=True)
             former[title] = section(title, build)
-        text += "\n## %s\n\n%s\n" % (title, former[title])
+        if title in former:
+            text += "\n## %s\n\n%s\n" % (title, former[title])
     PAGE.write_text(text)
 
 
