@@ -14,7 +14,7 @@
 
 #include "app/editor/session.h"
 #include "app/panels/palette_entries.h"
-#include "core/geometry/lower_case.h"
+#include "core/geometry/nearest_name.h"
 #include "sinew/rig/rig_edit.h"
 #include "tests/panels/palette_editor.h"
 #include "tests/support/editor/muscles_named.h"

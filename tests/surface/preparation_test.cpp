@@ -45,9 +45,9 @@ void expectSame(const Surface& a, const Surface& b) {
   EXPECT_EQ(a.classes, b.classes);
 }
 
-class Preparations : public testing::TestWithParam<SurfaceMode> {};
+class SharedPreparations : public testing::TestWithParam<SurfaceMode> {};
 
-TEST_P(Preparations, ShareAllThatAnEditOfShapesLeavesAsItIs) {
+TEST_P(SharedPreparations, ShareAllThatAnEditOfShapesLeavesAsItIs) {
   Prepared prepared;
   Rig rig = prepared.rig(3, GetParam());
   const auto before = prepared(rig);
@@ -62,7 +62,7 @@ TEST_P(Preparations, ShareAllThatAnEditOfShapesLeavesAsItIs) {
   EXPECT_EQ(after->anchors, before->anchors);
 }
 
-TEST_P(Preparations, GiveTheSameSurfaceWhateverCameBefore) {
+TEST_P(SharedPreparations, GiveTheSameSurfaceWhateverCameBefore) {
   Prepared prepared;
   std::shared_ptr<const Preparation> former;
   for (std::uint64_t seed = 0; seed < 12; ++seed) {
@@ -77,7 +77,7 @@ TEST_P(Preparations, GiveTheSameSurfaceWhateverCameBefore) {
   }
 }
 
-TEST_P(Preparations, AreReadByThreadsAtOnce) {
+TEST_P(SharedPreparations, AreReadByThreadsAtOnce) {
   Prepared prepared;
   Rig rig = animatedLimbRig(*prepared.character, 5);
   rig.surface.mode = GetParam();
@@ -95,7 +95,7 @@ TEST_P(Preparations, AreReadByThreadsAtOnce) {
   for (std::size_t i = 0; i < poses.size(); ++i) expectSame(together[i], surfaceOf(preparation, poses[i]));
 }
 
-TEST_P(Preparations, EveryProjectorFindsTheSameSurface) {
+TEST_P(SharedPreparations, EveryProjectorFindsTheSameSurface) {
   Prepared prepared;
   const auto preparation = prepared(prepared.rig(7, GetParam()));
   const Pose pose = samplePose(prepared.character->skeleton, prepared.character->clips.front(), 0.6f);
@@ -122,7 +122,7 @@ TEST_P(Preparations, EveryProjectorFindsTheSameSurface) {
   EXPECT_GT(moved, 20);
 }
 
-INSTANTIATE_TEST_SUITE_P(Modes, Preparations, testing::Values(SurfaceMode::kSwell, SurfaceMode::kReplace),
+INSTANTIATE_TEST_SUITE_P(Modes, SharedPreparations, testing::Values(SurfaceMode::kSwell, SurfaceMode::kReplace),
                          [](const auto& mode) { return std::string(nameOf(mode.param)); });
 
 }  // namespace
