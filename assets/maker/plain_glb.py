@@ -94,11 +94,11 @@ def ellipsoid(name, bone, group, centre, rotation, radii, bones, sign=1):
             "radii": _short(radii), "reach": 1.4142135, "sign": sign}
 
 
-def rig_text(character, mode, depth, groups, links, primitives, adaptive=False):
+def rig_text(character, mode, depth, groups, links, primitives, adaptive=False, along_normals=False):
     """The rig file, one primitive a line."""
     head = {"format": "sinew-rig", "version": 1, "character": character,
             "surface": {"mode": mode, "iso": 0.25, "skin_blend": 0.04},
-            "smoothing": {"depth": depth, "patch": "pn", **({"detail": "adaptive"} if adaptive else {})},
+            "smoothing": {"depth": depth, "patch": "pn", **({"projection": "analytic"} if along_normals else {}), **({"detail": "adaptive"} if adaptive else {})},
             "groups": [{"name": name} for name in groups], "links": [list(link) for link in links]}
     lines = ["  %s: %s" % (json.dumps(key), json.dumps(value)) for key, value in head.items()]
     rows = ",\n".join("    " + json.dumps(p) for p in primitives)

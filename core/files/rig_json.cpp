@@ -43,6 +43,7 @@ Json surfaceNode(const SurfaceSettings& surface) {
 Json smoothingNode(const SmoothingSettings& smoothing) {
   ObjectWriter writer;
   writer.set("depth", smoothing.depth).set("patch", nameOf(smoothing.patch));
+  if (smoothing.alongNormals) writer.set("projection", nameOf(ProjectionKind::kAnalytic));
   if (smoothing.creaseAngle != kDefaultCreaseAngle) writer.set("crease_angle", smoothing.creaseAngle);
   if (smoothing.detail != DetailKind::kUniform) writer.set("detail", nameOf(smoothing.detail));
   if (smoothing.tolerance != kDefaultTolerance) writer.set("tolerance", smoothing.tolerance);

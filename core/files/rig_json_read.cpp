@@ -43,9 +43,10 @@ SmoothingSettings readSmoothing(Reader& reader, const Json& node) {
   }
   readWord(reader, node, "smoothing", "patch", "\"pn\", \"phong\", \"spherigon\" or \"flat\"", patchKindNamed,
            smoothing.patch);
-  ProjectionKind projection = ProjectionKind::kNewton;  // Once a choice, without meaning now.
+  ProjectionKind projection = ProjectionKind::kNewton;
   readWord(reader, node, "smoothing", "projection", "\"newton\", \"bisection\" or \"analytic\"", projectionKindNamed,
            projection);
+  smoothing.alongNormals = projection == ProjectionKind::kAnalytic;
   readFloat(reader, node, "smoothing", "crease_angle", smoothing.creaseAngle);
   readWord(reader, node, "smoothing", "detail", "\"uniform\" or \"adaptive\"", detailKindNamed, smoothing.detail);
   readFloat(reader, node, "smoothing", "tolerance", smoothing.tolerance);

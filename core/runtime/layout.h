@@ -445,11 +445,12 @@ void fields(A& a, typename A::template Ref<SurfaceSettings> value) {
 
 template <class A>
 void fields(A& a, typename A::template Ref<SmoothingSettings> value) {
-  auto& [depth, patch, creaseAngle, detail, tolerance, autoDepth, unknownKeys] = value;
+  auto& [depth, patch, alongNormals, creaseAngle, detail, tolerance, autoDepth, unknownKeys] = value;
   a.number(depth);
   a.choice(patch, PatchKind::kFlat);
-  std::uint8_t projection = 0;  // Once one of three; without meaning now.
+  std::uint8_t projection = alongNormals ? 2 : 0;  // Once one of three searches.
   a.choice(projection, std::uint8_t{2});
+  if constexpr (!std::is_const_v<std::remove_reference_t<decltype(value)>>) alongNormals = projection == 2;
   a.floats(creaseAngle);
   a.choice(detail, DetailKind::kAdaptive);
   a.floats(tolerance);

@@ -261,7 +261,7 @@ SwellSettings swellSettings(const Preparation& preparation, float skinBlend) {
 
 ReplaceSettings replaceSettings(const Preparation& preparation) {
   const float height = preparation.character().height;
-  return {preparation.iso, kSearchLength * height, preparation.projection,
+  return {preparation.iso, kSearchLength * height, preparation.projection, preparation.smoothing.alongNormals,
           kRootTolerance * static_cast<double>(height)};
 }
 

@@ -154,9 +154,13 @@ const Field<Rig> kSettings[] = {
      [](Rig& r, py::handle v, const std::string& place) {
        r.smoothing.patch = wordFrom(v, place, patchKindNamed, {"pn", "phong", "spherigon", "flat"});
      }},
-    {"projection", [](const Rig&) -> py::object { return py::str(nameOf(ProjectionKind::kNewton)); },
-     [](Rig&, py::handle v, const std::string& place) {
-       (void)wordFrom(v, place, projectionKindNamed, {"newton", "bisection", "analytic"});
+    {"projection",
+     [](const Rig& r) -> py::object {
+       return py::str(nameOf(r.smoothing.alongNormals ? ProjectionKind::kAnalytic : ProjectionKind::kNewton));
+     },
+     [](Rig& r, py::handle v, const std::string& place) {
+       const auto word = wordFrom(v, place, projectionKindNamed, {"newton", "bisection", "analytic"});
+       r.smoothing.alongNormals = word == ProjectionKind::kAnalytic;
      }},
     {"crease_angle", [](const Rig& r) -> py::object { return py::float_(r.smoothing.creaseAngle); },
      [](Rig& r, py::handle v, const std::string& place) { r.smoothing.creaseAngle = numberFrom(v, place); }},

@@ -60,7 +60,7 @@ class Rig(_sinew.Rig):
     depth = _setting("depth", "Of uniform detail: every triangle becomes depth x depth, 1 to 16.")
     tolerance = _setting("tolerance", "Of adaptive detail, fraction of the height, 0.0001 to 0.01.")
     patch = _setting("patch", "Curved patch over each triangle: pn, phong, spherigon or flat.")
-    projection = _setting("projection", "newton. Scripts may still set bisection or analytic, which changes nothing.")
+    projection = _setting("projection", "newton; analytic: in the mode replace, lines along the normals. bisection reads as newton.")
     crease_angle = _setting("crease_angle", "Degrees: faces that meet at more are shaded apart; 180: smooth everywhere.")
 
     @property

@@ -12,13 +12,14 @@ layout(std140, binding = 2) uniform Making {
   int patchKind;   // As PatchKind.
   int carriers;    // Control vertices, edges and triangles.
   int cliqueSets;
-  int wraps;       // `replace`: muscles wrap the body, and rays go to the anchors, else along the normals.
+  int wraps;       // `replace`: muscles wrap the body.
   int boneCount;
   float iso;
   float isoRoot;
   float isoRadius;
   float tolerance;     // Of roots, world.
   float searchLength;  // `replace`, world.
+  int toAnchors;       // `replace`: rays go to the anchors, else along the normals.
   uvec4 vertexGroups;    // Of a dispatch over the refined vertices of all bodies,
   uvec4 triangleGroups;  // and over their triangles.
 };

@@ -99,9 +99,9 @@ void addLine(vec3 p, vec3 inwards, double end, bool inside, vec3 n) {
 
 void addLines(vec3 p, vec3 n, vec3 anchor, bool inside) {
   vec3 way = anchor - p;
-  int lineCount = wraps != 0 && !inside ? 2 : 1;  // The anchor is not always inside: then along the normal.
+  int lineCount = toAnchors != 0 && !inside ? 2 : 1;  // The anchor is not always inside: then along the normal.
   for (int line = 0; line < lineCount && sumWeight < 1.0; ++line) {
-    bool toAnchor = wraps != 0 && line == 0;
+    bool toAnchor = toAnchors != 0 && line == 0;
     addLine(p, toAnchor ? normalizeOr(way, -n) : -n, double(toAnchor ? length(way) : searchLength), inside, n);
   }
 }

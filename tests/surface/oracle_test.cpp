@@ -174,6 +174,15 @@ TEST(Oracle, SwellOnSyntheticCharacters) {
 
 TEST(Oracle, ReplaceByNewton) { expectReplaceAgrees(ProjectionKind::kNewton); }
 
+TEST(Oracle, ReplaceAlongNormals) {
+  const CharacterPtr character = makeTwoLegged();
+  Rig rig = wrappingRig(*character, 40);
+  rig.smoothing.alongNormals = true;
+  const oracle::Tally tally = tallyOf(character, rig, 5, 1500);
+  expectAgreement("two-legged, replace, along normals", tally);
+  EXPECT_GT(tally.sought, 0);
+}
+
 TEST(Oracle, ReplaceByAnalytic) { expectReplaceAgrees(ProjectionKind::kAnalytic); }
 
 TEST(Oracle, ReplaceByBisection) { expectReplaceAgrees(ProjectionKind::kBisection); }

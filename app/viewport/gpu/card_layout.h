@@ -133,7 +133,8 @@ struct Making {
   std::int32_t carriers = 0, cliqueSets = 0, wraps = 0, bones = 0;
   float iso = 0.0f, isoRoot = 0.0f, isoRadius = 0.0f, tolerance = 0.0f;
   float searchLength = 0.0f;
-  std::array<std::int32_t, 3> unused{};
+  std::int32_t toAnchors = 0;
+  std::array<std::int32_t, 2> unused{};
   std::array<std::uint32_t, 4> vertexGroups{}, triangleGroups{};  ///< x, y, z of dispatches over all bodies.
 };
 static_assert(sizeof(Making) == 112 && sizeof(Making) % 16 == 0);

@@ -132,6 +132,7 @@ card::Making makingOf(const Preparation& preparation) {
   making.searchLength = replaceSettings(preparation).searchLength;
   making.bones = static_cast<std::int32_t>(preparation.character().skeleton.bones.size());
   making.wraps = preparation.bind.weights.wraps ? 1 : 0;
+  making.toAnchors = making.wraps != 0 && !preparation.smoothing.alongNormals ? 1 : 0;
   return making;
 }
 

@@ -41,4 +41,4 @@ _TERRITORIES = {"cheek L": _HEAD, "cheek R": _HEAD, "face": _HEAD, "upper neck":
 
 
 def rig():
-    return rig_text("horse.glb", "replace", 3, GROUPS, LINKS, primitives(_LEFT, _MIDDLE, _TERRITORIES, _REACH))
+    return rig_text("horse.glb", "replace", 3, GROUPS, LINKS, primitives(_LEFT, _MIDDLE, _TERRITORIES, _REACH), along_normals=True)

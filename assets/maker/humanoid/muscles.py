@@ -165,4 +165,4 @@ def wrapped_rig():
         else:
             rows += laid.pair(name, bone, group, centre, rotation, radii, ORIGIN, territory=wrap_territory(row))
     return laid.rig_text("humanoid.glb", {"mode": "replace", "iso": 0.25, "skin_blend": 0.04},
-                         SMOOTHING, WRAP_GROUPS, WRAP_LINKS, rows)
+                         {**SMOOTHING, "projection": "analytic"}, WRAP_GROUPS, WRAP_LINKS, rows)

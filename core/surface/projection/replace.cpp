@@ -58,7 +58,7 @@ class VertexReplacer {
     const glm::vec3 n = flat.normals[index];
     const bool inside = isInside(p);
     Projected result;
-    if (!inwards || settings_.projection == ProjectionKind::kAnalytic) {
+    if (!inwards || settings_.alongNormals || settings_.projection == ProjectionKind::kAnalytic) {
       compositeLine(p, -n, static_cast<double>(settings_.searchLength), inside, n, result);
       return result;
     }

@@ -48,6 +48,7 @@ class TileReplacer : TileField {
   explicit TileReplacer(ReplaceInputs& inputs)
       : TileField(*inputs.tiles, inputs.field, *inputs.scratch),
         inputs_(inputs),
+        toAnchors_(inputs.wraps && !inputs.settings.alongNormals),
         tolerance_(static_cast<float>(inputs.settings.tolerance)),
         skin_{false, zero(), zero(), zero(), zero(), zero(), zero()},
         asked_(none()),
@@ -64,7 +65,7 @@ class TileReplacer : TileField {
   /// The tile's muscles that its vertices' lines can meet. False if there are none.
   bool gatherNear() {
     float reach = inputs_.settings.searchLength;
-    for (int lane = 0; inputs_.wraps && lane < tile_->used; ++lane) {
+    for (int lane = 0; toAnchors_ && lane < tile_->used; ++lane) {
       const auto v = static_cast<std::size_t>(tile_->vertices[static_cast<std::size_t>(lane)]);
       reach = std::max(reach, glm::distance(inputs_.flat.positions[v], inputs_.flat.anchors[v]));
     }
@@ -96,7 +97,7 @@ class TileReplacer : TileField {
     const V3 back = zero3() - n;
     const V search = all(inputs_.settings.searchLength);
     LineLanes line{p, back, n, search};
-    if (inputs_.wraps) {
+    if (toAnchors_) {
       const V3 way = anchors.load(first_) - p;
       line.length = hn::Sqrt(dot(way, way));
       line.inwards = unitOr(way, back);
@@ -107,7 +108,7 @@ class TileReplacer : TileField {
     asked_ = open_;
     CompositeLanes composite{zero3(), zero3(), zero(), zero(), none()};
     compositeLine(line, inside, composite);
-    if (inputs_.wraps) {
+    if (toAnchors_) {
       // The anchor is not always inside.
       const M again = both(andNot(open_, inside), hn::Gt(composite.left(), zero()));
       fallback_ = again;
@@ -289,6 +290,7 @@ class TileReplacer : TileField {
   }
 
   ReplaceInputs& inputs_;
+  bool toAnchors_;             ///< Lines go to the anchors, otherwise along the normals.
   float tolerance_;            ///< Of roots, world units.
   std::size_t lineCount_ = 0;  ///< Used part of scratch_.lines.
   LaneSkin skin_;

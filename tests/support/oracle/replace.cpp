@@ -155,7 +155,7 @@ Oracle::Hit Oracle::project(const PatchPoint& flat, const Vec& anchor, const std
   const double searchLength = kSearchLength * height_;
   const Line alongNormal{flat.position, -1.0 * flat.normal, searchLength, inside};
   Hit hit;
-  if (projection_ == ProjectionKind::kAnalytic) {
+  if (rig_.smoothing.alongNormals || projection_ == ProjectionKind::kAnalytic) {
     hit.line = alongNormal;
     lay(hit.line, weights, hit);
     return hit;

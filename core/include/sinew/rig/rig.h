@@ -67,6 +67,9 @@ struct SurfaceSettings {
 struct SmoothingSettings {
   int depth = 3;  ///< n, 1..kMaxDepth: with uniform detail every control triangle becomes n^2.
   PatchKind patch = PatchKind::kPn;
+  /// SurfaceMode::kReplace: lines run along the normals, not to the anchors. In files "projection": "analytic", once
+  /// one of three searches; it took these lines.
+  bool alongNormals = false;
   float creaseAngle =
       kDefaultCreaseAngle;  ///< Degrees, 0..180: faces that meet at more are shaded apart (mesh/creases.h).
   DetailKind detail = DetailKind::kUniform;
