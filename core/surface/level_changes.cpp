@@ -38,7 +38,9 @@ bool sameElsewhere(const LevelSources& a, const LevelSources& b) {
   const auto sameBlend = [](const LevelMuscles& x, const LevelMuscles& y) { return x.skinBlend == y.skinBlend; };
   return a.tolerance == b.tolerance && a.poses == b.poses && sameCandidates(*a.rig, *b.rig) &&
          a.rig->surface.mode == b.rig->surface.mode && a.rig->surface.iso == b.rig->surface.iso &&
-         a.rig->smoothing.patch == b.rig->smoothing.patch && std::ranges::equal(a.muscles, b.muscles, sameBlend);
+         a.rig->smoothing.patch == b.rig->smoothing.patch &&
+         a.rig->smoothing.alongNormals == b.rig->smoothing.alongNormals &&
+         std::ranges::equal(a.muscles, b.muscles, sameBlend);
 }
 
 /// An influence that an edit has changed, before or after.
