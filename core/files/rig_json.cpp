@@ -13,6 +13,7 @@
 #include "core/rig/mesh_layers.h"
 #include "core/rig/morphs.h"
 #include "core/rig/validation.h"
+#include "sinew/surface/projection_kind.h"
 
 namespace sinew {
 namespace {
