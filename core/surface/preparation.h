@@ -111,6 +111,7 @@ struct PreparationOptions {
   std::shared_ptr<const Rig> shared{};      ///< The rig itself, if it is shared: kept in place of a copy.
   std::shared_ptr<const RigPoser> poser{};  ///< A poser of this rig and character, if there is one.
   std::span<const std::uint8_t> region{};   ///< [T] a Region. Empty: the whole body.
+  bool isValid = false;                     ///< The rig has passed validate(), which is not run again.
 };
 
 /// Error: the rig is invalid, the blending graph too large, or the refined mesh would not fit memory.
