@@ -8,6 +8,7 @@
 
 #include "app/document/auto_depth.h"
 #include "core/geometry/stopwatch.h"
+#include "core/rig/validation.h"
 #include "core/surface/stages.h"
 #include "sinew/character/character_pose.h"
 
@@ -146,11 +147,15 @@ Result<bool> LiveSurface::prepareIfChanged(const Document& document, const Detai
   const bool drags = document.commands.inGesture();
   const bool same = triedRig_ == document.commands.revision() && detail_ == detail && hidden_ == hidden;
   if (same && (drags || !keptLevels_)) return false;
+  // Once an edit, whatever else changes: what keeps twins and the like may have made of it what no edit allows.
+  if (triedRig_ != document.commands.revision()) valid_ = validate(document.rig(), graphs_);
   triedRig_ = document.commands.revision();
   detail_ = detail;
   hidden_ = hidden;
   keptLevels_ = drags;
+  if (!valid_) return valid_.error();
   PreparationOptions options{hidden, {}, detail.tolerance, drags, document.commands.sharedRig(), document.poser()};
+  options.isValid = true;
   if (document.rig().smoothing.detail == DetailKind::kUniform) options.depth = detail.depth;
   Stopwatch watch;
   auto prepared = prepare(tables_, document.rig(), options, preparation_.get(), graphs_);

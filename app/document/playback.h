@@ -131,6 +131,7 @@ class LiveSurface {
   bool followed_ = false;                ///< detail_ came from the size on screen.
   bool keptLevels_ = false;              ///< Levels of adaptive detail are those from before the drag.
   std::optional<std::size_t> triedRig_;  ///< CommandStack::revision() last given to prepare().
+  Result<void> valid_;                   ///< Whether that rig is.
   std::vector<int> hidden_;              ///< Last left out of what was given to prepare().
   std::optional<glm::vec3> eye_;         ///< What the surface is made for.
   std::optional<Transport> posed_;       ///< What pose_ shows: clip, time, turned joints and flex count.

@@ -212,6 +212,11 @@ TEST_F(LiveSurfaceTest, ARefusedRigLeavesTheSurfaceAndIsToldOnce) {
   EXPECT_FALSE(live.value().update(document).ok());
   EXPECT_EQ(live.value().surface().positions, positions);
   EXPECT_TRUE(live.value().update(document).ok());
+  // Something else to prepare for, and the rig is still none.
+  SurfaceView without;
+  without.hidden = {0};
+  EXPECT_FALSE(live.value().update(document, without).ok());
+  EXPECT_EQ(live.value().surface().positions, positions);
   document.commands.undo();
   EXPECT_TRUE(live.value().update(document).ok());
 }

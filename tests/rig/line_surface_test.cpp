@@ -6,7 +6,7 @@
 #include "sinew/surface/smoother.h"
 #include "tests/support/allocations.h"
 #include "tests/support/characters/synthetic_characters.h"
-#include "tests/support/surface/preparations.h"
+#include "tests/support/surface/prepared_in_turn.h"
 
 namespace sinew::test {
 namespace {
@@ -107,7 +107,7 @@ TEST_P(LineSurface, EditingTheLineIsSeenAndReattachesNothing) {
   Rig edited = rig;
   edited.lines[0].settings.flex = {1.0f, 0.5f};
   ASSERT_TRUE(smoother.prepare(edited).ok());
-  Preparations preparations(character);
+  PreparedInTurn preparations(character);
   const auto attached = preparations.next(rig)->attached;
   EXPECT_EQ(preparations.next(edited)->attached, attached);
   Pose pose = bent(0.5f);

@@ -8,7 +8,7 @@
 #include "sinew/surface/smoother.h"
 #include "tests/support/characters/synthetic_characters.h"
 #include "tests/support/rigs/random_rigs.h"
-#include "tests/support/surface/preparations.h"
+#include "tests/support/surface/prepared_in_turn.h"
 
 namespace sinew::test {
 namespace {
@@ -75,7 +75,7 @@ INSTANTIATE_TEST_SUITE_P(Modes, Hidden, testing::Values(SurfaceMode::kSwell, Sur
 TEST(Hidden, ShowingAndHidingAttachesNothingAnew) {
   const auto character = makeTwoLegged();
   const Rig rig = randomRig(*character, {}, 3);
-  Preparations preparations(character);
+  PreparedInTurn preparations(character);
   const auto attached = preparations.next(rig)->attached;
   const std::vector<int> all{0, 1, 2, 3, 4};
   for (const std::vector<int>& hidden : {all, std::vector<int>{}, std::vector<int>{1, 3}, all}) {

@@ -13,7 +13,7 @@
 #include "tests/support/characters/synthetic_characters.h"
 #include "tests/support/rigs/random_rigs.h"
 #include "tests/support/rigs/rig_edits.h"
-#include "tests/support/surface/preparations.h"
+#include "tests/support/surface/prepared_in_turn.h"
 
 namespace sinew::test {
 namespace {
@@ -116,7 +116,7 @@ TEST(PrepareAgain, OnlyShapesChangeInADrag) {
 TEST(PrepareAgain, MusclesAreAttachedOnlyWhereMoreThanShapesChanges) {
   const auto character = makeTwoLegged();
   Rig rig = randomRig(*character, {}, 3);
-  Preparations preparations(character);
+  PreparedInTurn preparations(character);
   auto attached = preparations.next(rig)->attached;
   // A drag.
   for (int frame = 0; frame < 10; ++frame) {

@@ -1,4 +1,4 @@
-// tests/support/surface/preparations.h: rigs prepared one after the other, to see what is kept.
+// tests/support/surface/prepared_in_turn.h: rigs prepared one after the other, to see what is kept.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -7,9 +7,10 @@
 
 namespace sinew::test {
 
-class Preparations {
+class PreparedInTurn {
  public:
-  explicit Preparations(std::shared_ptr<const Character> character) : tables_(characterTables(std::move(character))) {}
+  explicit PreparedInTurn(std::shared_ptr<const Character> character)
+      : tables_(characterTables(std::move(character))) {}
 
   std::shared_ptr<const Preparation> next(const Rig& rig, std::span<const int> hidden = {}) {
     PreparationOptions options;
