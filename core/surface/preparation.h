@@ -109,17 +109,11 @@ struct PreparationOptions {
   std::optional<int> depth{};        ///< 1..kMaxDepth, in place of the rig's.
   std::optional<float> tolerance{};  ///< Of adaptive detail, in place of the rig's.
   bool keepLevels = false;           ///< Adaptive detail keeps the former preparation's levels, while an edit goes on.
-<<<<<<< HEAD
   std::shared_ptr<const Rig> shared{};                  ///< The rig itself, if it is shared: kept in place of a copy.
   std::shared_ptr<const RigPoser> poser{};              ///< A poser of this rig and character, if there is one.
   std::span<const std::uint8_t> region{};               ///< [T] a Region. Empty: the whole body.
   ProjectionKind projection = ProjectionKind::kNewton;  ///< The same as `former`'s.
-=======
-  std::shared_ptr<const Rig> shared{};      ///< The rig itself, if it is shared: kept in place of a copy.
-  std::shared_ptr<const RigPoser> poser{};  ///< A poser of this rig and character, if there is one.
-  std::span<const std::uint8_t> region{};   ///< [T] a Region. Empty: the whole body.
-  bool isValid = false;                     ///< The rig has passed validate(), which is not run again.
->>>>>>> 7033677d574d6b960e4b54dacf52c6a00dac3056
+  bool isValid = false;                                 ///< The rig has passed validate(), which is not run again.
 };
 
 /// Error: the rig is invalid, the blending graph too large, or the refined mesh would not fit memory.
