@@ -174,6 +174,7 @@ Rig randomDocument(std::uint64_t seed) {
                  anyUnknownKeys(random)};
   rig.smoothing = {1 + random.below(kMaxDepth),
                    static_cast<PatchKind>(random.below(4)),
+                   random.chance(0.3f),
                    random.chance(0.5f) ? kDefaultCreaseAngle : random.uniform(0.0f, 180.0f),
                    random.chance(0.5f) ? DetailKind::kUniform : DetailKind::kAdaptive,
                    random.chance(0.5f) ? kDefaultTolerance : random.uniform(kLeastTolerance, kMostTolerance),
