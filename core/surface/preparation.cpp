@@ -261,8 +261,8 @@ SwellSettings swellSettings(const Preparation& preparation, float skinBlend) {
 
 ReplaceSettings replaceSettings(const Preparation& preparation) {
   const float height = preparation.character().height;
-  return {preparation.iso, kSearchLength * height, preparation.projection, preparation.smoothing.alongNormals,
-          kRootTolerance * static_cast<double>(height)};
+  return {preparation.iso, kSearchLength * height, preparation.projection, kRootTolerance * static_cast<double>(height),
+          preparation.smoothing.alongNormals};
 }
 
 void evaluatePatch(const Preparation& preparation, PatchKind kind, std::span<const glm::vec3> controlPositions,

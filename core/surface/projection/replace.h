@@ -23,8 +23,8 @@ struct ReplaceSettings {
   float iso = kDefaultIso;
   float searchLength = 0.2f;  ///< L, world units. The result's weight fades from 1 at 0.8 L to 0 at L.
   ProjectionKind projection = ProjectionKind::kNewton;
-  bool alongNormals = false;  ///< SmoothingSettings::alongNormals
   double tolerance = 1e-6;
+  bool alongNormals = false;  ///< SmoothingSettings::alongNormals
 };
 
 /// The refined mesh without elevation, in one pose: what is projected, from where and towards what.
