@@ -29,7 +29,6 @@ COMMANDS = {
     "Quality of the skin": ("BUILD/tests/viewport_tests --gtest_filter='SkinQuality.OfBundled*'", r"^  "),
     "Largest steps within a frame": ("BUILD/tests/surface_tests --gtest_filter='*CoherenceOfClips*Fox*'", r"^  "),
     "Lines over joints, mended": ("BUILD/tests/viewport_tests --gtest_filter='MendedLines.*'", r"^  "),
-    "Clips on another body": ("BUILD/tests/bodies_tests --gtest_filter='ClipFamily.*'", r"^  "),
     "The graphics card beside the processor": ("BUILD/app/sinew bench gpu assets/humanoid.rig.json --frames 3", ""),
     "The window": ("docs/window_rate.py BUILD/app/sinew assets/humanoid-flex.rig.json", ""),
     "Size of the runtime": ("ls -l --block-size=K BUILD/core/libsinew_runtime.a", ""),
@@ -75,7 +74,7 @@ def section(title, build):
     if title in TABLES:
         return "\n".join(TABLES[title](build))
     command, pattern = COMMANDS[title]
-    lines = output(command.replace("BUILD", build)).rstrip().splitlines()
+    lines = output(command.replace("BUILD", build)).replace(build + "/", "build/release/").rstrip().splitlines()
     kept = [line.rstrip() for line in lines if re.search(pattern, line)]
     return "    " + "\n    ".join(["$ " + command.replace("BUILD", "build/release"), *kept])
 
