@@ -27,6 +27,7 @@ void complete(std::vector<Item>& items, const std::vector<Item>& before, std::ui
   for (const Item& item : items) {
     const std::uint32_t id = item.id().value;
     if (id == 0) continue;
+    last = std::max(last, id);  // Identities may come from another source.
     const auto [owner, isFirst] = ownerOf.emplace(id, &item);
     const auto old = nameOf.find(id);
     if (!isFirst && old != nameOf.end() && item.name == old->second && owner->second->name != old->second) {

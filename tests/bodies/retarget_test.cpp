@@ -279,5 +279,27 @@ TEST(RetargetedShapes, DriversOfShapesAndOfTheSurfaceGoToTheOtherBones) {
   }
 }
 
+TEST(RetargetedDrivers, LengthsAreScaledAndFactorsAreNot) {
+  const RetargetedBody from = bundled("humanoid.glb");
+  const RetargetedBody to = bodyOf(enlarged(*from.character, 0.4f));
+  Rig rig = rigOf("humanoid-flex.rig.json");
+  rig.clipFiles = {"walk.glb"};
+  const NumberRef radius{Parameter::kRadiusX, 0};
+  Driver driver;
+  driver.input.bone = "forearm.L";
+  driver.curve = {{{0.0f, 1.0f}, {90.0f, 1.5f}}, CurveKind::kLinear};
+  for (const DriverMode mode : {DriverMode::kMultiply, DriverMode::kAdd}) {
+    driver.mode = mode;
+    const Retargeted done = onto(setDriver(rig, radius, driver).value(), from, to);
+    EXPECT_TRUE(done.rig.clipFiles.empty()) << "their paths began at the other rig";
+    const AnimatedNumber* animated = animationOf(done.rig, radius);
+    ASSERT_NE(animated, nullptr);
+    const std::vector<glm::vec2>& points = animated->drivers.at(0).curve.points;
+    const float factor = mode == DriverMode::kMultiply ? 1.0f : 0.4f;
+    EXPECT_NEAR(points[0].y, factor, 0.01f);
+    EXPECT_NEAR(points[1].y, 1.5f * factor, 0.01f);
+  }
+}
+
 }  // namespace
 }  // namespace sinew

@@ -291,5 +291,19 @@ TEST(TransferClips, RandomSkeletonsGiveNumbers) {
   }
 }
 
+TEST(TransferClips, SkeletonOfOtherRestScalesIsAnotherSkeleton) {
+  Expected slots;
+  Character from = bodyOf(0, Stance::kArmsLevel, slots);
+  from.clips = {swaying(from.skeleton, 0, 1.0f)};
+  const int last = from.skeleton.bones.back().node;
+  from.clips.front().channels.push_back(
+      {last, ChannelPath::kTranslation, Interpolation::kLinear, {0.0f, 1.0f}, {glm::vec4(0.0f), glm::vec4(0.1f)}});
+  Character to = from;
+  EXPECT_EQ(transferClips(from, to, {}, "a.glb").clips.at(0).channels.size(), from.clips[0].channels.size());
+  at(to.skeleton.nodes, last).rest.scale = glm::vec3(2.0f);
+  EXPECT_LT(transferClips(from, to, {}, "a.glb").clips.at(0).channels.size(), from.clips[0].channels.size())
+      << "only the same skeleton is given what stretches a bone";
+}
+
 }  // namespace
 }  // namespace sinew

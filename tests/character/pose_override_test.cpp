@@ -293,5 +293,17 @@ TEST(PoseOverride, ATurnSetAgainIsTheSameToTheLastBit) {
   }
 }
 
+TEST(PoseOverrides, MirroringKeepsTurnsOfBonesWithoutTwins) {
+  constexpr int kTwins[] = {-1, 3, 4, 1, 2};
+  Chance chance(19);
+  const Skeleton skeleton = twoArms(chance);
+  PoseOverrides overrides;
+  overrides.set(0, chance.rotation());
+  overrides.set(1, chance.rotation());
+  const PoseOverrides mirrored = mirroredPose(overrides, skeleton, kTwins, {1, 0, 0});
+  EXPECT_EQ(mirrored.turnOf(0), overrides.turnOf(0));
+  EXPECT_EQ(mirrored.turns.size(), 2u);
+}
+
 }  // namespace
 }  // namespace sinew

@@ -163,7 +163,7 @@ constexpr Joint kPerson[] = {
     {"RightFoot", 13, {-0.1f, 0.08f, 0}},
 };
 
-Skeleton person(float facing) {
+Skeleton person(float facing, bool hasMirroredFrames = false) {
   Skeleton skeleton;
   for (const Joint& joint : kPerson) {
     Bone bone;
@@ -174,6 +174,7 @@ Skeleton person(float facing) {
     const glm::vec3 origin(facing * joint.origin.x, joint.origin.y, facing * joint.origin.z);
     bone.bindInWorld = glm::translate(glm::mat4(1.0f), origin) *
                        glm::mat4_cast(glm::angleAxis(0.7f * k, glm::normalize(glm::vec3(1.0f, 0.3f * k, 0.5f))));
+    if (hasMirroredFrames && bone.node % 2 == 0) bone.bindInWorld[0] *= -1.0f;
     skeleton.bones.push_back(bone);
     skeleton.nodes.push_back({joint.name, joint.parent, {}});
   }
@@ -215,8 +216,8 @@ glm::vec3 originAfter(const Skeleton& skeleton, const MovementStep& step, float 
 }
 
 TEST(RangeOfMotion, ElbowsBendForwardsAndKneesBackwardsAlone) {
-  for (const float facing : {1.0f, -1.0f}) {
-    const Skeleton skeleton = person(facing);
+  for (const auto& [facing, isMirrored] : {std::pair{1.0f, false}, {-1.0f, false}, {1.0f, true}, {-1.0f, true}}) {
+    const Skeleton skeleton = person(facing, isMirrored);
     const struct {
       const char* joint;
       const char* carried;
@@ -303,6 +304,16 @@ TEST(JointRoles, AreReadFromNamesOfManyStyles) {
   expectRoles({"root", "body_low", "hip_L", "leg_L"}, {kStill, kTrunk, kHip, kKnee});
   expectRoles({"hips", "tail.1", "tail.2"}, {kStill, kTail, kTail});
   expectRoles({"joint 0", "joint 1", "PoleTarget.L"}, {kStill, kFree, kStill});
+}
+
+TEST(RangeOfMotion, SwingsBothWaysTakeHalfAsLongAgain) {
+  const Skeleton skeleton = person(1.0f);
+  float frames = 0.0f;
+  for (const MovementStep& step : rangeOfMotionSteps(skeleton)) {
+    const bool bothWays = std::ranges::any_of(step, [](const auto& m) { return m.from < 0.0f && m.to > 0.0f; });
+    frames += bothWays ? 45.0f : 30.0f;
+  }
+  EXPECT_NEAR(rangeOfMotion(skeleton).duration, frames / 30.0f, 1e-4f);
 }
 
 }  // namespace

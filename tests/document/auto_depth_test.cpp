@@ -58,5 +58,19 @@ TEST(AutoDepth, MeanEdgeDoesNotDependOnUnits) {
   EXPECT_NEAR(meanEdgeFraction(character.mesh, 100.0f * character.height), fraction, 1e-5f);
 }
 
+TEST(AutoTolerance, DoesNotFlickerOnABorder) {
+  for (float pixels = 100.0f; pixels < 1500.0f; pixels *= 1.01f) {
+    float tolerance = autoTolerance(pixels, 0.0f);
+    int changes = 0;
+    for (int breath = 0; breath < 200; ++breath) {
+      const float next =
+          autoTolerance(pixels * (1.0f + 0.02f * std::sin(0.7f * static_cast<float>(breath))), tolerance);
+      changes += next != tolerance;
+      tolerance = next;
+    }
+    EXPECT_LE(changes, 1) << pixels;
+  }
+}
+
 }  // namespace
 }  // namespace sinew

@@ -306,5 +306,17 @@ TEST_F(LiveSurfaceTest, ADragKeepsTheMeshAndItsEndFindsItAnew) {
   EXPECT_FALSE(live.value().update(document).value()) << "it has settled";
 }
 
+TEST(Transport, RangeThatEndsWithinHalfAFrameOfTheEndEndsThere) {
+  Character character;
+  character.clips.resize(1);
+  character.clips[0].duration = static_cast<float>(60.3 * kFrameSeconds);
+  Transport transport{0, 0.0, false, true, 1.0f};
+  const double duration = clipDuration(transport, character);
+  setPlayRange(transport, {1.0, 60.0 * kFrameSeconds}, character);
+  EXPECT_EQ(playRange(transport, character).to, duration);
+  setPlayRange(transport, {0.0, 60.0 * kFrameSeconds}, character);
+  EXPECT_FALSE(hasPlayRange(transport)) << "it is the whole clip";
+}
+
 }  // namespace
 }  // namespace sinew::app

@@ -317,5 +317,19 @@ TEST_F(Autosave, AFailedWriteIsTriedAgainAnIntervalLater) {
   EXPECT_EQ(clock.look(62.0, 30.0, commands, document, 0), Deed::kWrite);
 }
 
+TEST_F(Recovery, ClipFilesAreFoundFromTheRecoveredDocumentsFolder) {
+  Document before = changed(true);
+  Rig rig = before.rig();
+  rig.clipFiles = {"walk.glb", "/far/run.glb"};
+  before.commands.apply("Clips", rig);
+  before.clipFiles.folder = folder / "clips";
+  crash(before);
+  const std::vector<LeftBehind> left = findLeftBehind(state);
+  ASSERT_EQ(left.size(), 1u);
+  const Result<Document> recovered = recoverDocument(left[0]);
+  ASSERT_TRUE(recovered.ok()) << recovered.error().text();
+  EXPECT_EQ(recovered->rig().clipFiles, (std::vector<std::string>{"clips/walk.glb", "/far/run.glb"}));
+}
+
 }  // namespace
 }  // namespace sinew::app

@@ -31,7 +31,7 @@ class VisibilityTest : public testing::Test {
       primitive.bone = bone;
       rig = addPrimitive(rig, primitive).value();
     }
-    identities.identify(rig, Rig{});
+    rig = CommandStack(rig).rig();
     welcomeNew(visibility, rig, skeleton);
   }
   [[nodiscard]] PrimitiveId id(int index) const { return rig.primitives[static_cast<std::size_t>(index)].id(); }
@@ -41,7 +41,6 @@ class VisibilityTest : public testing::Test {
   Skeleton skeleton;
   Rig rig;
   Visibility visibility;
-  IdentitySource identities;
 };
 
 TEST_F(VisibilityTest, BonesOfEachAreThoseThatFindBoneFinds) {

@@ -96,5 +96,18 @@ TEST_F(SymmetryCommands, SelectsAllInvertsAndGoesToTheTwin) {
   EXPECT_EQ(selectedNames(state.document), std::vector<std::string>{name});
 }
 
+TEST_F(SymmetryCommands, MirroringBothOfAPairMirrorsTheFirst) {
+  toggleSymmetry(state.document);
+  Rig wider = rig();
+  wider.primitives[0].placement.radii.x *= 2.0f;
+  const glm::vec3 radii = wider.primitives[0].placement.radii;
+  state.document.commands = CommandStack(wider);  // As a file may have it: the pair is not exact.
+  selectAll(state.document);
+  mirrorSelection(state);
+  EXPECT_EQ(rig().primitives.size(), 2u);
+  EXPECT_EQ(rig().primitives[1].placement.radii, radii);
+  EXPECT_EQ(state.document.commands.label(state.document.commands.position()), "Mirror " + name);
+}
+
 }  // namespace
 }  // namespace sinew::app

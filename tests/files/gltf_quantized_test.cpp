@@ -160,5 +160,22 @@ TEST(GltfQuantizedTogether, OnOneGridNothingIsJoinedThatIsAStepApart) {
   EXPECT_EQ(bordersOf(folder.write("step.glb", post.file.glb())).edges, 8);
 }
 
+/// glTF 2.0, 3.11: the least integer stands for -1, as the one above it does.
+TEST(GltfQuantizedRange, LeastIntegerIsMinusOne) {
+  TemporaryFolder folder;
+  const auto lowest = [&](std::int16_t least) {
+    Post post = twoMeshes({14});
+    std::vector<std::int16_t> places;
+    for (const float place : post.positions) places.push_back(place < 0.0f ? least : std::int16_t{16384});
+    for (std::size_t mesh : {0U, 1U})
+      post.file.json["meshes"][mesh]["primitives"][0]["attributes"]["POSITION"] =
+          post.file.accessor(places, "VEC3", true);
+    const auto imported = importGltf(folder.write("least.glb", post.file.glb()));
+    return imported.ok() ? boundsOf(imported.value()->mesh.positions).low : glm::vec3(0.0f);
+  };
+  EXPECT_LT(lowest(-32767).x, -0.5f);
+  EXPECT_EQ(lowest(-32768), lowest(-32767));
+}
+
 }  // namespace
 }  // namespace sinew::test

@@ -271,5 +271,26 @@ TEST_F(GltfSkeleton, ChannelsThatMoveNoBoneAreListed) {
   EXPECT_TRUE(mentions(*character, "move no bone"));
 }
 
+/// The joints' rest pose differs from where both skins are bound: the second one goes where the first one put them.
+TEST_F(GltfSkeleton, SecondSkinLiesWithTheFirstWhereRestAndBindPoseDiffer) {
+  Post post = makePost();
+  post.file.json["skins"].push_back(
+      {{"joints", {2}},
+       {"inverseBindMatrices",
+        post.file.accessor(std::vector<float>{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, -1, 0, 1}, "MAT4")}});
+  post.file.json["nodes"][2]["translation"] = {0.0f, 1.5f, 0.0f};
+  ordered_json mesh = post.file.json["meshes"][0];
+  std::vector<std::uint8_t> joints(post.joints.size(), 0);
+  std::vector<float> weights(post.weights.size(), 0.0f);
+  for (std::size_t v = 0; v < weights.size(); v += 4) weights[v] = 1.0f;
+  mesh["primitives"][0]["attributes"]["JOINTS_0"] = post.file.accessor(joints, "VEC4");
+  mesh["primitives"][0]["attributes"]["WEIGHTS_0"] = post.file.accessor(weights, "VEC4");
+  post.file.json["meshes"].push_back(mesh);
+  post.file.json["nodes"].push_back({{"mesh", 1}, {"skin", 1}});
+  post.file.json["scenes"][0]["nodes"].push_back(3);
+  const auto character = import(post, false);
+  EXPECT_LE(glm::distance(extentOf(*character), glm::vec3(1, 2, 1)), 1e-5f);
+}
+
 }  // namespace
 }  // namespace sinew

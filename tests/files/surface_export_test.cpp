@@ -31,6 +31,8 @@ std::shared_ptr<const Character> twoMaterialTube() {
   texture.width = 2;
   texture.height = 2;
   texture.rgba = {255, 0, 0, 255, 0, 255, 0, 255, 0, 0, 255, 255, 9, 8, 7, 255};
+  texture.wrapU = TextureWrap::kClampToEdge;
+  texture.wrapV = TextureWrap::kMirroredRepeat;
   character.textures = {Texture{}, texture};  // The first is used by nobody.
   character.materials.assign(3, Material{});
   character.materials[0].name = character.materials[2].name = "skin tone";
@@ -225,6 +227,8 @@ TEST_F(SurfaceExport, GlbComesBackThroughTheImporter) {
   EXPECT_EQ(back.materials[1].alphaMode, AlphaMode::kBlend);
   ASSERT_EQ(back.textures.size(), 1u);
   EXPECT_EQ(back.textures[0].rgba, character_->textures[1].rgba);
+  EXPECT_EQ(back.textures[0].wrapU, TextureWrap::kClampToEdge);
+  EXPECT_EQ(back.textures[0].wrapV, TextureWrap::kMirroredRepeat);
   EXPECT_TRUE(back.ignored.empty()) << back.ignored.front();
 }
 

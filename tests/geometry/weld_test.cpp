@@ -284,5 +284,18 @@ TEST(Weld, ColorsSplitWedgesAndNothingElse) {
   }
 }
 
+TEST(Weld, VerticesOfTwoRoundedPiecesMeetWithinTheRounding) {
+  const auto count = [](const std::vector<Influence>& left, const std::vector<Influence>& right) {
+    TriangleSoup soup = hinge(left, right);
+    soup.pieces = {{0.0f, 0.01f}, {0.0f, 0.01f}};
+    soup.pieceOf = {0, 0, 0, 1, 1, 1};
+    return weld(soup, kTolerance).positions.size();
+  };
+  EXPECT_EQ(count({{0, 0.5f}, {1, 0.5f}}, {{0, 0.505f}, {1, 0.495f}}), 4u);
+  EXPECT_EQ(count({{0, 0.5f}, {1, 0.5f}}, {{0, 0.6f}, {1, 0.4f}}), 6u);
+  EXPECT_EQ(count({{0, 1.0f}}, {{0, 0.995f}, {1, 0.005f}}), 4u) << "a small weight may have been rounded to none";
+  EXPECT_EQ(count({{0, 1.0f}}, {{0, 0.9f}, {1, 0.1f}}), 6u);
+}
+
 }  // namespace
 }  // namespace sinew

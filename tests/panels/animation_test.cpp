@@ -10,6 +10,7 @@
 #include "app/panels/animated_field.h"
 #include "app/panels/curve_editor.h"
 #include "app/panels/timeline_keys.h"
+#include "core/rig/animated_edit.h"
 #include "core/rig/driver_input.h"
 #include "tests/support/editor/headless_editor.h"
 #include "tests/support/editor/muscles_named.h"
@@ -394,6 +395,16 @@ TEST(CurveEdits, PointsStayInOrder) {
   curve = withPoint(curve, {1.0f, 5.0f});
   EXPECT_EQ(curve.points.at(1), glm::vec2(1.0f, 5.0f));
   EXPECT_EQ(withPoint(curve, {1.0f, 7.0f}), curve);
+}
+
+TEST_F(Animation, KeyOfAnEveryClipTrackGoesIntoThatTrack) {
+  state.document.commands.apply("Key", setKey(state.document.rig(), radius(), "", 0.0f, 0.1f).value());
+  goTo(0.5);
+  choose({"key"});
+  ASSERT_NE(animated(), nullptr);
+  ASSERT_EQ(animated()->keys.size(), 1u);
+  EXPECT_EQ(animated()->keys[0].clip, "");
+  EXPECT_EQ(animated()->keys[0].curve.points.size(), 2u);
 }
 
 }  // namespace

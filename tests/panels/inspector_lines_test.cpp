@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "app/editor/commands.h"
 #include "core/rig/line_edit.h"
 #include "tests/support/editor/muscles_named.h"
 
@@ -161,6 +162,12 @@ TEST_F(InspectorLines, AWarningGoesWhenTheViaPointIsThere) {
   click("inspector/line/via");
   EXPECT_TRUE(line("hamstrings L").via);
   EXPECT_FALSE(warned("via point"));
+  undo(state);
+  click("inspector/line/learn");
+  ASSERT_TRUE(warned("via point"));
+  deleteSelection(state);
+  settle();
+  EXPECT_FALSE(warned("via point")) << "its line is gone";
 }
 
 }  // namespace

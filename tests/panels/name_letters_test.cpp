@@ -5,7 +5,9 @@
 #include <algorithm>
 
 #include "app/viewport/tools/select.h"
+#include "tests/support/characters/gltf_builder.h"
 #include "tests/support/editor/headless_editor.h"
+#include "tests/support/temporary_folder.h"
 
 namespace sinew::app {
 namespace {
@@ -46,6 +48,19 @@ TEST_F(NameLetters, TheStatusSaysTheNumberAndTheRigKeepsTheName) {
   EXPECT_TRUE(describe(hover, state.document).starts_with("muscle 1 on "));
   EXPECT_EQ(muscle().name, "上腕");
   EXPECT_TRUE(shown("outliner/muscle/上腕")) << "rows are called after the file's names";
+}
+
+TEST(LettersOfNames, AreThoseOfBonesClipsAndMuscles) {
+  const test::TemporaryFolder folder;
+  test::Post post = test::makePost();
+  post.file.json["nodes"][1]["name"] = "腰";
+  post.file.json["animations"][0]["name"] = "歩く";
+  EditorState state;
+  ASSERT_TRUE(openFile(state, folder.write("post.glb", post.file.glb())));
+  const std::u32string letters = lettersOfNames(state);
+  for (const char32_t letter : U"腰歩く") {
+    EXPECT_TRUE(letter == 0 || letters.find(letter) != std::u32string::npos) << static_cast<unsigned>(letter);
+  }
 }
 
 }  // namespace

@@ -379,5 +379,26 @@ TEST_F(Outliner, AMuscleThatIsPickedOrDrawnIsSelectedAlone) {
   }
 }
 
+TEST_F(Outliner, ShiftFoldsAllBelow) {
+  click("outliner/fold/hips");
+  const std::size_t one = state.view.outliner.folded.size();
+  click("outliner/fold/hips");
+  held(kLeftShift, "outliner/fold/hips");
+  EXPECT_GT(state.view.outliner.folded.size(), one);
+  held(kLeftShift, "outliner/fold/hips");
+  EXPECT_TRUE(state.view.outliner.folded.empty());
+}
+
+TEST_F(Outliner, EyeOfOneOfSeveralSelectedIsTheEyeOfAll) {
+  const int all = shownMuscles();
+  click("outliner/muscle/glute L");
+  held(kLeftControl, "outliner/muscle/glute R");
+  ASSERT_EQ(selection().size(), 2u);
+  click("outliner/eye/glute L");
+  EXPECT_EQ(shownMuscles(), all - 2);
+  click("outliner/eye/glute R");
+  EXPECT_EQ(shownMuscles(), all);
+}
+
 }  // namespace
 }  // namespace sinew::app

@@ -108,6 +108,11 @@ TEST(TimelineTrack, ZoomKeepsTheMomentInPlaceAndStaysInside) {
     EXPECT_NEAR((17.0 - next.from) / (next.to - next.from), share, 1e-6);
     span = next;
   }
+  for (const double at : {0.0, 1.0, 39.0, 40.0}) {
+    const PlayRange wider = zoomedSpan({at < 20.0 ? 0.0 : 30.0, at < 20.0 ? 10.0 : 40.0}, at, -2.0f, 40.0);
+    EXPECT_GE(wider.from, 0.0);
+    EXPECT_LE(wider.to, 40.0) << at;
+  }
   span = zoomedSpan(span, 17.0, -100.0f, 40.0);
   EXPECT_EQ(span.from, 0.0);
   EXPECT_EQ(span.to, 40.0);

@@ -135,5 +135,16 @@ TEST(Identity, RandomEdits) {
   }
 }
 
+TEST(Identity, ANewSourceGivesNoIdentityThatTheRigHas) {
+  Rig rig;
+  rig.primitives.resize(3);
+  IdentitySource().identify(rig, Rig{});
+  Rig edited = rig;
+  edited.primitives.emplace_back().name = "new";
+  IdentitySource other;
+  other.identify(edited, rig);
+  for (int i = 0; i < 3; ++i) EXPECT_NE(edited.primitives[3].id(), edited.primitives[static_cast<std::size_t>(i)].id());
+}
+
 }  // namespace
 }  // namespace sinew

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/rig/animated_edit.h"
 #include "core/rig/validation.h"
 #include "sinew/rig/rig_edit.h"
 
@@ -81,6 +82,21 @@ TEST_F(LineEdit, WhatIsOutOfRangeIsRefusedAndNothingChanges) {
   EXPECT_EQ(rig, before);
   rig = editLine(rig, 0, [](MuscleLine& line) { line.settings.full = 0.5f; }).value();
   EXPECT_EQ(rig.lines[0].settings.full, 0.5f);
+}
+
+TEST_F(LineEdit, DriversThatReadALineGoWithIt) {
+  rig.primitives.push_back(on(""));
+  rig.primitives.back().name = "rider";
+  rig.primitives.back().group = rig.primitives[0].group;
+  Driver driver;
+  driver.input.kind = DriverInputKind::kLength;
+  driver.input.line = "biceps";
+  driver.curve.points = {{0.5f, 0.0f}, {1.0f, 1.0f}};
+  rig = setDriver(std::move(rig), {Parameter::kAmount, 2}, driver).value();
+  ASSERT_EQ(rig.primitives[2].animated.size(), 1u);
+  rig = removePrimitives(rig, std::vector<int>{0, 1});
+  EXPECT_TRUE(rig.lines.empty());
+  EXPECT_TRUE(rig.primitives[0].animated.empty());
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 
 #include "core/rig/validation.h"
 #include "sinew/files/rig_json.h"
@@ -59,6 +60,7 @@ void expectExact(const Rig& rig, const MirrorPlan& plan) {
     EXPECT_LT(glm::length(image->placement.shape.bend - other.placement.shape.bend), 1e-6f);
     EXPECT_EQ(image->placement.shape.core, other.placement.shape.core);
     EXPECT_EQ(image->reach, other.reach);
+    EXPECT_EQ(image->amount, other.amount);
     EXPECT_EQ(image->sign, other.sign);
     EXPECT_EQ(image->group, other.group);
     EXPECT_EQ(image->territory, other.territory);
@@ -148,6 +150,8 @@ TEST(Twins, EveryFieldFollowsFromEitherSide) {
     expectExact(scene.rig, scene.plan);
     scene.edit(test::setReach(scene.rig, leads, 1.7f + static_cast<float>(leads)));
     scene.edit(test::setSign(scene.rig, leads, leads == 0 ? -1 : 1));
+    scene.edit(
+        editPrimitives(scene.rig, std::array{leads}, [&](Primitive& p) { p.amount = leads == 0 ? 0.5f : 1.5f; }));
     scene.edit(test::setGroupOf(scene.rig, leads, leads == 0 ? "torso" : "legs"));
     scene.edit(test::setTerritory(scene.rig, leads,
                                   std::vector<std::string>{leads == 0 ? "leg L" : "shin R", "spine", "elsewhere"}));

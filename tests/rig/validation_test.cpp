@@ -136,5 +136,15 @@ TEST(Validation, MorePrimitivesThanTheLimitAreRefused) {
   EXPECT_TRUE(validate(rig).ok());
 }
 
+TEST(Validation, EachPartOfTheBodyIsNamedOnce) {
+  Rig rig;
+  rig.slots = {{"upperArm.L", "arm"}, {"lowerArm.L", "arm"}};
+  EXPECT_TRUE(validate(rig).ok()) << validate(rig).error().text();
+  rig.slots[1].slot = "upperArm.L";
+  const auto twice = validate(rig);
+  ASSERT_FALSE(twice.ok());
+  EXPECT_NE(twice.error().text().find("named twice"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace sinew

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/rig/animated_edit.h"
 #include "sinew/c/sinew_runtime.h"
 #include "sinew/character/character_pose.h"
 #include "sinew/runtime/game_file.h"
@@ -215,6 +216,27 @@ TEST_F(CInterface, AnotherDetailSharesTheCharacterAndOutlivesWhatItCameFrom) {
   EXPECT_EQ(sinew_vertex_count(other, SINEW_REFINED), scene_.character->mesh.positions.size());
   EXPECT_EQ(sinew_smooth(other, &pose_), SINEW_OK) << sinew_error();
   sinew_smoother_destroy(other);
+}
+
+TEST_F(CInterface, PoseWithoutAClipForgetsTheOneBefore) {
+  const AnimationClip& clip = scene_.character->clips.front();
+  Rig rig = setKey(scene_.rig, {Parameter::kRadiusX, 0}, clip.name, 0.0f, 0.3f * scene_.character->height).value();
+  const std::vector<std::byte> file = gameFile(*scene_.character, rig);
+  TearDown();
+  ASSERT_EQ(sinew_character_create(file.data(), file.size(), &character_), SINEW_OK) << sinew_error();
+  ASSERT_EQ(sinew_smoother_create(character_, nullptr, &smoother_), SINEW_OK) << sinew_error();
+  ASSERT_EQ(sinew_smooth(smoother_, &pose_), SINEW_OK) << sinew_error();
+  ASSERT_EQ(write(), SINEW_OK);
+  const std::vector<std::byte> without = vertices_;
+  sinew_pose inClip = pose_;
+  inClip.has_clip = 1;
+  inClip.clip_seconds = 0.3f;
+  ASSERT_EQ(sinew_smooth(smoother_, &inClip), SINEW_OK) << sinew_error();
+  ASSERT_EQ(write(), SINEW_OK);
+  EXPECT_FALSE(vertices_ == without);
+  ASSERT_EQ(sinew_smooth(smoother_, &pose_), SINEW_OK) << sinew_error();
+  ASSERT_EQ(write(), SINEW_OK);
+  EXPECT_TRUE(vertices_ == without);
 }
 
 }  // namespace

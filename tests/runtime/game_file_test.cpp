@@ -146,6 +146,13 @@ TEST(GameFile, NamesWhatIsWrong) {
       {"bones[0]: its bind matrix has no inverse",
        [](Character& c, Rig&) { c.skeleton.bones[0].bindInWorld[0] = glm::vec4(0.0f); }},
       {"height: expected a number > 0", [](Character& c, Rig&) { c.height = 0.0f; }},
+      {"clips[0]: expected a morph target of",
+       [](Character& c, Rig&) {
+         c.morphTargets.resize(2);
+         MorphChannel channel{1, 2, Interpolation::kLinear, {0.0f}, {0.0f, 0.0f}};
+         c.clips.resize(1);
+         c.clips[0].morphChannels = {channel};
+       }},
       {"materials: expected at least one", [](Character& c, Rig&) { c.materials.clear(); }},
       {"primitives[0].radii", [](Character&, Rig& r) { r.primitives[0].placement.radii.x = -1.0f; }},
       {"smoothing.depth", [](Character&, Rig& r) { r.smoothing.depth = 99; }},

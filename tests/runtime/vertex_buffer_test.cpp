@@ -166,5 +166,15 @@ TEST(VertexBuffer, SixteenBitsHoldNoMoreThanTheyCan) {
   EXPECT_NE(written.error().text().find("16 bits"), std::string::npos) << written.error().text();
 }
 
+TEST(VertexBuffer, SixteenBitsEndBelowTheRestartIndex) {
+  Refinement refinement;
+  std::vector<std::uint16_t> none;
+  for (const std::size_t count : {65534U, 65535U, 65536U}) {
+    refinement.drawVertex.assign(count, 0);
+    EXPECT_EQ(writeIndices(refinement, ControlMesh(), BufferVertices::kDrawn, std::span(none)).ok(), count <= 65535U)
+        << count;
+  }
+}
+
 }  // namespace
 }  // namespace sinew::test

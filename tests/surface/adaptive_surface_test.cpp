@@ -7,6 +7,7 @@
 #include "core/geometry/at.h"
 #include "core/geometry/topology.h"
 #include "core/surface/adaptive_levels.h"
+#include "core/surface/patches/level_fit.h"
 #include "core/surface/smooth.h"
 #include "sinew/geometry/threads.h"
 #include "sinew/surface/crowd_smoother.h"
@@ -214,6 +215,41 @@ TEST(AdaptiveSurface, LiesWithinItsToleranceOfTheFineSurface) {
       EXPECT_EQ(fartherThan(1.03f * tolerance * character->height, character->mesh, fine.now(), adaptive.now()), 0);
     }
   }
+}
+
+TEST(AdaptiveSurface, SidesAreSplitAtLeastHalfAsFinelyAsTheirTriangle) {
+  int fine = 0;
+  for (const CharacterPtr& character : {makeLimb(), makeTube(), makeBodyWithArms()}) {
+    Prepared prepared{character, characterTables(character)};
+    for (std::uint64_t seed = 0; seed < 3; ++seed) {
+      const RefinementLevels levels = prepared(adaptiveRig(*character, seed, 0.0005f))->detail->levels;
+      for (std::size_t t = 0; t < levels.triangles.size(); ++t) {
+        fine += levels.triangles[t] >= 4 ? 1 : 0;
+        for (const int e : character->mesh.triangles[t].edges) {
+          EXPECT_GE(2 * at(levels.edges, e) + 1, levels.triangles[t]) << t;
+        }
+      }
+    }
+  }
+  EXPECT_GT(fine, 20);
+}
+
+TEST(TriangleLevel, FollowsNormalsOfAFlatTriangle) {
+  constexpr int kFine = 6;
+  std::vector<glm::vec3> positions;
+  std::vector<glm::vec3> straight;
+  std::vector<glm::vec3> bulging;
+  for (int j = 0; j <= kFine; ++j) {
+    for (int k = 0; k <= kFine - j; ++k) {
+      positions.emplace_back(j, k, 0.0f);
+      straight.emplace_back(0.0f, 0.0f, 1.0f);
+      const float inside = static_cast<float>(j * k * (kFine - j - k)) / 8.0f;
+      bulging.push_back(glm::normalize(glm::vec3(0.0f, 0.4f * inside, 1.0f)));
+    }
+  }
+  const LevelTolerance tolerance{1e-3f, 0.99f};
+  EXPECT_EQ(triangleLevel({positions, straight}, kFine, 1, tolerance), 1);
+  EXPECT_GT(triangleLevel({positions, bulging}, kFine, 1, tolerance), 1) << "the middle turns by more than 8 degrees";
 }
 
 }  // namespace

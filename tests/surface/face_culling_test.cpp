@@ -7,7 +7,10 @@
 #include <gtest/gtest.h>
 #include <glm/geometric.hpp>
 
+#include "core/geometry/at.h"
+#include "core/rig/mesh_layers.h"
 #include "sinew/surface/smoother.h"
+#include "tests/support/characters/dressed_humanoid.h"
 #include "tests/support/rigs/trial_scenes.h"
 #include "tests/support/surface/eyes.h"
 
@@ -122,6 +125,22 @@ TEST(FaceCulling, WithoutMusclesAboutHalfIsSkippedFromFar) {
     const double share = surface.report.culledTriangles / static_cast<double>(surface.culled.size());
     EXPECT_GT(share, 0.3);
     EXPECT_LT(share, 0.6);
+  }
+}
+
+TEST(FaceCulling, ClothIsNeverSkipped) {
+  TrialScene scene = oneSided({"dressed", dressedHumanoid(), Rig{}});
+  Smoother smoother(scene.character);
+  Rig rig;
+  rig.smoothing.depth = 2;
+  ASSERT_TRUE(smoother.prepare(rig).ok());
+  Surface surface;
+  smoother.smooth(bindPose(scene.character->skeleton), surface, glm::vec3(0.0f, 1.0f, 30.0f));
+  EXPECT_GT(surface.report.culledTriangles, 0);
+  const std::vector<SkinLayer> layers = guessLayers(*scene.character);
+  for (std::size_t t = 0; t < surface.culled.size(); ++t) {
+    const SkinLayer layer = at(layers, scene.character->mesh.triangles[t].part);
+    EXPECT_FALSE(layer == SkinLayer::kCloth && surface.culled[t] != 0) << t;
   }
 }
 

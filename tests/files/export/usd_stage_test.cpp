@@ -118,8 +118,9 @@ TEST_F(UsdStage, PointsAreTheLiveSurfaceAtEveryMoment) {
       EXPECT_EQ(extents[m], flat(codes[m], {bounds.low, bounds.high}));
     }
   }
-  for (const char* words : {"def Xform \"demo_points\"", "endTimeCode = 7.5\n", "timeCodesPerSecond = 24\n",
-                            "displayName = \"demo points\"", "@demo points_0.png@"}) {
+  for (const char* words :
+       {"def Xform \"demo_points\"", "endTimeCode = 7.5\n", "timeCodesPerSecond = 24\n", "metersPerUnit = 1\n",
+        "upAxis = \"Y\"\n", "displayName = \"demo points\"", "@demo points_0.png@"}) {
     EXPECT_NE(made.text.find(words), std::string::npos) << words;
   }
   EXPECT_EQ(made.text.find("Skel"), std::string::npos);

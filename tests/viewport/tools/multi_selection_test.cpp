@@ -260,6 +260,10 @@ TEST(BoxSelect, EscapeLeavesTheSelectionAndHiddenOnesAreNotTaken) {
   drawBoxOver(scene, {1, 1}, {999, 799}, with(true));
   EXPECT_FALSE(scene.document.selection.contains(idOf(scene.document, "belly")));
   EXPECT_EQ(scene.document.selection.primitives.size(), 3u);
+  scene.document.visibility.setMuscle(Mark::kHidden, idOf(scene.document, "belly"), false);
+  scene.document.visibility.setMuscle(Mark::kLocked, idOf(scene.document, "belly"), true);
+  drawBoxOver(scene, {1, 1}, {999, 799}, with(true));
+  EXPECT_FALSE(scene.document.selection.contains(idOf(scene.document, "belly"))) << "a locked muscle";
 }
 
 TEST(AddMuscleOnBothSides, AddsATwinInTheSameStepAndASingleOneInTheMiddle) {
