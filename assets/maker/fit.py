@@ -54,7 +54,7 @@ def refined(program, mesh):
 
 
 def felt(mesh, points, row, mirrored):
-    """How much of a muscle each point feels: docs/field.md, territory."""
+    """How much of a muscle each point feels: docs/design.md, Territory."""
     bone = row[1]
     bones = muscles.wrap_territory(row) or [bone, PARENT[bone]] + [n for n in NAMES if PARENT[n] == bone]
     bones = {mirror_name(b) for b in bones} if mirrored else set(bones)

@@ -4,7 +4,7 @@ from ..names import mirror_name
 from .muscles import GROUPS, LINKS, under_the_skin
 from .skeleton import ORIGIN
 
-# Name; origin, insertion, via point: bone and place in the bind pose; settings of docs/lines.md. Where the bone of the
+# Name; origin, insertion, via point: bone and place in the bind pose; settings of docs/muscles.md. Where the bone of the
 # origin is far, girth grows from nearer by (pivot), or the belly would be pushed out of the body.
 # On their bones stay: the quadriceps and the gaskin, which no line keeps under the skin of the stifle and hock in the
 # gallop (`sinew check`); the masseter, whose jaw has no bone; serratus, which lies on ribs that keep their length; the

@@ -72,7 +72,7 @@ def _off(place, x, y, z):
 _ON_LINE = {
     "biceps": ("biceps", "upper_arm.L", "upper arms", (_arm(0.34), (-0.10, -0.10, 1.0)), (_arm(0.84), (-0.10, -0.10, 1.0)), 1.15, 0.034, 0.036, 0.58),
 }
-# Muscles that span a joint. Name; origin, insertion and via point as bone and place; settings of docs/lines.md.
+# Muscles that span a joint. Name; origin, insertion and via point as bone and place; settings of docs/muscles.md.
 _LINES = [
     ("biceps", ("upper_arm.L", _off(_arm(0.16), 0.0, 0.0, 0.020)), ("forearm.L", _off(_fore(0.05), 0.0, 0.0, 0.014)), None,
      {"tendons": [0.32, 0.04], "volume": 0.8, "flex": [0.22, 0.15], "activation": {"full": 0.88}}),
