@@ -1,5 +1,5 @@
 // core/runtime/game_check.cpp: a character is checked part by part; the first mistake is the answer.
-#include "core/runtime/game_check.h"
+#include "core/runtime/game_file.h"
 
 #include <algorithm>
 #include <cmath>

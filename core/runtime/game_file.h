@@ -6,6 +6,9 @@
 #include <cstdint>
 #include <span>
 
+#include "sinew/character/character.h"
+#include "sinew/geometry/result.h"
+
 namespace sinew::gamefile {
 
 inline constexpr std::array<char, 8> kMagic{'S', 'i', 'n', 'e', 'w', 'G', 'm', '\n'};
@@ -27,5 +30,9 @@ static_assert(sizeof(Head) == 32);
   for (const std::byte byte : bytes) sum = (sum ^ static_cast<std::uint64_t>(byte)) * 0x100000001b3U;
   return sum;
 }
+
+/// Checks every index, order and range of what core/runtime/layout.h has read, and completes the skeleton. Edges and
+/// normals are still to be made.
+[[nodiscard]] Result<void> checkCharacter(Character& character);
 
 }  // namespace sinew::gamefile

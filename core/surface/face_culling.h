@@ -5,10 +5,10 @@
 #include <span>
 #include <vector>
 
-#include "core/surface/projection/carrier_walk.h"
-#include "core/surface/triangle_classes.h"
+#include "core/surface/projection/candidates.h"
 #include "sinew/character/character.h"
 #include "sinew/surface/refinement.h"
+#include "sinew/surface/surface.h"
 
 namespace sinew {
 

@@ -1,5 +1,5 @@
 // core/surface/level_changes.cpp: muscles of two rigs, pose by pose, and the skin whose rays can meet what differs.
-#include "core/surface/level_changes.h"
+#include "core/surface/adaptive_levels.h"
 
 #include <algorithm>
 #include <array>
@@ -11,7 +11,7 @@
 #include "core/character/skinning.h"
 #include "core/geometry/at.h"
 #include "core/geometry/parallel.h"
-#include "core/surface/place_muscles.h"
+#include "core/surface/posed_field.h"
 
 namespace sinew {
 namespace {

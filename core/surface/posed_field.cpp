@@ -2,7 +2,6 @@
 #include "core/surface/posed_field.h"
 
 #include "core/geometry/at.h"
-#include "core/surface/place_muscles.h"
 
 namespace sinew {
 namespace {

@@ -1,6 +1,7 @@
 // core/surface/posed_field.h: a preparation in one pose: the rig's numbers, the placed muscles, the skinned mesh.
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "core/character/skinning.h"
@@ -29,5 +30,16 @@ struct PosedField {
 /// @param rig  posed by preparation->poser in this pose; must outlive the use of `out`.
 void poseFieldAndSkin(const std::shared_ptr<const Preparation>& preparation, const PosedRig& rig, const Pose& pose,
                       PosedField& out);
+
+// The muscles of a pose without its mesh, for those who skin by other means.
+
+/// What poseFieldAndSkin does, but for the skinned mesh, which it leaves as it is.
+/// @param rig  as there
+void placeMuscles(const std::shared_ptr<const Preparation>& preparation, const PosedRig& rig, PosedField& out);
+
+/// The primitives alone: reads nothing that follows from a mesh or a bind pose.
+/// @param numbers  scratch.  @param out [A] world
+void posePrimitives(const Preparation& preparation, const PosedRig& rig, std::vector<FieldPrimitive>& numbers,
+                    std::vector<PosedPrimitive>& out);
 
 }  // namespace sinew

@@ -2,25 +2,60 @@
 #include "core/surface/preparation.h"
 
 #include <algorithm>
+#include <span>
 #include <string>
+#include <vector>
 
 #include "core/geometry/at.h"
 #include "core/geometry/creases.h"
 #include "core/geometry/instruction_set.h"
+#include "core/geometry/parallel.h"
 #include "core/rig/mesh_layers.h"
 #include "core/rig/validation.h"
 #include "core/surface/adaptive_levels.h"
-#include "core/surface/finish/border_vertices.h"
 #include "core/surface/finish/crease_lift.h"
 #include "core/surface/finish/fold.h"
+#include "core/surface/finish/vertex_rings.h"
 #include "core/surface/patches/patch.h"
-#include "core/surface/projection/rise_directions.h"
-#include "core/surface/projection/rise_limits.h"
-#include "core/surface/region_levels.h"
-#include "core/surface/triangle_classes.h"
+#include "core/surface/projection/candidates.h"
+#include "core/surface/projection/rise.h"
+#include "sinew/geometry/control_mesh.h"
+#include "sinew/surface/surface.h"
 
 namespace sinew {
 namespace {
+
+// Implicit, straddling and normal control triangles (paper 3).
+// Counts the corners inside.
+
+constexpr std::size_t kFewClassified = 4096;  ///< Triangles or vertices for one thread.
+
+/// Implicit where omega is 1 at all three corners, normal where it is 0 at all, straddling between.
+/// @param omega [V] 0 or 1.  @return [T]
+std::vector<TriangleClass> classifyTriangles(const ControlMesh& mesh, std::span<const float> omega) {
+  std::vector<TriangleClass> classes(mesh.triangles.size());
+  forEachIndex(classes.size(), kFewClassified, [&](std::size_t t) {
+    const auto isInside = [&](int vertex) { return at(omega, vertex) > 0.0f; };
+    const auto inside = std::ranges::count_if(mesh.triangles[t].vertices, isInside);
+    classes[t] = inside == 3   ? TriangleClass::kImplicit
+                 : inside == 0 ? TriangleClass::kNormal
+                               : TriangleClass::kStraddling;
+  });
+  return classes;
+}
+
+/// omega in `swell`, where only the overlay and the report ask: 1 inside some influence, else 0.  @return [V]
+std::vector<float> influenceWeights(const ControlMesh& mesh, const FieldView& bindField) {
+  std::vector<float> omega(mesh.positions.size(), 0.0f);
+  forEachIndex(omega.size(), kFewClassified / 4, [&](std::size_t v) {
+    const bool isInside =
+        std::ranges::any_of(bindField.lists->of(static_cast<int>(v)), [&](const CarrierCandidate& candidate) {
+          return at(bindField.primitives, candidate.primitive).influence.holds(mesh.positions[v]);
+        });
+    if (isInside) omega[v] = 1.0f;
+  });
+  return omega;
+}
 
 constexpr double kRootTolerance = 1e-6;  ///< Fraction of H: a hundredth of the agreement docs/design.md promises.
 constexpr float kSearchLength = 0.2f;    ///< L of `replace`, fraction of H.
@@ -100,6 +135,40 @@ std::shared_ptr<const ControlMesh> creasedMesh(const ControlMesh& mesh, float de
   if (former && former->smoothing.creaseAngle == degrees) return former->refined->creased;
   auto result = std::make_shared<const ControlMesh>(creased(mesh, degrees));
   return hasCreases(*result) ? result : nullptr;
+}
+
+/// Control triangles around a region that are refined with it: what is done about folds and steep skin looks around,
+/// seldom further than this.
+constexpr int kRegionMargin = 3;
+
+/// Adds triangles that share a vertex with the region.
+void growRegion(const ControlMesh& mesh, Region& region) {
+  std::vector<bool> isCorner(mesh.positions.size(), false);
+  for (std::size_t t = 0; t < region.size(); ++t) {
+    if (region[t] == 0) continue;
+    for (const int v : mesh.triangles[t].vertices) isCorner[toIndex(v)] = true;
+  }
+  for (std::size_t t = 0; t < region.size(); ++t) {
+    if (std::ranges::any_of(mesh.triangles[t].vertices, [&](int v) { return isCorner[toIndex(v)]; })) region[t] = 1;
+  }
+}
+
+/// Levels of the region and of its margin as they are, all others 1. Edges at refined triangles keep theirs, so that
+/// nothing opens between the two.
+/// @param region [T]
+RefinementLevels inRegion(const ControlMesh& mesh, RefinementLevels levels, const Region& region) {
+  Region refined = region;
+  for (int ring = 0; ring < kRegionMargin; ++ring) growRegion(mesh, refined);
+  std::vector<bool> keeps(mesh.edges.size(), false);
+  for (std::size_t t = 0; t < refined.size(); ++t) {
+    if (refined[t] == 0) levels.triangles[t] = 1;
+    else
+      for (const int e : mesh.triangles[t].edges) keeps[toIndex(e)] = true;
+  }
+  for (std::size_t e = 0; e < keeps.size(); ++e) {
+    if (!keeps[e]) levels.edges[e] = 1;
+  }
+  return levels;
 }
 
 Refinement refineBody(const Preparation& next, const ControlMesh& drawn) {

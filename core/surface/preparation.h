@@ -11,7 +11,6 @@
 #include "core/rig/posed_rig.h"
 #include "core/surface/finish/cloth_binding.h"
 #include "core/surface/finish/vertex_rings.h"
-#include "core/surface/projection/anchors.h"
 #include "core/surface/projection/candidates.h"
 #include "core/surface/projection/projection_scratch.h"
 #include "core/surface/projection/replace.h"
@@ -20,6 +19,7 @@
 #include "sinew/character/character.h"
 #include "sinew/geometry/result.h"
 #include "sinew/rig/rig.h"
+#include "sinew/surface/refinement.h"
 #include "sinew/surface/region.h"
 #include "sinew/surface/surface.h"
 

@@ -5,8 +5,7 @@
 
 #include "core/geometry/instruction_set.h"
 #include "core/surface/patches/patch.h"
-#include "core/surface/projection/replace_vector.h"
-#include "core/surface/projection/swell_vector.h"
+#include "core/surface/projection/tile_projection.h"
 
 namespace sinew {
 namespace {

@@ -1,5 +1,5 @@
 // core/surface/split_check.cpp: samples found in the pieces of a split, then measured pose after pose.
-#include "core/surface/split_check.h"
+#include "core/surface/adaptive_levels.h"
 
 #include <algorithm>
 #include <array>
@@ -10,9 +10,7 @@
 
 #include "core/geometry/at.h"
 #include "core/geometry/parallel.h"
-#include "core/surface/patches/lattice.h"
-#include "core/surface/patches/level_fit.h"
-#include "core/surface/patches/level_grading.h"
+#include "core/surface/patches/levels.h"
 #include "core/surface/patches/sample_points.h"
 #include "core/surface/sampling.h"
 

@@ -7,13 +7,11 @@
 #include "core/surface/face_culling.h"
 #include "core/surface/finish/cloth_lift.h"
 #include "core/surface/finish/crease_lift.h"
-#include "core/surface/finish/fold_region.h"
+#include "core/surface/finish/fold.h"
 #include "core/surface/finish/fold_spread.h"
-#include "core/surface/finish/lift_filter.h"
 #include "core/surface/finish/lifted_heights.h"
 #include "core/surface/finish/moved_triangles.h"
 #include "core/surface/finish/shading_normals.h"
-#include "core/surface/finish/slope_bound.h"
 #include "core/surface/projection/projection_scratch.h"
 
 namespace sinew {

@@ -10,7 +10,7 @@
 #include "core/geometry/at.h"
 #include "core/geometry/parallel.h"
 #include "core/geometry/potential.h"
-#include "core/surface/finish/refined_corners.h"
+#include "core/surface/finish/skin_walls.h"
 
 namespace sinew {
 namespace {

@@ -1,5 +1,5 @@
 // core/surface/finish/fold_kernel.cpp: areas of four triangles at once, compiled once per instruction set.
-#include "core/surface/finish/fold_kernel.h"
+#include "core/surface/finish/fold.h"
 
 #include <algorithm>
 

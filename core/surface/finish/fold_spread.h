@@ -9,7 +9,6 @@
 
 #include "core/geometry/at.h"
 #include "core/surface/finish/fold.h"
-#include "core/surface/finish/fold_region.h"
 
 namespace sinew {
 

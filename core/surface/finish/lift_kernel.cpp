@@ -1,5 +1,5 @@
 // core/surface/finish/lift_kernel.cpp: six neighbors at once, compiled once per instruction set.
-#include "core/surface/finish/lift_kernel.h"
+#include "core/surface/finish/lifted_heights.h"
 
 #include "core/geometry/at.h"
 #include "core/geometry/targets.h"

@@ -1,6 +1,6 @@
 // core/surface/finish/normals_kernel.cpp: normals softened at rims, held to the faces and without teeth, compiled
 // once per instruction set.
-#include "core/surface/finish/normals_kernel.h"
+#include "core/surface/finish/shading_normals.h"
 
 #include <algorithm>
 #include <cmath>

@@ -12,7 +12,6 @@
 #include "core/geometry/parallel.h"
 #include "core/geometry/potential.h"
 #include "core/geometry/triangle_tree.h"
-#include "core/surface/finish/refined_corners.h"
 
 namespace sinew {
 namespace {

@@ -7,6 +7,9 @@
 #include <span>
 #include <vector>
 
+#include <glm/geometric.hpp>
+
+#include "core/geometry/at.h"
 #include "core/geometry/triangle_tree.h"
 #include "core/rig/mesh_layers.h"
 #include "core/surface/finish/vertex_rings.h"
@@ -14,6 +17,20 @@
 #include "sinew/surface/refinement.h"
 
 namespace sinew {
+
+// A refined triangle by its corners.
+
+/// @param of  [V'] positions, or normals
+[[nodiscard]] inline TriangleCorners refinedCorners(const Refinement& refinement, int triangle,
+                                                    std::span<const glm::vec3> of) {
+  const std::array<int, 3>& t = at(refinement.triangles, triangle);
+  return {at(of, t[0]), at(of, t[1]), at(of, t[2])};
+}
+
+/// Unit normal; 0 of a triangle without area.
+[[nodiscard]] inline glm::vec3 faceOf(const TriangleCorners& c) {
+  return normalizeOr(glm::cross(c[1] - c[0], c[2] - c[0]), glm::vec3(0.0f));
+}
 
 /// Refined triangles of skin in a tree that stays while they move. Made once per refinement.
 struct WallTree {

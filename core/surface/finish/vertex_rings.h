@@ -2,12 +2,19 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <vector>
 
+#include "sinew/geometry/control_mesh.h"
 #include "sinew/surface/refinement.h"
 
 namespace sinew {
+
+// Where the surface is open.
+
+/// [V'] 1: on an edge with a single triangle. (Where more than two meet they share their vertices: nothing can open.)
+[[nodiscard]] std::vector<std::uint8_t> borderVertices(const ControlMesh& mesh, const Refinement& refinement);
 
 /// Means over neighbors: each counts once for every triangle shared, so that along a border they count half. Depends
 /// on the refinement alone.

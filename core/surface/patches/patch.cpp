@@ -4,7 +4,6 @@
 #include <algorithm>
 
 #include "core/geometry/at.h"
-#include "core/surface/patches/patch_kernel.h"
 
 namespace sinew {
 

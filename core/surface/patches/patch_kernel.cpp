@@ -1,6 +1,6 @@
 // core/surface/patches/patch_kernel.cpp: patches, directions and the normals of creases, compiled once per
 // instruction set.
-#include "core/surface/patches/patch_kernel.h"
+#include "core/surface/patches/patch.h"
 
 #include <algorithm>
 #include <tuple>

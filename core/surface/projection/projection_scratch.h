@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/rig/field.h"
-#include "core/surface/projection/carrier_walk.h"
+#include "core/surface/projection/candidates.h"
 #include "core/surface/roots/lane_terms.h"
 #include "core/surface/roots/ray_field.h"
 #include "sinew/surface/surface.h"

@@ -3,14 +3,34 @@
 
 #include <array>
 #include <span>
+#include <vector>
 
-#include "core/surface/projection/carrier_walk.h"
+#include "core/surface/projection/candidates.h"
 #include "core/surface/projection/projection_scratch.h"
+#include "sinew/character/pose.h"
+#include "sinew/character/skeleton.h"
 #include "sinew/geometry/control_mesh.h"
 #include "sinew/rig/rig.h"
 #include "sinew/surface/surface.h"
 
 namespace sinew {
+
+// For each refined vertex the closest point on the skeleton (paper 4.2).
+
+/// A point that rides on a bone.
+struct Anchor {
+  int bone = 0;
+  glm::vec3 pointInBone{0.0f};
+};
+
+/// Closest points in the bind pose. The skeleton is the segments from each bone's origin to its children's origins, and
+/// to its tip where it has none; the lower bone index wins a tie. A segment moves with the bone it starts at; its end,
+/// a child's origin, with the child: else the many vertices closest to a joint would hang on rounding.
+/// @param points [N] bind pose, world.  @return [N]
+[[nodiscard]] std::vector<Anchor> findAnchors(const Skeleton& skeleton, std::span<const glm::vec3> points);
+
+/// Anchors in a pose. @param out [N] world.
+void poseAnchors(std::span<const Anchor> anchors, const Pose& pose, std::vector<glm::vec3>& out);
 
 // Where the paper takes one root or none, several are laid over each other: along the ray, each stretch with F > T
 // counts by its prominence, the largest F - T in it, from 0 at 0 to all at a quarter of T; what weight is left goes to

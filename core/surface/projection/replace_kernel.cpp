@@ -1,5 +1,5 @@
 // core/surface/projection/replace_kernel.cpp: `replace` on tiles of 16 lanes, compiled once per instruction set.
-#include "core/surface/projection/replace_kernel.h"
+#include "core/surface/projection/tile_projection.h"
 
 #include <algorithm>
 
@@ -10,7 +10,6 @@
 #include "hwy/foreach_target.h"
 //
 #include "core/surface/projection/tile_field.h"
-#include "core/surface/roots/root_lanes.h"
 #include "hwy/highway.h"
 
 HWY_BEFORE_NAMESPACE();

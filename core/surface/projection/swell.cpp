@@ -6,9 +6,8 @@
 
 #include "core/geometry/at.h"
 #include "core/geometry/potential.h"
-#include "core/surface/projection/overhang.h"
-#include "core/surface/projection/rise_limits.h"
-#include "core/surface/roots/root_finding.h"
+#include "core/surface/projection/rise.h"
+#include "core/surface/roots/ray_field.h"
 
 namespace sinew {
 namespace {

@@ -1,5 +1,5 @@
 // core/surface/projection/swell_kernel.cpp: `swell` on tiles of 16 lanes, compiled once per instruction set.
-#include "core/surface/projection/swell_kernel.h"
+#include "core/surface/projection/tile_projection.h"
 
 #include <cmath>
 
@@ -10,13 +10,70 @@
 #define HWY_TARGET_INCLUDE "core/surface/projection/swell_kernel.cpp"
 #include "hwy/foreach_target.h"
 //
-#include "core/surface/projection/overhang_lanes.h"
 #include "core/surface/projection/tile_field.h"
-#include "core/surface/roots/root_lanes.h"
 #include "hwy/highway.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace sinew::HWY_NAMESPACE {
+
+// heightBelowOverhangs() in lanes.
+
+using LaneEnd = PartEnd<V>;
+
+/// s + psi(s) / sigma along the rays.
+struct SlowFall {
+  const RayLanes& rays;
+  V inverseSigma;
+
+  HWY_INLINE LaneEnd endAt(V s) const {
+    const LaneSample here = rays.sample(s);
+    return {s, s + here.value * inverseSigma, all(1.0f) + here.slope * inverseSigma};
+  }
+};
+
+/// lowestBetween().
+HWY_INLINE V lowestBetween(const LaneEnd& low, const LaneEnd& high, int step) {
+  const V length = high.at - low.at;
+  if (step % 2 != 0 && step + 1 < Overhang::kNarrowings) return low.at + all(0.5f) * length;
+  const V turns = high.slope - low.slope;
+  const V to =
+      step % 2 == 0 ? (high.slope * length + (low.sum - high.sum)) / turns : zero() - low.slope * length / turns;
+  return low.at + hn::Min(hn::Max(zero(), to), length);
+}
+
+HWY_INLINE LaneEnd select(M mask, const LaneEnd& yes, const LaneEnd& no) {
+  return {select(mask, yes.at, no.at), select(mask, yes.sum, no.sum), select(mask, yes.slope, no.slope)};
+}
+
+/// The least of s + psi(s) / sigma inside a part at whose ends it falls and rises. @param height  in and out
+HWY_INLINE void lowerInside(const SlowFall& fall, LaneEnd low, LaneEnd high, M asked, V& height) {
+  const auto dips = [&]() HWY_ATTR { return both(asked, both(hn::Lt(low.slope, zero()), hn::Gt(high.slope, zero()))); };
+  asked = dips();
+  for (int k = 0; k < Overhang::kNarrowings && any(asked); ++k) {
+    const LaneEnd inside = fall.endAt(lowestBetween(low, high, k));
+    height = select(asked, hn::Min(height, inside.sum), height);
+    const M fallsOn = hn::Lt(inside.slope, zero());
+    low = select(fallsOn, inside, low);
+    high = select(fallsOn, high, inside);
+    asked = dips();
+  }
+}
+
+/// heightBelowOverhangs(). @param t  roots.  @param asked  lanes; others keep t.
+HWY_NOINLINE inline V heightBelowOverhangs(const RayLanes& rays, V t, V sigma, V part, M asked) {
+  const SlowFall fall{rays, all(1.0f) / sigma};
+  LaneEnd from = fall.endAt(zero());
+  V height = select(asked, hn::Min(t, from.sum), t);
+  for (int i = 0; i < Overhang::kMostParts; ++i) {
+    asked = both(asked, hn::Lt(all(static_cast<float>(i)) * part, t));
+    if (!any(asked)) break;
+    const LaneEnd to = fall.endAt(hn::Min(all(static_cast<float>(i + 1)) * part, t));
+    height = select(both(asked, hn::Lt(to.at, t)), hn::Min(height, to.sum), height);
+    lowerInside(fall, from, to, asked, height);
+    from = to;
+  }
+  return hn::Max(height, zero());
+}
 
 /// F on the skin, the blend width and the muscles' mean radius there.
 struct OnSkin {

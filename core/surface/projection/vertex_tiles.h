@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "core/surface/projection/candidates.h"
-#include "core/surface/projection/carrier_walk.h"
 #include "core/surface/roots/lane_terms.h"
 #include "sinew/geometry/control_mesh.h"
 #include "sinew/surface/refinement.h"

@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <optional>
 
-#include "core/surface/roots/quartic.h"
+#include "core/surface/roots/polynomial.h"
 
 namespace sinew::isolation {
 

@@ -3,13 +3,14 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "core/rig/field.h"
-#include "core/surface/roots/bernstein.h"
-#include "core/surface/roots/quartic.h"
+#include "core/surface/roots/polynomial.h"
 #include "core/surface/roots/shaped_ray.h"
+#include "sinew/surface/projection_kind.h"
 
 namespace sinew {
 
@@ -87,5 +88,22 @@ class RayField {
   const CliqueLists* cliques_ = nullptr;
   double iso_ = 0.25;
 };
+
+// The first root of phi along a ray, by three methods.
+// Docs/design.md, Projection; paper 4.
+
+/// First t in [begin, end] where phi, taken to be positive at `begin` (or not), changes to the other sign; a touch does
+/// not count, and phi(begin) = 0 gives `begin`. nullopt: it keeps its sign. Methods agree to `tolerance` where the root
+/// is unique:
+/// - newton: phi is a quartic in Bernstein form between breakpoints, or of degree 6, 8 or 10 with shaped primitives;
+///   roots are isolated by its sign changes (Descartes' rule), then found by Newton steps kept inside the bracket;
+/// - analytic (paper 4.1): the same quartics, roots in closed form (Ferrari), the first taken; above degree 4 as
+/// newton;
+/// - bisection (paper 4.2): the same brackets, each around one root, then 8 halvings and one secant step.
+///   The paper halves [anchor, vertex] as it is; in a tangle that misses the first root, or a close pair of roots.
+/// The sign is the caller's to know: where phi is all but 0, rounding would decide it anew, and differently.
+/// @param tolerance world units, > 0.
+[[nodiscard]] std::optional<double> firstChange(const RayField& field, double begin, double end, bool fromPositive,
+                                                ProjectionKind method, double tolerance, RayScratch& scratch);
 
 }  // namespace sinew

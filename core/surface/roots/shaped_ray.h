@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <span>
 
-#include "core/surface/roots/bernstein.h"
+#include "core/surface/roots/polynomial.h"
 #include "sinew/geometry/ellipsoid.h"
 
 namespace sinew {

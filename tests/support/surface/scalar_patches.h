@@ -2,7 +2,7 @@
 // vectors.
 #pragma once
 
-#include "core/surface/patches/patch_kernel.h"
+#include "core/surface/patches/patch.h"
 
 namespace sinew::test {
 

@@ -1,5 +1,5 @@
 // tests/surface/roots/root_finding_test.cpp: the three methods on random rays, against dense marching.
-#include "core/surface/roots/root_finding.h"
+#include "core/surface/roots/ray_field.h"
 
 #include <cmath>
 #include <random>

@@ -10,7 +10,7 @@
 
 #include "core/geometry/potential.h"
 #include "core/surface/roots/isolation.h"
-#include "core/surface/roots/root_finding.h"
+#include "core/surface/roots/ray_field.h"
 #include "tests/support/rigs/random_rigs.h"
 #include "tests/support/surface/marched_rays.h"
 

@@ -1,4 +1,4 @@
-// core/surface/projection/rise_limits.h: how far skin can rise before it meets skin that rises towards it.
+// core/surface/projection/rise.h: how far skin can rise before it meets skin that rises towards it.
 // docs/design.md, Rise limits.
 #pragma once
 
@@ -11,6 +11,18 @@
 #include "sinew/geometry/control_mesh.h"
 
 namespace sinew {
+
+// The directions along which muscles lift the skin.
+
+inline constexpr float kRise = 0.1f;  ///< How far skin should be able to rise out of a crease, fraction of H.
+
+/// The vertex normals of the bind pose, relaxed where they converge. Skin lifted by s along two normals that lean
+/// together crosses itself once s times their difference exceeds the distance of the vertices. Along every edge the
+/// component that converges is therefore averaged away until skin can rise by `rise`; where normals diverge or run
+/// parallel they are kept bit for bit. A direction stays within 60 degrees of its normal.
+/// Independent of the order of vertices and triangles, up to rounding.
+/// @param rise  world units, > 0: how far skin should be able to rise without crossing.  @return [V] bind pose, unit.
+[[nodiscard]] std::vector<glm::vec3> riseDirections(const ControlMesh& mesh, float rise);
 
 /// 1/L of every control vertex in the bind pose, per world unit; 0: no limit. L is the height at which skin that rises
 /// from p along d_p, and from any other point q of the mesh along d_q, meets: |q-p|^2 / ((d_p - d_q) . (q-p)), the

@@ -1,9 +1,8 @@
-// core/runtime/game_file_read.cpp: bytes -> character and rig, with all that follows from them.
+// core/runtime/game_file.cpp: game files read and written.
+#include "core/runtime/game_file.h"
 #include "core/geometry/normals.h"
 #include "core/geometry/topology.h"
 #include "core/rig/validation.h"
-#include "core/runtime/game_check.h"
-#include "core/runtime/game_file.h"
 #include "core/runtime/layout.h"
 #include "sinew/runtime/game_file.h"
 
@@ -48,6 +47,20 @@ Result<GameCharacter> readGameFile(std::span<const std::byte> bytes) {
   character->mesh.normals = vertexNormals(character->mesh.positions, character->mesh.triangles);
   if (Result<void> valid = validate(rig); !valid) return valid.error();
   return GameCharacter{std::move(character), std::move(rig)};
+}
+
+std::vector<std::byte> gameFile(const Character& character, const Rig& rig) {
+  gamefile::Writer writer;
+  writer.bytes().resize(sizeof(gamefile::Head));
+  fields(writer, character);
+  fields(writer, rig);
+  std::vector<std::byte> bytes = std::move(writer.bytes());
+  const auto rest = std::span<const std::byte>(bytes).subspan(sizeof(gamefile::Head));
+  gamefile::Head head;
+  head.bytes = rest.size();
+  head.sum = gamefile::sumOf(rest);
+  std::memcpy(bytes.data(), &head, sizeof head);
+  return bytes;
 }
 
 }  // namespace sinew
