@@ -1,4 +1,4 @@
-// core/surface/projector.cpp: what both modes need of a pose, then swell or replace by scalars or in vectors.
+// core/surface/projector.cpp: poses the input of both modes, then runs swell or replace, by scalars or in vectors.
 #include "core/surface/projector.h"
 
 #include <array>
@@ -42,10 +42,10 @@ void projectInVectors(const Projection& projection, const Pose& pose, Workspace&
   const Preparation& p = projection.preparation;
   if (p.swells()) {
     swellInTiles(p.mesh(), projection.field, swellSettings(p, projection.posed.rig->numbers.skinBlend),
-                 poseRise(projection, workspace), *p.tiles, chosenVectorSet(), surface, workspace.projection);
+                 poseRise(projection, workspace), *p.tiles, surface, workspace.projection);
   } else {
     replaceInTiles(p.mesh(), projection.field, replaceSettings(p), poseFlat(projection, pose, workspace),
-                   projection.posed.bind->weights, *p.tiles, chosenVectorSet(), surface, workspace.projection);
+                   projection.posed.bind->weights, *p.tiles, surface, workspace.projection);
   }
 }
 

@@ -1,4 +1,4 @@
-// core/surface/patches/levels.h: the least level at which flat pieces follow a finely sampled edge or triangle.
+// core/surface/patches/levels.h: levels that follow a finely sampled surface, and levels raised to match neighbors.
 #pragma once
 
 #include <array>
@@ -12,20 +12,18 @@
 
 namespace sinew {
 
-// Levels raised until neighbors are alike.
-
-/// Levels that are raised to: most divide each other.
+/// The levels that LevelGrader picks from; most of them divide each other.
 inline constexpr std::array kGradedLevels{1, 2, 3, 4, 6, 12, 16};
 
-/// Raises levels to the least ones of kGradedLevels at which no side of a triangle, and not its inside, is
-/// split into pieces more than three times as long as another's, unless it has as high a level: jumps in size make
-/// slivers, and equal levels keep the triangle's own shape. Lengths are the bind pose's.
+/// Raises levels to the lowest of kGradedLevels at which neither a side nor the inside of a triangle has pieces more
+/// than three times as long as another's, unless its level is as high. Jumps in size make slivers; equal levels keep
+/// the triangle's own shape. Lengths are those of the bind pose.
 class LevelGrader {
  public:
   /// @param mesh  must outlive this.
   explicit LevelGrader(const ControlMesh& mesh);
 
-  /// Nothing is lowered; the result is the same in whatever order triangles are looked at.
+  /// Never lowers a level. The result does not depend on the order of triangles.
   [[nodiscard]] RefinementLevels graded(RefinementLevels levels) const;
 
  private:
@@ -35,24 +33,23 @@ class LevelGrader {
   std::vector<int> trianglesAt_;     ///< Edge by edge.
 };
 
-/// Samples of a fine surface.
 struct FineSamples {
   std::span<const glm::vec3> positions;
   std::span<const glm::vec3> normals;  ///< Unit, for shading.
 };
 
 struct LevelTolerance {
-  float distance = 0.0f;       ///< Of samples from the flat pieces, world units.
-  float normalCosine = 0.99f;  ///< Of samples' normals and the interpolated ones, where the surface is smooth.
+  float distance = 0.0f;       ///< Between samples and the flat pieces, world units.
+  float normalCosine = 0.99f;  ///< Between sampled and interpolated normals where the surface is smooth.
 };
 
-/// How far a sample is off a flat piece: from the piece's point at the sample's own barycentric shares, or from its
+/// Distance of a sample from a flat piece: from the point with the sample's own barycentric coordinates, or from the
 /// plane, whichever is less.
 [[nodiscard]] float distanceFromPiece(const glm::vec3& sample, const std::array<glm::vec3, 3>& corners,
                                       const std::array<float, 3>& shares);
 
-/// The least divisor n >= `from` of R at which the n chords stay within the tolerance.  @param samples [R + 1] evenly
-/// along an edge.
+/// The least divisor n >= `from` of R at which n chords stay within the tolerance.
+/// @param samples [R + 1] evenly spaced along an edge.
 [[nodiscard]] int edgeLevel(const FineSamples& samples, int from, const LevelTolerance& tolerance);
 
 /// The same for the n^2 split of a triangle.  @param fine  R, at most kMaxDepth.  @param samples [(R+1)(R+2)/2] at

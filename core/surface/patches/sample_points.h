@@ -9,10 +9,8 @@
 
 namespace sinew {
 
-// Evenly spaced samples of one control triangle, row after row.
-
-/// Calls visit(j, k, vertex) for the samples at barycentric (n-j-k, j, k) / n of a triangle, row j = 0 first, k
-/// ascending. @param points  samplePoints() with n inside the triangle, and multiples of n along its sides
+/// Calls visit(j, k, vertex) for the samples of a triangle at barycentric (n-j-k, j, k) / n, row j = 0 first, k
+/// ascending. @param points  samplePoints() with n inside the triangle and multiples of n along its sides
 template <class Visit>
 void forEachSample(const ControlMesh& mesh, const Refinement& points, int t, int n, Visit visit) {
   const ControlTriangle& triangle = at(mesh.triangles, t);
@@ -36,8 +34,8 @@ void forEachSample(const ControlMesh& mesh, const Refinement& points, int t, int
   }
 }
 
-/// Vertices along edges and inside triangles, evenly spaced as in an n^2 split, each piece by its own number; no
-/// triangles, nothing drawn.  @param samples  0 as 1: none
+/// Vertices along edges and inside triangles, spaced evenly as in an n^2 split, with an n for each edge and triangle.
+/// The result has no triangles and draws nothing.  @param samples  0 and 1: no vertices
 [[nodiscard]] Refinement samplePoints(const ControlMesh& mesh, const RefinementLevels& samples);
 
 }  // namespace sinew

@@ -1,5 +1,5 @@
-// core/surface/projection/candidates.h: which primitives each piece of the control mesh can ever see.
-// Made once per edit.
+// core/surface/projection/candidates.h: the primitives that each piece of the control mesh can ever see, found once per
+// edit, and a walk over the vertices that some primitive reaches in a pose.
 #pragma once
 
 #include <array>
@@ -32,17 +32,16 @@ struct CarrierCandidate {
 };
 
 /// Candidate lists per carrier: control vertices first, then edges (corners: smaller vertex, larger), then triangles.
-/// Both triangles at an edge see its refined vertices through the edge's own list: the surface cannot crack there.
+/// The vertices on an edge use the edge's own list, whichever triangle they are seen from: no crack can open.
 struct CandidateLists {
   std::vector<int> begin;  ///< [V+E+T+1]
   std::vector<CarrierCandidate> items;
   std::vector<int> cliqueSet;           ///< [V+E+T] index into cliqueSets.
-  std::vector<CliqueLists> cliqueSets;  ///< [0] is empty: everything sums.
+  std::vector<CliqueLists> cliqueSets;  ///< [0] is empty: all groups add up.
 
   [[nodiscard]] std::span<const CarrierCandidate> of(int carrier) const {
-    const auto c = static_cast<std::size_t>(carrier);
-    return std::span(items).subspan(static_cast<std::size_t>(begin[c]),
-                                    static_cast<std::size_t>(begin[c + 1] - begin[c]));
+    const int first = at(begin, carrier);
+    return std::span(items).subspan(toIndex(first), toIndex(at(begin, carrier + 1) - first));
   }
   [[nodiscard]] const CliqueLists& cliquesOf(int carrier) const { return at(cliqueSets, at(cliqueSet, carrier)); }
 };
@@ -51,15 +50,12 @@ struct CandidateLists {
 [[nodiscard]] CandidateLists makeCandidateLists(const ControlMesh& mesh, const Attachment& attachment,
                                                 const MeshLayers* layers = nullptr);
 
-/// The lists as they would be without some primitives, which keep their indices: slots and cliques are those of the
-/// groups that are left. Reads no territory anew.
-/// @param hidden [A]
+/// The lists without the hidden primitives, whose indices stay in use: slots and cliques are those of the remaining
+/// groups. Does not read territories again.  @param hidden [A]
 [[nodiscard]] CandidateLists withoutHidden(const CandidateLists& lists, const Attachment& attachment,
                                            const std::vector<bool>& hidden);
 
-// Visits the refined vertices that a primitive can reach in this pose.
-
-/// A refined vertex with what its carrier (control vertex, edge or triangle) lends it.
+/// A refined vertex and its coordinates in its carrier: a control vertex, edge or triangle.
 struct CarriedVertex {
   int index = 0;                       ///< Refined vertex.
   int carrier = 0;                     ///< As in CandidateLists.
@@ -67,23 +63,23 @@ struct CarriedVertex {
   std::array<float, 3> barycentric{};  ///< Weights of the corners; unused ones are 0.
 };
 
-/// What an edge lends a refined vertex between its ends, a control triangle one inside it, and any piece any vertex
-/// (which has to be found first).
+[[nodiscard]] inline CarriedVertex controlCarried(int v) { return {v, v, {v, v, v}, {1.0f, 0.0f, 0.0f}}; }
 [[nodiscard]] CarriedVertex edgeCarried(const ControlMesh& mesh, const Refinement& refinement, int edge, int vertex);
 [[nodiscard]] CarriedVertex insideCarried(const ControlMesh& mesh, const Refinement& refinement, int triangle,
                                           int vertex);
+/// Finds the carrier first.
 [[nodiscard]] CarriedVertex carriedVertex(const ControlMesh& mesh, const Refinement& refinement, int vertex);
 
-/// Posed primitives and the lists that say who may see them.
+/// Posed primitives and the carriers that may see them.
 struct FieldView {
   std::span<const PosedPrimitive> primitives;
   const CandidateLists* lists = nullptr;
-  std::span<const std::uint8_t> skipped = {};  ///< [V+E+T] 1: this carrier is not asked for (face_culling.h); or empty.
+  std::span<const std::uint8_t> skipped = {};  ///< [V+E+T] 1: leave this carrier out (face_culling.h); or empty.
 };
 
 namespace carrier_walk {
 
-/// Where a ball stands to a box: how far the gap between them is (< 0: they overlap) and how far its far side.
+/// Gap between a ball and a box (< 0: they overlap), and distance of the ball's far side from the box.
 struct Span {
   float gap = 0.0f;
   float farthest = 0.0f;
@@ -94,8 +90,8 @@ inline Span spanTo(const UnitBallMap& influence, const Bounds& box) {
   return {apart - influence.boundingRadius, apart + influence.boundingRadius};
 }
 
-/// How far from the box the influences go that hang together with one that overlaps it; 0 if none does. A ray that
-/// starts in the box meets no others before it is out of all influence.
+/// Extent from the box of the influences connected, through each other, with one that overlaps it; 0 if none does. A
+/// ray from the box leaves all of these before it meets any other.
 inline float extentOf(std::span<const Span> spans) {
   float extent = 0.0f;
   for (bool grew = true; grew;) {
@@ -111,19 +107,19 @@ inline float extentOf(std::span<const Span> spans) {
 
 }  // namespace carrier_walk
 
-/// Memory that is reused from walk to walk.
+/// Memory reused from walk to walk.
 struct WalkScratch {
   std::vector<CarrierCandidate> near;
   std::vector<carrier_walk::Span> spans;
 };
 
-/// Which primitives a walk asks for.
+/// Primitives that a walk considers.
 enum class Reach {
-  kOverlapping,  ///< Carriers that some influence overlaps; with it come those it hangs together with.
-  kAll,          ///< Every candidate, wherever it is.
+  kOverlapping,  ///< Those whose influence overlaps the carrier, and those connected with them.
+  kAll,          ///< All candidates of the carrier.
 };
 
-/// One of so many equal parts, of control vertices, edges and triangles alike.
+/// Part `index` of `of` equal parts of the control vertices, edges and triangles.
 struct WalkShare {
   std::size_t index = 0;
   std::size_t of = 1;
@@ -132,9 +128,8 @@ struct WalkShare {
   [[nodiscard]] int end(int count) const { return static_cast<int>(toIndex(count) * (index + 1) / of); }
 };
 
-/// Calls visit(const CarriedVertex&, std::span<const CarrierCandidate> near) for every refined vertex of every carrier
-/// of the share that has a primitive to ask for; `near` holds those. Order is that of the refined vertices.
-/// @param positions [V'] world.
+/// Calls visit(const CarriedVertex&, std::span<const CarrierCandidate> near), in order, for every refined vertex in
+/// the share whose carrier has primitives to consider: `near`.  @param positions [V'] world.
 template <class Visit>
 void forEachReachable(const ControlMesh& mesh, const Refinement& refinement, const FieldView& field,
                       std::span<const glm::vec3> positions, Reach reach, const WalkShare& share, WalkScratch& scratch,
@@ -150,7 +145,7 @@ void forEachReachable(const ControlMesh& mesh, const Refinement& refinement, con
       near.assign(all.begin(), all.end());
       return true;
     }
-    const Bounds box = boundsOf(positions.subspan(static_cast<std::size_t>(first), static_cast<std::size_t>(count)));
+    const Bounds box = boundsOf(positions.subspan(toIndex(first), toIndex(count)));
     spans.clear();
     for (const CarrierCandidate& candidate : all) {
       spans.push_back(carrier_walk::spanTo(at(field.primitives, candidate.primitive).influence, box));
@@ -162,28 +157,21 @@ void forEachReachable(const ControlMesh& mesh, const Refinement& refinement, con
     return !near.empty();
   };
 
+  const auto visitCarrier = [&](int carrier, int first, int count, auto carried) {
+    if (!gather(carrier, first, count)) return;
+    for (int v = first; v < first + count; ++v) visit(carried(v), near);
+  };
   for (int v = share.begin(refinement.controlVertices); v < share.end(refinement.controlVertices); ++v) {
-    if (gather(v, v, 1))
-      visit(CarriedVertex{v, v, {v, v, v}, {1.0f, 0.0f, 0.0f}}, std::span<const CarrierCandidate>(near));
+    visitCarrier(v, v, 1, controlCarried);
   }
   for (int e = share.begin(refinement.controlEdges); e < share.end(refinement.controlEdges); ++e) {
-    const int carrier = refinement.controlVertices + e;
-    const int first = refinement.edgeVertex(e, 1);
-    const int count = refinement.edgeVertices(e);
-    if (!gather(carrier, first, count)) continue;
-    for (int v = first; v < first + count; ++v) {
-      visit(edgeCarried(mesh, refinement, e, v), std::span<const CarrierCandidate>(near));
-    }
+    visitCarrier(refinement.controlVertices + e, refinement.edgeVertex(e, 1), refinement.edgeVertices(e),
+                 [&](int v) { return edgeCarried(mesh, refinement, e, v); });
   }
   const int triangles = static_cast<int>(mesh.triangles.size());
   for (int t = share.begin(triangles); t < share.end(triangles); ++t) {
-    const int carrier = refinement.controlVertices + refinement.controlEdges + t;
-    const int first = at(refinement.insideBegin, t);
-    const int count = refinement.insideVertices(t);
-    if (!gather(carrier, first, count)) continue;
-    for (int v = first; v < first + count; ++v) {
-      visit(insideCarried(mesh, refinement, t, v), std::span<const CarrierCandidate>(near));
-    }
+    visitCarrier(refinement.controlVertices + refinement.controlEdges + t, at(refinement.insideBegin, t),
+                 refinement.insideVertices(t), [&](int v) { return insideCarried(mesh, refinement, t, v); });
   }
 }
 

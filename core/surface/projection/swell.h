@@ -12,27 +12,25 @@
 
 namespace sinew {
 
-// Heights where psi falls slowly, as below what hangs over the skin.
-// Docs/design.md, Overhangs.
-
-/// The root t of psi moves as fast as psi changes, over its slope: without limit where a dip of psi comes to 0, and it
-/// leaps from there. The height is therefore the least of s + psi(s) / sigma on the way, 0 <= s <= t: no change of psi
-/// moves it by more than 1 / sigma times as much. It is t wherever psi falls by sigma or more all the way.
+/// Heights below overhangs, where psi falls slowly (docs/design.md, Overhangs). When psi changes, its root t moves by
+/// the change over the derivative of psi: without limit where a minimum of psi reaches 0, from where it leaps. So the
+/// height is the least of s + psi(s) / sigma for 0 <= s <= t: no change of psi moves it by more than 1 / sigma times as
+/// much. It is t if psi falls by at least sigma all the way.
 ///
-/// The least is looked for at the ends of parts of the way that do not depend on the root, and inside a part at whose
-/// ends the sum falls and rises. There steps go alternately to where the tangents at both ends meet, the place of a
-/// kink between straight sides, and to the middle, without which a curved side would hold them up. The last one goes to
-/// where false position finds the slope to be 0, the lowest point of a parabola. psi has a kink where one muscle's
-/// field gives way to that of another one, which is not linked to it.
+/// The least is sought at the ends of parts of [0, t] that do not depend on the root, and inside a part if the sum
+/// falls at its start and rises at its end. Steps there alternate between the intersection of the tangents at both
+/// ends, which finds a kink between straight sides, and the middle, since a curved side would stall the former. The
+/// last step goes to the zero of the derivative by false position, the lowest point of a parabola. psi has a kink where
+/// the field of one muscle gives way to that of another that is not linked to it.
 struct Overhang {
-  /// sigma over the slope that the skin's own field would have on the skin, were the muscles' mean radius its width.
+  /// sigma over the derivative on the skin of the skin's own field if its width were the muscles' mean radius.
   static constexpr float kSlope = 0.5f;
   static constexpr float kPart = 0.25f;  ///< Fraction of the blend width h.
   static constexpr int kMostParts = 32;
   static constexpr int kNarrowings = 6;
 };
 
-/// An end of a part: where it is, and s + psi(s) / sigma there.
+/// An end of a part: s, and s + psi(s) / sigma with its derivative there.
 template <class Real>
 struct PartEnd {
   Real at;
@@ -40,7 +38,7 @@ struct PartEnd {
   Real slope;
 };
 
-/// Where to look inside a part in which low.slope < 0 and high.slope > 0. @param step  from 0
+/// Next s to try inside a part with low.slope < 0 and high.slope > 0. @param step  from 0
 template <class Real>
 [[nodiscard]] Real lowestBetween(const PartEnd<Real>& low, const PartEnd<Real>& high, int step) {
   const Real length = high.at - low.at;
@@ -50,7 +48,7 @@ template <class Real>
   return low.at + std::clamp(to, Real(0), length);
 }
 
-/// @param t  the root, > 0.  @param sigma  > 0.  @param part  length.  @param psi  (s) -> a value and a slope.
+/// @param t  the root, > 0.  @param sigma  > 0.  @param part  length.  @param psi  (s) -> value and derivative.
 template <class Real, class Psi>
 [[nodiscard]] Real heightBelowOverhangs(Real t, Real sigma, Real part, const Psi& psi) {
   const auto endAt = [&](Real s) {
@@ -74,33 +72,30 @@ template <class Real, class Psi>
   return std::max(height, Real(0));
 }
 
-inline constexpr float kLeastAlong = 0.2f;  ///< Cosine of rise direction and normal below which slopes are not raised.
+inline constexpr float kLeastAlong = 0.2f;  ///< Cosine of rise direction and normal that divides slopes, at the least.
 
 /// How the skin may rise in one pose.
 struct RiseView {
-  std::span<const glm::vec3> directions;  ///< [V'] world, unit, outward (rise_directions.h).
-  std::span<const float> inverseLimits;   ///< [V'] 1/L, 0: none (rise_limits.h).
+  std::span<const glm::vec3> directions;  ///< [V'] world, unit, outward (rise.h).
+  std::span<const float> inverseLimits;   ///< [V'] 1/L, 0: none (rise.h).
 };
 
 /// Constants of one character and rig.
 struct SwellSettings {
   float iso = kDefaultIso;
-  float blendWidth = 0.04f;  ///< h, world units: the most; a smaller muscle blends over its mean radius.
+  float blendWidth = 0.04f;  ///< Largest h, world units; a smaller muscle blends over its mean radius.
   ProjectionKind projection = ProjectionKind::kNewton;
   double tolerance = 1e-6;  ///< Tolerance of roots, world units.
 };
 
-/// Moves the surface's positions, which hold the patch, along the directions d to the first root of
-/// f_skin(s) + F(p + s d) - T going outwards from s = 0; inwards where F(p) < 0, down to s = -r_T W at most.
-/// A root beyond half the rise limit, or half of how far what the skin only touches may move it (inverseTouchLimit), is
-/// drawn in below the limit (limitedRise).
-/// Normals of moved vertices become the field's at the root: exact, and finer than the mesh can show
-/// (shading_normals.h).
-/// A vertex where F(p) = 0 is not touched. Fills displacement (s) and counts in the report.
+/// Moves positions from the patch along the directions d to the first root of f_skin(s) + F(p + s d) - T, outwards from
+/// s = 0; inwards where F(p) < 0, down to s = -r_T W at most. A root beyond half the rise limit, or half of
+/// inverseTouchLimit(), is drawn in below that limit (limitedRise). Moved vertices get the field's normal at the root:
+/// exact, and finer than the mesh can show (shading_normals.h). Vertices with F(p) = 0 stay. Fills displacement (s) and
+/// the counts of the report.
 void swell(const ControlMesh& mesh, const FieldView& field, const SwellSettings& settings, const RiseView& rise,
            Surface& surface, ProjectionScratch& scratch);
 
-/// The same for one vertex.
 void swellVertex(const CarriedVertex& vertex, const FieldView& field, const SwellSettings& settings,
                  const RiseView& rise, Surface& surface, VertexScratch& scratch);
 

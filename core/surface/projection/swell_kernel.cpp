@@ -31,7 +31,6 @@ struct SlowFall {
   }
 };
 
-/// lowestBetween().
 HWY_INLINE V lowestBetween(const LaneEnd& low, const LaneEnd& high, int step) {
   const V length = high.at - low.at;
   if (step % 2 != 0 && step + 1 < Overhang::kNarrowings) return low.at + all(0.5f) * length;
@@ -82,13 +81,13 @@ struct OnSkin {
   V radius;
 };
 
-/// Where the rays end.
+/// Ends of the rays.
 struct Found {
   V t;
   M rootless;
   M known;
-  V risesFrom;  ///< Before this F only falls.
-  V radius;     ///< The muscles' mean.
+  V risesFrom;  ///< F only falls before this.
+  V radius;     ///< Mean of the muscles' radii.
 };
 
 class TileSweller : TileField {
@@ -107,7 +106,7 @@ class TileSweller : TileField {
   }
 
  private:
-  /// The tile's primitives that its rays can meet, as in forEachReachable(). False if there are none.
+  /// Finds the tile's primitives that its rays can meet, as in forEachReachable(). False if there are none.
   bool gatherNear() {
     const Bounds box = boundsOfTile();
     const std::size_t count = static_cast<std::size_t>(tile_->candidateCount);
@@ -190,8 +189,8 @@ class TileSweller : TileField {
     return {together + carved, select(seen, widths / shares, most), select(seen, radii / shares, most)};
   }
 
-  /// Terms in the search's direction and sign: those that some active lane's ray meets ahead. A term that a ray does
-  /// not meet adds 0 to it, so that no lane depends on what its neighbors meet.
+  /// Terms, in the search's direction and sign, that some active lane's ray meets ahead. A term adds 0 to the rays that
+  /// do not meet it, so that no lane depends on its neighbors.
   void fillTerms(const V3& p, const V3& along, const LaneSkin& skin, M active) {
     LaneScratch& lanes = scratch_.lanes;
     clearTerms();
@@ -216,7 +215,7 @@ class TileSweller : TileField {
             zero()};
   }
 
-  /// Where terms may rise: before its middle one that adds, after it one that takes away; a shape's anywhere in it.
+  /// Where terms may rise: a positive one before its middle, a negative one after it; a shape anywhere in its box.
   LaneRise riseOf(const RayLanes& rays, const OnSkin& onSkin) const {
     const LaneSkin& skin = rays.skin();
     const M outward = hn::Gt(skin.sign, zero());
@@ -243,7 +242,7 @@ class TileSweller : TileField {
     return rise;
   }
 
-  /// inverseTouchLimit() of rise_limits.h.
+  /// inverseTouchLimit() of rise.h.
   V touchLimit(const OnSkin& onSkin, const LaneSkin& skin) const {
     const float iso = inputs_.settings.iso;
     const V left = hn::Sqrt(hn::Min(hn::Max(zero(), all(iso) - onSkin.field), all(1.0f)));
@@ -253,8 +252,8 @@ class TileSweller : TileField {
     return share * roots * skin.inverseWidth / (all(2.0f) * hn::Abs(onSkin.field));
   }
 
-  /// The root, or less where psi falls slowly on the way to it. Outwards the skin's own field is steep enough up to h/2
-  /// for as long as F does not rise; bounds of the slope prove the rest of most ways.
+  /// The root, or less if psi falls slowly before it. Outwards, the skin's own field is steep enough up to h/2 while F
+  /// does not rise; bounds of the derivative usually prove the rest.
   V belowOverhangs(const RayLanes& rays, const Found& found, M moved) const {
     const LaneSkin& skin = rays.skin();
     const V blendWidth = all(1.0f - isoRadius_) / skin.inverseWidth;
@@ -267,7 +266,7 @@ class TileSweller : TileField {
     return heightBelowOverhangs(rays, found.t, sigma, all(Overhang::kPart) * blendWidth, asked);
   }
 
-  /// @param inverseLimit  1/L beside that of other skin.
+  /// @param inverseLimit  1/L, in addition to that of other skin.
   void place(const V3& p, const V3& d, const RayLanes& rays, V inverseLimit, const Found& found) {
     const LaneSkin& skin = rays.skin();
     const V t = found.t;
@@ -313,7 +312,7 @@ class TileSweller : TileField {
   }
 
   SwellInputs& inputs_;
-  float tolerance_;  ///< Of roots, world units.
+  float tolerance_;  ///< For roots, world units.
   float isoRoot_;
   float isoRadius_;
   LanePoints directions_;

@@ -2,7 +2,6 @@
 #include "core/surface/roots/polynomial.h"
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 #include <numbers>
 
@@ -20,7 +19,8 @@ std::array<double, 5> powerBasis(const Quartic& q) {
 void addQuadraticRoots(double b, double c, RealRoots& roots) {  // u^2 + b u + c
   const double half = -0.5 * b;
   const double discriminant = half * half - c;
-  // A double root comes out slightly negative by rounding; relative, as an absolute bound loses roots (Ferrari's trap).
+  // Rounding makes the discriminant of a double root slightly negative. The test is relative: an absolute one loses
+  // roots.
   if (discriminant < -1e-12 * (half * half + std::abs(c))) return;
   const double root = std::sqrt(std::max(discriminant, 0.0));
   const double far = half >= 0.0 ? half + root : half - root;
@@ -56,7 +56,7 @@ RealRoots monicQuarticRoots(double a, double b, double c, double d) {
   const double r = d - 0.25 * a * c + 0.0625 * a2 * b - 3.0 / 256.0 * a2 * a2;
   const double shift = -0.25 * a;
   RealRoots roots;
-  // One active ellipsoid makes the quartic biquadratic: q is rounding, judged beside the terms it was summed from.
+  // One ellipsoid makes the quartic biquadratic: q is then only rounding, compared with the terms of its sum.
   const double qScale = std::abs(c) + std::abs(0.5 * a * b) + std::abs(0.125 * a2 * a);
   double z = 0.0;
   if (std::abs(q) > 1e-12 * qScale) z = std::ranges::max(cubicRoots(2.0 * p, p * p - 4.0 * r, -q * q).all());
@@ -78,7 +78,7 @@ RealRoots monicQuarticRoots(double a, double b, double c, double d) {
   return roots;
 }
 
-/// One Newton step, kept if it helps: closed forms lose digits where roots are close.
+/// One Newton step, kept if it helps: closed forms lose digits at close roots.
 double polished(const std::array<double, 5>& c, double u) {
   const auto value = [&c](double x) { return (((c[4] * x + c[3]) * x + c[2]) * x + c[1]) * x + c[0]; };
   const double slope = ((4.0 * c[4] * u + 3.0 * c[3]) * u + 2.0 * c[2]) * u + c[1];
@@ -137,7 +137,7 @@ std::optional<double> firstFallClosedForm(const Quartic& q, double from, double 
     const double after = i + 1 < roots.size() ? 0.5 * (roots[i] + roots[i + 1]) : 0.5 * (roots[i] + 1.0);
     if (q.at(after) < 0.0 || (roots[i] == 1.0 && q.b[4] <= 0.0)) return roots[i];
   }
-  // Rounding hid a root that the ends prove.
+  // Rounding has hidden a root, though the signs at the ends prove it.
   return q.b[4] < 0.0 ? firstFallIsolated(q, from, tolerance) : std::nullopt;
 }
 
@@ -157,8 +157,6 @@ RealRoots realRoots(const std::array<double, 5>& c) {
   }
   return roots;
 }
-
-// Sums, products and de Casteljau's scheme.
 
 namespace {
 

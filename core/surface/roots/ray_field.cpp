@@ -1,4 +1,4 @@
-// core/surface/roots/ray_field.cpp: terms along a ray, their sums and breakpoints.
+// core/surface/roots/ray_field.cpp: terms along a ray, their sums, and a search from breakpoint to breakpoint.
 #include "core/surface/roots/ray_field.h"
 
 #include <algorithm>
@@ -6,12 +6,11 @@
 #include <type_traits>
 
 #include "core/geometry/at.h"
-#include "core/surface/roots/polynomial.h"
 
 namespace sinew {
 namespace {
 
-void add(RaySample& sum, const RaySample& part) {
+void add(ValueAndSlope& sum, const ValueAndSlope& part) {
   sum.value += part.value;
   sum.slope += part.slope;
 }
@@ -71,7 +70,7 @@ void RayField::addShaped(const PosedPrimitive& primitive, float weight, int slot
   if (!isQuadratic && !stretches.items().empty()) shaped_.push_back(ray);
 }
 
-RaySample RayField::sampleShaped(const RayTerm& term, double t) const {
+ValueAndSlope RayField::sampleShaped(const RayTerm& term, double t) const {
   const ShapedRay& ray = at(shaped_, term.shaped);
   const glm::dvec3 p = ray.at(t);
   const double w = 1.0 - ray.shape.rSquared(p);
@@ -79,21 +78,20 @@ RaySample RayField::sampleShaped(const RayTerm& term, double t) const {
   return {term.factor * w * w, -2.0 * term.factor * w * glm::dot(ray.shape.rSquaredSlope(p), ray.along)};
 }
 
-inline RaySample RayField::sampleTerm(const RayTerm& term, double t) const {
+inline ValueAndSlope RayField::sampleTerm(const RayTerm& term, double t) const {
   if (term.shaped >= 0) return sampleShaped(term, t);
   const double w = 1.0 - term.rSquared(t);
   if (w <= 0.0 || t < term.enter || t > term.leave || (t == term.leave && term.goesOn)) return {};
   return {term.factor * w * w, -4.0 * term.factor * w * (term.a * t + term.b)};
 }
 
-RaySample RayField::sample(double t, RayScratch& scratch) const {
-  RaySample everywhere{-iso_, 0.0};
+ValueAndSlope RayField::sample(double t, RayScratch& scratch) const {
+  ValueAndSlope everywhere{-iso_, 0.0};
   if (cliques_->empty()) {
     for (const RayTerm& term : terms_) add(everywhere, sampleTerm(term, t));
-    // Without cliques all positive terms form one sum: nothing to take the maximum of.
     return everywhere;
   }
-  std::vector<RaySample>& ofSlot = scratch.ofSlot;
+  std::vector<ValueAndSlope>& ofSlot = scratch.ofSlot;
   ofSlot.clear();
   for (const RayTerm& term : terms_) {
     if (term.slot == RayTerm::kEverySum) {
@@ -104,9 +102,9 @@ RaySample RayField::sample(double t, RayScratch& scratch) const {
     if (ofSlot.size() <= slot) ofSlot.resize(slot + 1);
     add(ofSlot[slot], sampleTerm(term, t));
   }
-  RaySample best;
+  ValueAndSlope best;
   for (const std::vector<int>& clique : *cliques_) {
-    RaySample sum;
+    ValueAndSlope sum;
     for (const int slot : clique) {
       if (static_cast<std::size_t>(slot) < ofSlot.size()) add(sum, at(ofSlot, slot));
     }
@@ -135,8 +133,6 @@ double RayField::lastLeave() const {
   return last;
 }
 
-// Marches over the stretches between breakpoints until phi changes sign.
-
 namespace {
 
 Quartic quarticOf(const RayTerm& term, double begin, double end) {
@@ -147,7 +143,7 @@ Quartic quarticOf(const RayTerm& term, double begin, double end) {
   return squareOfQuadratic(w0, w1, w2);
 }
 
-/// (1 - r^2)^2 of one term on a stretch.
+/// (1 - r^2)^2 of one term on an interval.
 template <class Polynomial>
 Polynomial polynomialOf(const RayField& field, const RayTerm& term, double begin, double end) {
   if constexpr (std::is_same_v<Polynomial, Bernstein>) {
@@ -161,7 +157,7 @@ Polynomial polynomialOf(const RayField& field, const RayTerm& term, double begin
 
 bool isActive(const RayTerm& term, double t) { return t > term.enter && t < term.leave; }
 
-/// phi on one stretch as polynomials, one per clique, all multiplied by the sign phi has at the ray's start: out.sums.
+/// out.sums: phi on one interval as polynomials, one per clique, all multiplied by the sign of phi at the ray's start.
 template <class Polynomial>
 void fillSums(const RayField& field, double begin, double end, double sign, PolynomialSums<Polynomial>& out) {
   std::vector<Polynomial>& ofSlot = out.ofSlot;
@@ -197,31 +193,22 @@ void fillSums(const RayField& field, double begin, double end, double sign, Poly
   }
 }
 
-/// How a root is to be found.
 struct Search {
   ProjectionKind method;
   double tolerance;
 };
 
-std::optional<double> firstFall(const Quartic& q, double from, const Search& search) {
-  switch (search.method) {
-    case ProjectionKind::kAnalytic:
-      return firstFallClosedForm(q, from, search.tolerance);
-    case ProjectionKind::kBisection:
-      return firstFallIsolated(q, from, search.tolerance, BracketSolver::kBisection);
-    case ProjectionKind::kNewton:
-      break;
+/// Above degree 4 there is no closed form: `analytic` isolates the root and takes Newton steps.
+template <class Polynomial>
+std::optional<double> firstFall(const Polynomial& q, double from, const Search& search) {
+  if constexpr (std::is_same_v<Polynomial, Quartic>) {
+    if (search.method == ProjectionKind::kAnalytic) return firstFallClosedForm(q, from, search.tolerance);
   }
-  return firstFallIsolated(q, from, search.tolerance);
-}
-
-/// Above degree 4 there is no closed form: `analytic` isolates and goes on by Newton's steps.
-std::optional<double> firstFall(const Bernstein& q, double from, const Search& search) {
   const bool halves = search.method == ProjectionKind::kBisection;
   return firstFallIsolated(q, from, search.tolerance, halves ? BracketSolver::kBisection : BracketSolver::kNewton);
 }
 
-/// Where the largest of the sums falls to 0: follows one clique until it falls, then whichever still stands.
+/// Where the largest of the sums falls to 0: follows one clique until it falls, then one that is still positive.
 template <class Polynomial>
 std::optional<double> firstFallOfMaximum(const std::vector<Polynomial>& sums, const Search& search) {
   double u = 0.0;
@@ -232,14 +219,14 @@ std::optional<double> firstFallOfMaximum(const std::vector<Polynomial>& sums, co
     const std::optional<double> fall = firstFall(*highest, u, search);
     if (!fall) return std::nullopt;
     u = std::max(*fall, u);
-    const bool anotherStands =
+    const bool anotherIsPositive =
         std::ranges::any_of(sums, [&](const Polynomial& q) { return &q != &*highest && q.at(u) > 1e-12; });
-    if (!anotherStands) return u;
+    if (!anotherIsPositive) return u;
   }
   return u;
 }
 
-/// phi < 0 at the start: the first of the sums that reaches 0 (they were negated).
+/// For phi < 0 at the start: where the first of the negated sums reaches 0.
 template <class Polynomial>
 std::optional<double> firstFallOfAny(const std::vector<Polynomial>& sums, const Search& search) {
   std::optional<double> first;
@@ -250,10 +237,10 @@ std::optional<double> firstFallOfAny(const std::vector<Polynomial>& sums, const 
   return first;
 }
 
-/// As firstChange, on [0, 1] of one stretch.
+/// firstChange() on one interval, mapped to [0, 1].
 template <class Polynomial>
-std::optional<double> changeOnStretch(const RayField& field, double begin, double end, bool fromPositive,
-                                      const Search& search, PolynomialSums<Polynomial>& memory) {
+std::optional<double> changeWithin(const RayField& field, double begin, double end, bool fromPositive,
+                                   const Search& search, PolynomialSums<Polynomial>& memory) {
   fillSums(field, begin, end, fromPositive ? 1.0 : -1.0, memory);
   return fromPositive ? firstFallOfMaximum(memory.sums, search) : firstFallOfAny(memory.sums, search);
 }
@@ -268,15 +255,8 @@ bool isQuarticOn(const RayField& field, double begin, double end) {
 }  // namespace
 
 const char* nameOf(ProjectionKind projection) {
-  switch (projection) {
-    case ProjectionKind::kNewton:
-      return "newton";
-    case ProjectionKind::kBisection:
-      return "bisection";
-    case ProjectionKind::kAnalytic:
-      break;
-  }
-  return "analytic";
+  if (projection == ProjectionKind::kNewton) return "newton";
+  return projection == ProjectionKind::kBisection ? "bisection" : "analytic";
 }
 
 std::optional<ProjectionKind> projectionKindNamed(const std::string& name) {
@@ -296,8 +276,8 @@ std::optional<double> firstChange(const RayField& field, double begin, double en
     const double from = breaks[i];
     const double to = breaks[i + 1];
     const auto root = isQuarticOn(field, from, to)
-                          ? changeOnStretch(field, from, to, fromPositive, search, scratch.quartics)
-                          : changeOnStretch(field, from, to, fromPositive, search, scratch.polynomials);
+                          ? changeWithin(field, from, to, fromPositive, search, scratch.quartics)
+                          : changeWithin(field, from, to, fromPositive, search, scratch.polynomials);
     if (root) return breaks[i] + *root * length;
   }
   return std::nullopt;

@@ -1,4 +1,4 @@
-// tests/support/surface/scalar_patches.h: the reference of patch_kernel.h: its operations in the same order, without
+// tests/support/surface/scalar_patches.h: the reference of patch_kernel.cpp: its operations in the same order, without
 // vectors.
 #pragma once
 
