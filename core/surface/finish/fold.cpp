@@ -1,7 +1,6 @@
-// core/surface/finish/fold.cpp: areas along the patch, and how much the patch faces along its normals.
+// core/surface/finish/fold.cpp: fronts of triangles; one look at all moved triangles, then only around folds.
 #include "core/surface/finish/fold.h"
 
-#include <algorithm>
 #include <utility>
 
 #include "core/geometry/parallel.h"
@@ -10,7 +9,7 @@
 namespace sinew {
 namespace {
 
-/// Ratio of a patch triangle's front to its front in the bind pose, from which on its area is trusted fully.
+/// Ratio of a patch triangle's front to its front in the bind pose from which its area is trusted fully.
 constexpr float kWholeFront = 0.05f;
 
 }  // namespace
@@ -31,8 +30,6 @@ float trustIn(const Refinement& refinement, std::size_t triangle, const PatchVie
   const float front = frontOf(refinement.triangles[triangle], face, patch).ratio();
   return smoothstep(0.0f, kWholeFront, front / bindFront);
 }
-
-// One look at all moved triangles, then only around those that fold.
 
 void FoldRegion::find(const ControlMesh& mesh, const Refinement& refinement, const VertexRings& rings,
                       const MovedTriangles& moved, const PatchView& patch, const VertexPairs& pairs,
@@ -60,7 +57,7 @@ void FoldRegion::find(const ControlMesh& mesh, const Refinement& refinement, con
 
 void FoldRegion::findShrunk(std::span<const int> asked, const VertexPairs& pairs, float least) {
   constexpr std::size_t kFew = 2048;  // For one thread.
-  constexpr std::size_t kRoom = 4;    // Blocks but the last one are multiples of it.
+  constexpr std::size_t kRoom = 4;    // All blocks but the last are multiples of it.
   const FoldKernel kernel = foldKernel(chosenVectorSet());
   shrunk_.resize(asked.size() + kRoom);
   const auto list = [&](std::size_t begin, std::size_t end, int* shrunk) {

@@ -1,10 +1,9 @@
-// core/surface/finish/lifted_heights.cpp: places around all that has moved, and a list of what has a height.
+// core/surface/finish/lifted_heights.cpp: slopes bounded by shortest paths; a filter of four rounds.
 #include "core/surface/finish/lifted_heights.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "core/geometry/at.h"
 #include "core/geometry/parallel.h"
 #include "core/geometry/potential.h"
 
@@ -38,17 +37,15 @@ float LiftedHeights::distance(int a, int b) const {
   return std::sqrt(x * x + y * y + z * z);
 }
 
-// Shortest paths from what is low, begun where a height is too steep.
-
 namespace {
 
-/// What a height leaves to a vertex of height `other` at the other end of a step of that length.
+/// Bound by a vertex of this height for one of height `other` at the given distance.
 float leftBy(float height, float other, float length) {
   const float own = height != 0.0f && (height > 0.0f) == (other > 0.0f) ? std::abs(height) : 0.0f;
   return own + SlopeBound::kSlope * length;
 }
 
-/// All that a path can go to from a vertex in one step; the vertex itself may be among them.
+/// Visits the vertices one step of a path away; may include the vertex itself.
 template <class Visit>
 void forEachStep(const VertexRings& rings, int vertex, Visit visit) {
   for (const int neighbor : rings.at(vertex)) visit(neighbor);
@@ -72,10 +69,10 @@ void SlopeBound::findSteep(const LiftedHeights& heights) {
   }));
 }
 
-/// Dijkstra's algorithm with every height as a start. Only vertices that are too steep for another one a step away can
-/// be lowered first; so the search begins at those, and reaches others where a lowered one is too low for them. The
-/// lowest offer is final when it is taken, since each further step adds to it. Sums of floats grow with both their
-/// terms: the least over all paths is the same bits in whatever order it is found.
+/// Dijkstra's algorithm from every height. It starts at the vertices that are too steep against one a step away, the
+/// only ones that can be lowered first, and reaches others from lowered ones. The lowest offer is final, since each
+/// further step adds to it. Sums of floats are monotone in both terms, so the least over all paths has the same bits
+/// in whatever order it is found.
 std::span<const int> SlopeBound::lower(LiftedHeights& heights) {
   const VertexRings& rings = heights.rings();
   findSteep(heights);
@@ -107,14 +104,12 @@ std::span<const int> SlopeBound::lower(LiftedHeights& heights) {
   return lowered_;
 }
 
-// Weights from the first differences, then four rounds where they are not 0.
-
 namespace {
 
 constexpr float kBentFrom = 0.15f;  ///< c up to which the mesh follows the heights.
-constexpr float kBentWhole = 0.5f;  ///< c from which the filter works whole.
-constexpr float kRisen = 0.1f;      ///< Height, in edges, from which a vertex passes its weight on whole.
-constexpr float kStep = 0.5f;       ///< Fraction of the way to the mean, per round.
+constexpr float kBentWhole = 0.5f;  ///< c from which the filter has its full weight.
+constexpr float kRisen = 0.1f;      ///< Height, in edges, from which a vertex passes on its full weight.
+constexpr float kStep = 0.5f;       ///< Fraction of the difference to the mean, per round.
 
 /// Sum over a ring of height differences per length.
 float differenceOf(std::span<const int> ring, const SixEdges* edges, float own, std::span<const float> heights) {
@@ -152,12 +147,12 @@ bool LiftFilter::weigh(const LiftedHeights& lifted, std::size_t vertices) {
   const VertexRings& rings = lifted.rings();
   for (std::size_t i = 0; i < sums_.size(); ++i) {
     const int vertex = lifted.lifted()[i];
-    // (M - 1) s = difference / perLength; the mean length is the number of neighbors over that.
+    // (M - 1) s = difference / perLength; the mean length is the number of neighbors / perLength.
     const float bent = std::abs(sums_[i].difference) * at(rings.share, vertex);
     if (bent <= kBentFrom) continue;
     const float weight = smoothstep(kBentFrom, kBentWhole, bent);
     raise(vertex, weight);
-    // Else a vertex that begins to move beside high ones would lower them at once.
+    // Otherwise a vertex that starts to move beside high ones would lower them at once.
     const float rise = std::abs(lifted.height(vertex)) * sums_[i].perLength * at(rings.share, vertex);
     const float passed = weight * smoothstep(0.0f, kRisen, rise);
     if (passed == 0.0f) continue;
@@ -194,10 +189,8 @@ void LiftFilter::evenOut(const VertexRings& rings, std::span<const float> height
   }
 }
 
-/// Lowers heights that the refined edges cannot follow, by a few steps towards the mean of the neighbors, weighted by
-/// 1/length: that mean leaves heights alone that grow evenly. The sums over the edges decide where the filter works and
-/// serve its first round; the other rounds visit only vertices with a weight, usually few. A round reads only the
-/// heights of the one before, so that the order of vertices does not matter. docs/design.md, Sampling.
+/// The sums over the edges decide where the filter works and serve its first round. The other rounds visit only the
+/// vertices with a weight, usually few, and read only the heights of the round before.
 std::span<const float> LiftFilter::apply(const LiftedHeights& lifted, std::span<const glm::vec3> patch,
                                          std::span<glm::vec3> positions, std::span<float> heights) {
   measure(lifted);
