@@ -1,37 +1,28 @@
-// core/surface/preparation.cpp: attach, refine, and read the bind pose; what did not change is shared.
+// core/surface/preparation.cpp: attaches, refines and reads the bind pose; shares unchanged parts.
 #include "core/surface/preparation.h"
 
 #include <algorithm>
-#include <span>
 #include <string>
-#include <vector>
 
 #include "core/geometry/at.h"
 #include "core/geometry/creases.h"
 #include "core/geometry/instruction_set.h"
 #include "core/geometry/parallel.h"
-#include "core/rig/mesh_layers.h"
 #include "core/rig/validation.h"
 #include "core/surface/adaptive_levels.h"
 #include "core/surface/finish/crease_lift.h"
 #include "core/surface/finish/fold.h"
-#include "core/surface/finish/vertex_rings.h"
 #include "core/surface/patches/patch.h"
-#include "core/surface/projection/candidates.h"
 #include "core/surface/projection/rise.h"
 #include "sinew/geometry/control_mesh.h"
-#include "sinew/surface/surface.h"
 
 namespace sinew {
 namespace {
 
-// Implicit, straddling and normal control triangles (paper 3).
-// Counts the corners inside.
+constexpr std::size_t kFewClassified = 4096;  ///< Triangles for one thread.
 
-constexpr std::size_t kFewClassified = 4096;  ///< Triangles or vertices for one thread.
-
-/// Implicit where omega is 1 at all three corners, normal where it is 0 at all, straddling between.
-/// @param omega [V] 0 or 1.  @return [T]
+/// [T] Implicit with omega = 1 at all three corners, normal with 0 at all, straddling otherwise (paper 3).
+/// @param omega [V] 0 or 1.
 std::vector<TriangleClass> classifyTriangles(const ControlMesh& mesh, std::span<const float> omega) {
   std::vector<TriangleClass> classes(mesh.triangles.size());
   forEachIndex(classes.size(), kFewClassified, [&](std::size_t t) {
@@ -44,7 +35,7 @@ std::vector<TriangleClass> classifyTriangles(const ControlMesh& mesh, std::span<
   return classes;
 }
 
-/// omega in `swell`, where only the overlay and the report ask: 1 inside some influence, else 0.  @return [V]
+/// [V] omega in `swell`, used only by the overlay and the report: 1 inside some influence, else 0.
 std::vector<float> influenceWeights(const ControlMesh& mesh, const FieldView& bindField) {
   std::vector<float> omega(mesh.positions.size(), 0.0f);
   forEachIndex(omega.size(), kFewClassified / 4, [&](std::size_t v) {
@@ -57,9 +48,9 @@ std::vector<float> influenceWeights(const ControlMesh& mesh, const FieldView& bi
   return omega;
 }
 
-constexpr double kRootTolerance = 1e-6;  ///< Fraction of H: a hundredth of the agreement docs/design.md promises.
-constexpr float kSearchLength = 0.2f;    ///< L of `replace`, fraction of H.
-constexpr std::int64_t kMaxRefinedVertices = 16'000'000;  ///< 8 GiB: half a KiB each with all that is kept.
+constexpr double kRootTolerance = 1e-6;                   ///< Fraction of H.
+constexpr float kSearchLength = 0.2f;                     ///< L of `replace`, fraction of H.
+constexpr std::int64_t kMaxRefinedVertices = 16'000'000;  ///< 8 GiB: half a KiB each with all tables.
 
 Result<void> checkSize(const ControlMesh& mesh, int depth) {
   const std::int64_t vertices = refinedVertexCount(mesh, depth);
@@ -117,7 +108,7 @@ Result<std::shared_ptr<const AttachedRig>> attachRig(const Rig& rig, const Chara
   return std::shared_ptr<const AttachedRig>(std::move(attached));
 }
 
-/// The candidate lists without hidden primitives, and how many are left.
+/// Sets the candidate lists without hidden primitives, and the number of shown ones.
 void hide(std::span<const int> hidden, const Preparation* former, Preparation& next) {
   const Attachment& attachment = next.attached->attachment;
   next.hidden.assign(hidden.begin(), hidden.end());
@@ -137,8 +128,7 @@ std::shared_ptr<const ControlMesh> creasedMesh(const ControlMesh& mesh, float de
   return hasCreases(*result) ? result : nullptr;
 }
 
-/// Control triangles around a region that are refined with it: what is done about folds and steep skin looks around,
-/// seldom further than this.
+/// Rings of control triangles refined around a region: steps against folds and steep skin seldom reach further.
 constexpr int kRegionMargin = 3;
 
 /// Adds triangles that share a vertex with the region.
@@ -153,9 +143,8 @@ void growRegion(const ControlMesh& mesh, Region& region) {
   }
 }
 
-/// Levels of the region and of its margin as they are, all others 1. Edges at refined triangles keep theirs, so that
-/// nothing opens between the two.
-/// @param region [T]
+/// Keeps levels in the region and its margin; all others become 1. Edges at refined triangles keep theirs, so that no
+/// crack opens at the border.  @param region [T]
 RefinementLevels inRegion(const ControlMesh& mesh, RefinementLevels levels, const Region& region) {
   Region refined = region;
   for (int ring = 0; ring < kRegionMargin; ++ring) growRegion(mesh, refined);
@@ -206,7 +195,7 @@ std::shared_ptr<const VertexTiles> tilesOf(const Preparation& next, const Prepar
   return std::make_shared<const VertexTiles>(makeVertexTiles(next.mesh(), next.refinement(), *next.seen));
 }
 
-/// What is read off the patch in the bind pose.
+/// Sets the tables made from the patch in the bind pose.
 void readBindPatch(const Preparation* former, Preparation& next) {
   const bool known = former && former->refined == next.refined && former->smoothing.patch == next.smoothing.patch;
   if (known) {

@@ -1,4 +1,4 @@
-// core/surface/region.cpp: regions of bones and of parts.
+// core/surface/region.cpp: regions from bones and from parts.
 #include "sinew/surface/region.h"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// core/surface/workspace.h: memory for smoothing one surface after the other. One a thread.
+// core/surface/workspace.h: memory for smoothing one surface after another. One per thread.
 #pragma once
 
 #include <span>
@@ -16,7 +16,7 @@
 
 namespace sinew {
 
-/// Kept from pose to pose, so that a frame allocates nothing; never read before it is written in the same frame.
+/// Reused from pose to pose, so that a frame allocates nothing; never read before it is written in the same frame.
 struct Workspace {
   std::vector<glm::vec3> patchPositions;  ///< [V'] world; the surface before projection.
   std::vector<glm::vec3> patchNormals;    ///< [V']
