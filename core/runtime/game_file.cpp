@@ -11,12 +11,12 @@ namespace {
 
 using gamefile::Head;
 
-/// What follows the head.
+/// The bytes after the head.
 Result<std::span<const std::byte>> gameBytes(std::span<const std::byte> file) {
   Head head;
-  if (file.size() < sizeof head) return errorAt("byte 0", "this is no game file of Sinew: it is too short");
+  if (file.size() < sizeof head) return errorAt("byte 0", "this is not a Sinew game file: it is too short");
   std::memcpy(&head, file.data(), sizeof head);
-  if (head.magic != gamefile::kMagic) return errorAt("byte 0", "this is no game file of Sinew");
+  if (head.magic != gamefile::kMagic) return errorAt("byte 0", "this is not a Sinew game file");
   if (head.version != gamefile::kVersion) {
     return errorAt("byte 8", "expected version " + std::to_string(gamefile::kVersion) + ", got " +
                                  std::to_string(head.version) + ": export the character again");
@@ -26,7 +26,7 @@ Result<std::span<const std::byte>> gameBytes(std::span<const std::byte> file) {
     return errorAt("byte 16", "the file should have " + std::to_string(head.bytes) + " bytes after its head, it has " +
                                   std::to_string(rest.size()));
   }
-  if (head.sum != gamefile::sumOf(rest)) return errorAt("byte 24", "the file is damaged: its sum is another");
+  if (head.sum != gamefile::sumOf(rest)) return errorAt("byte 24", "the file is damaged: its checksum does not match");
   return rest;
 }
 
