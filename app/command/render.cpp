@@ -27,7 +27,7 @@
 #include "core/files/disk/atomic_file.h"
 #include "core/geometry/stopwatch.h"
 #include "core/rig/mesh_layers.h"
-#include "core/surface/projection/anchors.h"
+#include "core/surface/projection/replace.h"
 #include "sinew/character/pose_check.h"
 #include "sinew/geometry/result.h"
 #include "sinew/surface/smoother.h"

@@ -1,4 +1,4 @@
-// core/runtime/c_handles.h: what is behind the handles of the C interface, and how its functions fail.
+// core/runtime/c_handles.h: the structs behind the handles of the C interface, and its errors.
 #pragma once
 
 #include <memory>
@@ -22,13 +22,13 @@ struct sinew_smoother {
   sinew_character of;
   sinew::Smoother smoother;
   sinew::Surface surface;
-  sinew::Pose pose{};                       ///< Memory kept from frame to frame.
+  sinew::Pose pose{};                       ///< Reused from frame to frame.
   std::vector<sinew::IndexRange> ranges{};  ///< Of materials.
 };
 
 namespace sinew::capi {
 
-/// Keeps the reason for sinew_error(), shortened where it is very long; allocates nothing for it.
+/// Keeps the reason for sinew_error(), truncated if very long; does not allocate.
 sinew_code fail(sinew_code code, const char* reason);
 sinew_code fail(sinew_code code, const Error& error);
 

@@ -1,4 +1,4 @@
-// core/runtime/c_smoother.cpp: the C interface of smoothers and of what they write.
+// core/runtime/c_smoother.cpp: the C interface of smoothers and their buffers.
 #include <algorithm>
 #include <cstring>
 #include <optional>
@@ -17,7 +17,7 @@ std::optional<BufferVertices> verticesOf(sinew_vertices vertices) {
   return std::nullopt;
 }
 
-/// The rig with the detail that was asked for.
+/// The rig with the requested detail.
 Result<Rig> detailed(Rig rig, const sinew_detail* detail) {
   if (detail == nullptr || (detail->depth == 0 && detail->tolerance == 0.0f)) return rig;
   if (detail->depth != 0 && detail->tolerance != 0.0f) return errorAt("detail", "give depth or tolerance, not both");
@@ -43,7 +43,7 @@ Result<Region> regionOf(const Character& character, const sinew_detail* detail) 
   return regionOfBones(character, bones);
 }
 
-/// Prepares it; its first surface is the bind pose's, so that there always is one.
+/// Prepares the smoother and makes the surface of the bind pose, so that there always is one.
 sinew_code finish(std::unique_ptr<sinew_smoother> made, const sinew_detail* detail, sinew_smoother** out) {
   const auto rig = detailed(made->of.rig, detail);
   if (!rig) return fail(SINEW_BAD_ARGUMENT, rig.error());
@@ -79,7 +79,7 @@ Result<VertexLayout> layoutOf(const sinew_layout& from) {
   return layout;
 }
 
-/// The caller's pose as one of C++, in memory that is kept.
+/// Converts the caller's pose, reusing memory.
 Result<void> takePose(const Character& character, const sinew_pose& from, Pose& to) {
   if (from.bones == nullptr) return errorAt("pose", "bones: null");
   const std::size_t bones = std::min(from.bone_count, character.skeleton.bones.size());

@@ -1,5 +1,5 @@
-// core/runtime/game_check.cpp: a character is checked part by part; the first mistake is the answer.
-#include "core/runtime/game_check.h"
+// core/runtime/game_check.cpp: checks a character part by part, up to the first error.
+#include "core/runtime/game_file.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,12 +10,12 @@
 namespace sinew::gamefile {
 namespace {
 
-// As the import has them (sinew/files/gltf_import.h).
+// The limits of the import (sinew/files/gltf_import.h).
 constexpr std::size_t kMostTriangles = 2'000'000;
 constexpr std::size_t kMostBones = 4096;
 constexpr std::size_t kMostNodes = 1U << 18;
 constexpr std::size_t kMostPathBytes = 64U << 20;
-constexpr float kMostLength = 1e15f;  ///< Beyond it squares of lengths overflow.
+constexpr float kMostLength = 1e15f;  ///< Squares of larger lengths overflow.
 constexpr float kWeightsOff = 1e-3f;
 
 bool isIndex(int index, std::size_t size) { return index >= 0 && toIndex(index) < size; }
@@ -43,7 +43,7 @@ Result<void> checkNodes(const std::vector<Node>& nodes) {
   if (nodes.size() > kMostNodes) return errorAt("nodes", "more than " + std::to_string(kMostNodes) + " nodes");
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     if (nodes[i].parent < -1 || nodes[i].parent >= static_cast<int>(i)) {
-      return wrongAt("nodes", i, "its parent must stand before it");
+      return wrongAt("nodes", i, "its parent must come before it");
     }
     if (nodes[i].rest.matrix && !isAffine(*nodes[i].rest.matrix))
       return wrongAt("nodes", i, "its matrix is not affine");
@@ -51,7 +51,7 @@ Result<void> checkNodes(const std::vector<Node>& nodes) {
   return {};
 }
 
-/// Bones' parents are the nearest bones above their nodes.
+/// Sets the parent of each bone to the nearest bone above its node.
 Result<void> linkBones(Skeleton& skeleton) {
   std::vector<int> boneOf(skeleton.nodes.size(), -1);
   std::vector<Bone>& bones = skeleton.bones;
@@ -74,7 +74,7 @@ Result<void> linkBones(Skeleton& skeleton) {
     if (boneOf[n] < 0) continue;
     Bone& bone = at(bones, boneOf[n]);
     bone.parent = above;
-    if (above >= boneOf[n]) return wrongAt("bones", toIndex(boneOf[n]), "its parent must stand before it");
+    if (above >= boneOf[n]) return wrongAt("bones", toIndex(boneOf[n]), "its parent must come before it");
     std::size_t& own = at(length, boneOf[n]);
     own = bone.name.size() + 8 + (above < 0 ? 0 : at(length, above));
     pathBytes += own;
@@ -100,7 +100,7 @@ Result<void> checkSkeleton(Skeleton& skeleton) {
   for (std::size_t i = 0; i < skeleton.bindings.size(); ++i) {
     const Binding& binding = skeleton.bindings[i];
     if (!isIndex(binding.bone, bones)) return outOf("bindings", i, "bone", binding.bone, bones);
-    if (i < bones && toIndex(binding.bone) != i) return wrongAt("bindings", i, "the first ones are the bones' own");
+    if (i < bones && toIndex(binding.bone) != i) return wrongAt("bindings", i, "the first ones must be the bones' own");
     if (!isAffine(binding.inverseBind)) return wrongAt("bindings", i, "its matrix is not affine");
   }
   return {};
@@ -109,7 +109,7 @@ Result<void> checkSkeleton(Skeleton& skeleton) {
 Result<void> checkInfluences(const ControlMesh& mesh, std::size_t bindings) {
   if (mesh.influenceBegin.size() != mesh.positions.size() + 1 || mesh.influenceBegin.front() != 0 ||
       mesh.influenceBegin.back() != static_cast<int>(mesh.influences.size())) {
-    return errorAt("influences", "they are not those of the vertices");
+    return errorAt("influences", "they do not match the vertices");
   }
   for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
     if (mesh.influenceBegin[v] >= mesh.influenceBegin[v + 1] ||
@@ -168,7 +168,7 @@ Result<void> checkMesh(const Character& character) {
   }
   for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
     const glm::vec3 size = glm::abs(mesh.positions[v]);
-    if (std::max({size.x, size.y, size.z}) > kMostLength) return wrongAt("vertices", v, "it lies too far off");
+    if (std::max({size.x, size.y, size.z}) > kMostLength) return wrongAt("vertices", v, "it lies too far away");
   }
   if (Result<void> sound = checkInfluences(mesh, character.skeleton.bindings.size()); !sound) return sound;
   return checkTriangles(mesh, character.materials.size(), character.parts.size());
@@ -178,7 +178,7 @@ Result<void> checkMorphs(const Character& character) {
   for (std::size_t k = 0; k < character.morphTargets.size(); ++k) {
     const MorphTarget& target = character.morphTargets[k];
     if (target.vertices.size() != target.deltas.size()) {
-      return wrongAt("morphTargets", k, "vertices and deltas are not as many");
+      return wrongAt("morphTargets", k, "vertices and deltas differ in number");
     }
     int before = -1;
     for (const int vertex : target.vertices) {
@@ -214,7 +214,7 @@ Result<void> checkClip(const Character& character, std::size_t number) {
     }
     if (!areTimes(channel.times)) return wrongAt("clips", number, "the times of a channel do not ascend");
     if (channel.values.size() != channel.times.size() * valuesPerKey(channel.interpolation)) {
-      return wrongAt("clips", number, "times and values of a channel are not as many");
+      return wrongAt("clips", number, "times and values of a channel differ in number");
     }
   }
   const std::size_t targets = character.morphTargets.size();
@@ -226,7 +226,7 @@ Result<void> checkClip(const Character& character, std::size_t number) {
     if (!areTimes(channel.times)) return wrongAt("clips", number, "the times of a channel do not ascend");
     if (channel.values.size() !=
         channel.times.size() * toIndex(channel.targets) * valuesPerKey(channel.interpolation)) {
-      return wrongAt("clips", number, "times and values of a channel are not as many");
+      return wrongAt("clips", number, "times and values of a channel differ in number");
     }
   }
   return {};

@@ -1,4 +1,4 @@
-// core/runtime/game_file.h: the head of a game file. docs/games.md.
+// core/runtime/game_file.h: the head of a game file, and the check of the character in it. docs/games.md.
 #pragma once
 
 #include <array>
@@ -6,26 +6,33 @@
 #include <cstdint>
 #include <span>
 
+#include "sinew/character/character.h"
+#include "sinew/geometry/result.h"
+
 namespace sinew::gamefile {
 
 inline constexpr std::array<char, 8> kMagic{'S', 'i', 'n', 'e', 'w', 'G', 'm', '\n'};
 inline constexpr std::uint32_t kVersion = 1;
 
-/// Little endian, then `bytes` bytes.
+/// Little endian; `bytes` bytes follow.
 struct Head {
   std::array<char, 8> magic = kMagic;
   std::uint32_t version = kVersion;
   std::uint32_t reserved = 0;
   std::uint64_t bytes = 0;
-  std::uint64_t sum = 0;  ///< sumOf() them.
+  std::uint64_t sum = 0;  ///< sumOf() these bytes.
 };
 static_assert(sizeof(Head) == 32);
 
-/// FNV-1a over 64 bits: tells damage, proves nothing.
+/// 64-bit FNV-1a: detects damage, not forgery.
 [[nodiscard]] inline std::uint64_t sumOf(std::span<const std::byte> bytes) {
   std::uint64_t sum = 0xcbf29ce484222325U;
   for (const std::byte byte : bytes) sum = (sum ^ static_cast<std::uint64_t>(byte)) * 0x100000001b3U;
   return sum;
 }
+
+/// Checks every index, order and range of a character that was read (layout.h), and completes the skeleton. Edges and
+/// normals are still missing.
+[[nodiscard]] Result<void> checkCharacter(Character& character);
 
 }  // namespace sinew::gamefile

@@ -1,5 +1,5 @@
-// core/runtime/layout.h: the order of everything in a game file. A member that is added to one of these structs does
-// not compile here until it is written, or left out on purpose; then kVersion in core/runtime/game_file.h counts on.
+// core/runtime/layout.h: the layout of a game file. A member added to one of these structs does not compile here until
+// it is written or left out on purpose; then raise kVersion in core/runtime/game_file.h.
 #pragma once
 
 #include <bit>
@@ -19,14 +19,13 @@
 
 namespace sinew::gamefile {
 
-// Numbers, texts and lists as bytes, and back. Both ways have the same calls, so that
-// core/runtime/layout.h says the order once.
+// Writer and Reader have the same calls, so that fields() below defines the order for both.
 
 static_assert(std::endian::native == std::endian::little, "numbers are copied as they lie in memory");
 
 inline constexpr std::uint32_t kMostTextBytes = 65536;
 
-/// Nothing but floats, without space between them.
+/// Only floats, without padding.
 template <class T>
 inline constexpr bool kIsFloats =
     std::is_same_v<T, float> || std::is_same_v<T, glm::vec2> || std::is_same_v<T, glm::vec3> ||
@@ -64,7 +63,7 @@ class Writer {
     count(values.size());
     put(values.data(), values.size() * sizeof(int));
   }
-  /// Of things that have fields(). @param least  bytes of the shortest one
+  /// List of items with fields(). @param least  bytes of the shortest item
   template <class T>
   void list(const std::vector<T>& values, std::size_t least) {
     list(values, least, [this](const T& value) { fields(*this, value); });
@@ -98,7 +97,7 @@ class Writer {
   std::vector<std::byte> bytes_;
 };
 
-/// After the first mistake all that is read is empty, and nothing is allocated any more.
+/// After the first error, all that is read is empty and nothing more is allocated.
 class Reader {
  public:
   template <class T>
@@ -151,7 +150,7 @@ class Reader {
   void maybe(std::optional<T>& value, Item item) {
     if (byteUpTo(1) != 0) item(value.emplace());
   }
-  /// What is read from here on: the place of a mistake.
+  /// Names the part that is read next, for errors.
   void section(const char* name) { section_ = name; }
 
   [[nodiscard]] bool failed() const { return error_.has_value(); }
@@ -178,7 +177,7 @@ class Reader {
     refuse("expected a number from 0 to " + std::to_string(most) + ", got " + std::to_string(value));
     return 0;
   }
-  /// Of items of so many bytes at least: no more than the rest of the file can hold.
+  /// Number of items of at least `least` bytes each: no more than the rest of the file can hold.
   std::size_t count(std::size_t least) {
     std::uint32_t size = 0;
     take(&size, sizeof size);
@@ -224,7 +223,7 @@ void fields(A& a, typename A::template Ref<Node> value) {
   a.maybe(matrix, [&](auto& m) { a.floats(m); });
 }
 
-/// What finishBones() and the nodes do not tell.
+/// Without members that follow from nodes and finishBones().
 template <class A>
 void fields(A& a, typename A::template Ref<Bone> value) {
   auto& [name, path, node, parent, children, bindInWorld, inverseBindInWorld, tip] = value;
@@ -339,7 +338,7 @@ void fields(A& a, typename A::template Ref<AnimationClip> value) {
   a.list(morphChannels, 17);
 }
 
-/// The name alone.
+/// Only the name.
 template <class A>
 void fields(A& a, typename A::template Ref<Material> value) {
   a.text(value.name);
@@ -448,7 +447,7 @@ void fields(A& a, typename A::template Ref<SmoothingSettings> value) {
   auto& [depth, patch, alongNormals, creaseAngle, detail, tolerance, autoDepth, unknownKeys] = value;
   a.number(depth);
   a.choice(patch, PatchKind::kFlat);
-  std::uint8_t projection = alongNormals ? 2 : 0;  // Once one of three searches.
+  std::uint8_t projection = alongNormals ? 2 : 0;  // Formerly one of three searches.
   a.choice(projection, std::uint8_t{2});
   if constexpr (!std::is_const_v<std::remove_reference_t<decltype(value)>>) alongNormals = projection == 2;
   a.floats(creaseAngle);
@@ -523,7 +522,7 @@ void fields(A& a, typename A::template Ref<LayerChoice> value) {
   a.choice(layer, SkinLayer::kRigid);
 }
 
-/// Without what only an editor asks: paths, corrected parts of the body, keys from the future.
+/// Without members for editors: paths, corrected parts of the body, unknown keys.
 template <class A>
 void fields(A& a, typename A::template Ref<Rig> value) {
   auto& [character, surface, smoothing, groups, links, channels, lines, primitives, slots, morphs, clipFiles, layers,

@@ -1,4 +1,4 @@
-// core/runtime/vertex_buffer.cpp: members of vertices at strides, indices in order of materials.
+// core/runtime/vertex_buffer.cpp: writes members of vertices at strides, and indices by material.
 #include "sinew/runtime/vertex_buffer.h"
 
 #include <algorithm>
@@ -14,8 +14,7 @@
 namespace sinew {
 namespace {
 
-/// Vertices that one thread writes before another helps.
-constexpr std::size_t kLeastVertices = 16384;
+constexpr std::size_t kLeastVertices = 16384;  ///< For one thread.
 
 Result<void> checkMember(const char* name, std::ptrdiff_t offset, std::size_t size, std::size_t stride) {
   if (offset >= 0 && static_cast<std::size_t>(offset) <= stride && size <= stride - static_cast<std::size_t>(offset)) {
@@ -25,22 +24,12 @@ Result<void> checkMember(const char* name, std::ptrdiff_t offset, std::size_t si
                            " bytes from there do not fit vertices of " + std::to_string(stride) + " bytes");
 }
 
-Result<void> checkLength(std::size_t needed, std::size_t there, const char* what) {
-  if (there >= needed) return {};
-  return errorAt("buffer", "expected " + std::to_string(needed) + " " + what + ", got " + std::to_string(there));
-}
-
-/// Bytes up to the end of the last vertex's stride, however the members lie.
+/// The buffer must hold the last vertex's whole stride, wherever its members lie.
 Result<void> checkBuffer(std::size_t vertices, std::size_t stride, std::size_t bytes) {
   if (stride > 0 && bytes / stride >= vertices) return {};
   return errorAt("buffer", "expected " + std::to_string(vertices) + " vertices of " + std::to_string(stride) +
                                " bytes, got " + std::to_string(bytes) + " bytes");
 }
-
-/// As the graphics APIs have it: floats of -1..1 in 10 bits.
-std::uint32_t packedNormal(const glm::vec3& n) { return glm::packSnorm3x10_1x2(glm::vec4(n, 0.0f)); }
-
-std::uint64_t packedHalves(const glm::vec3& p) { return glm::packHalf4x16(glm::vec4(p, 1.0f)); }
 
 template <class ValueAt>
 void writeMember(std::size_t count, std::size_t stride, std::size_t offset, std::span<std::byte> out, ValueAt valueAt) {
@@ -53,7 +42,7 @@ void writeMember(std::size_t count, std::size_t stride, std::size_t offset, std:
   });
 }
 
-/// Refined triangles in order of materials, those of one in the mesh's order.
+/// Calls visit(triangle, material, place) with the place of each refined triangle by material and mesh order.
 template <class Visit>
 void byMaterial(const Refinement& refinement, const ControlMesh& mesh, Visit visit) {
   int last = 0;
@@ -70,8 +59,11 @@ void byMaterial(const Refinement& refinement, const ControlMesh& mesh, Visit vis
 template <class Index>
 Result<void> writeIndicesAs(const Refinement& refinement, const ControlMesh& mesh, BufferVertices vertices,
                             std::span<Index> out) {
-  if (Result<void> fits = checkLength(indexCount(refinement), out.size(), "indices"); !fits) return fits;
-  // The largest index restarts strips in some graphics APIs.
+  if (out.size() < indexCount(refinement)) {
+    return errorAt(
+        "buffer", "expected " + std::to_string(indexCount(refinement)) + " indices, got " + std::to_string(out.size()));
+  }
+  // In some graphics APIs the largest index restarts strips.
   if (vertexCount(refinement, vertices) > std::size_t{std::numeric_limits<Index>::max()}) {
     return errorAt("indices",
                    std::to_string(vertexCount(refinement, vertices)) + " vertices are too many for indices of 16 bits");
@@ -115,9 +107,9 @@ Result<void> writeVertices(const Surface& surface, const VertexLayout& layout, s
     if (offset >= 0) writeMember(count, layout.stride, static_cast<std::size_t>(offset), out, valueAt);
   };
   if (layout.positions == PositionFormat::kFloat) write(layout.position, positionAt);
-  else write(layout.position, [&](std::size_t i) { return packedHalves(positionAt(i)); });
+  else write(layout.position, [&](std::size_t i) { return glm::packHalf4x16(glm::vec4(positionAt(i), 1.0f)); });
   if (layout.normals == NormalFormat::kFloat) write(layout.normal, normalAt);
-  else write(layout.normal, [&](std::size_t i) { return packedNormal(normalAt(i)); });
+  else write(layout.normal, [&](std::size_t i) { return glm::packSnorm3x10_1x2(glm::vec4(normalAt(i), 0.0f)); });
   return {};
 }
 

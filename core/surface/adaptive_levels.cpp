@@ -1,13 +1,12 @@
-// core/surface/adaptive_levels.cpp: sample the surface finely, in some poses, and fit flat pieces to the samples.
+// core/surface/adaptive_levels.cpp: picks poses, samples the surface finely in them and fits flat pieces to the
+// samples.
 #include "core/surface/adaptive_levels.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <memory>
 #include <span>
 #include <utility>
-#include <vector>
 
 #include <glm/geometric.hpp>
 
@@ -16,32 +15,20 @@
 #include "core/geometry/parallel.h"
 #include "core/rig/motion_clip.h"
 #include "core/rig/posed_rig.h"
-#include "core/surface/patches/lattice.h"
-#include "core/surface/patches/level_fit.h"
+#include "core/surface/patches/levels.h"
 #include "core/surface/patches/sample_points.h"
-#include "core/surface/preparation.h"
 #include "core/surface/sampling.h"
-#include "core/surface/split_check.h"
 #include "sinew/character/character.h"
-#include "sinew/character/pose.h"
-#include "sinew/surface/refinement.h"
 
 namespace sinew {
 namespace {
 
-// The poses in which adaptive refinement looks at a surface.
-// Farthest-point sampling over what a pose does to muscles.
-
-/// The bind pose, relaxed and flexed, and those of the moments that differ most from it and from each other in how
-/// joints under muscles are bent, lines stretched and muscles' numbers driven: farthest-point sampling, at most
-/// kMostDetailPoses in all. A function of character and rig.
-inline constexpr int kMostDetailPoses = 8;
-
+constexpr int kMostDetailPoses = 8;
 constexpr int kMomentsOfClips = 96;  ///< In all, but at least kLeastOfClip of each.
 constexpr int kLeastOfClip = 4;
 constexpr int kMostMoments = 256;
-constexpr double kStretchWeight = 2.0;    ///< A line's stretch by 1 counts as much as a joint bent by two radians.
-constexpr double kLeastDifference = 0.1;  ///< Poses that are nearer show nothing new.
+constexpr double kStretchWeight = 2.0;    ///< Weight of a line stretched by 1, in radians of a joint.
+constexpr double kLeastDifference = 0.1;  ///< Poses closer to another add nothing.
 using Features = std::vector<float>;
 
 void addMoments(const Skeleton& skeleton, const AnimationClip& clip, int count, std::vector<Pose>& out) {
@@ -51,7 +38,7 @@ void addMoments(const Skeleton& skeleton, const AnimationClip& clip, int count, 
   }
 }
 
-/// How a bone is turned against its parent, compared with the bind pose.
+/// Rotation of a bone against its parent, compared with the bind pose.
 glm::mat3 turnOf(const Skeleton& skeleton, const Pose& pose, int bone) {
   const auto axes = [](const glm::mat4& m) {
     glm::mat3 out(m);
@@ -121,8 +108,8 @@ double squaredDifference(const Features& a, const Features& b) {
   return sum;
 }
 
-/// Moments of a character's clips and of its range of motion, some evenly spaced ones of each. Once a character: a clip
-/// that was made in memory does not count.
+/// Poses at evenly spaced sample times of a character's clips and of its range of motion. Made once per character;
+/// clips made in memory do not count.
 std::vector<Pose> detailMoments(const Character& character) {
   std::vector<Pose> moments;
   std::vector<const AnimationClip*> clips;
@@ -137,6 +124,8 @@ std::vector<Pose> detailMoments(const Character& character) {
   return moments;
 }
 
+/// The bind pose, relaxed and flexed, and the sample times that differ most from it and from each other in bent joints
+/// under muscles, stretched lines and driven numbers: farthest-point sampling, at most kMostDetailPoses in all.
 std::vector<Pose> detailPoses(const Character& character, const Rig& rig, const RigPoser& poser,
                               const std::vector<Pose>& moments) {
   std::vector<Pose> out{bindPose(character.skeleton)};
@@ -162,10 +151,9 @@ std::vector<Pose> detailPoses(const Character& character, const Rig& rig, const 
   return out;
 }
 
-// Cloth is split as finely as the skin that moves it.
-// The length of skin's pieces, handed on to what lies over it.
-
 constexpr float kNoPiece = std::numeric_limits<float>::max();
+
+/// Splits cloth as finely as the skin under it.
 
 class ClothSplitter {
  public:
@@ -194,7 +182,7 @@ class ClothSplitter {
     return glm::distance(at(mesh_.positions, a), at(mesh_.positions, b));
   }
 
-  /// Of the longest side.
+  /// Length of the longest side.
   [[nodiscard]] float longest(std::span<const int> corners) const {
     float length = 0.0f;
     for (std::size_t i = 0; i < corners.size(); ++i) {
@@ -225,33 +213,24 @@ class ClothSplitter {
   const MeshLayers& layers_;
   const ControlMesh& mesh_;
   RefinementLevels& levels_;
-  std::vector<float> pieces_;  ///< [V] of cloth: how long the skin's pieces are under it.
+  std::vector<float> pieces_;  ///< [V] for cloth: length of the skin's pieces under it.
 };
 
-/// Levels at which pieces of cloth are no longer than those of the skin under their corners, where that skin sees
-/// muscles. Never less than they were.
-/// @param next  attached  @param levels  in which the skin's are found
-RefinementLevels withClothLevels(const Preparation& next, RefinementLevels levels) {
-  if (next.layers() && next.layers()->hasCloth()) ClothSplitter(next, levels).run();
-  return levels;
-}
-
-// Samples along an edge: each number divides the next, so that a triangle finds its own among its edges'.
+// Samples along an edge: each number divides the next, so that a triangle's samples are among those of its edges.
 constexpr int kFewSamples = 2;
 constexpr int kAdaptiveLevelsSamples = 6;
 constexpr int kManySamples = 12;
-constexpr float kLongEdge = 0.015f;            ///< Fraction of H: longer ones can hide more than a few samples show.
+constexpr float kLongEdge = 0.015f;            ///< Fraction of H: a few samples miss too much of longer edges.
 constexpr std::size_t kSmallMesh = 8'000;      ///< Triangles up to which long edges are sampled finely at once.
 constexpr float kNormalCosine = 0.99027f;      ///< 8 degrees.
-constexpr float kWorthALook = 0.3f;            ///< Of the tolerance: few samples that are off by more call for many.
+constexpr float kWorthALook = 0.3f;            ///< Fraction of the tolerance from which few samples call for many.
 constexpr float kWorthCosine = 0.99863f;       ///< 3 degrees.
-constexpr float kAdaptiveLevelsMargin = 0.7f;  ///< Of the tolerance: inner points do not lie exactly where samples did.
-constexpr float kCheckMargin = 0.9f;           ///< Of the tolerance: there is more between samples.
+constexpr float kAdaptiveLevelsMargin = 0.7f;  ///< Of the tolerance, since inner points do not lie on samples.
+constexpr float kCheckMargin = 0.9f;           ///< Of the tolerance, for what lies between samples.
 
-/// Which edges and triangles are looked at, and how finely. What a piece shows follows from itself alone, whatever is
-/// looked at beside it.
+/// Edges and triangles to sample, and how finely. The result for each depends on itself alone.
 struct Look {
-  bool first = true;                    ///< With few samples, to see what is worth many.
+  bool first = true;                    ///< With few samples, to find where many are worth it.
   std::vector<std::uint8_t> edges;      ///< [E]
   std::vector<std::uint8_t> triangles;  ///< [T]
 };
@@ -288,7 +267,6 @@ class LevelSearch {
     return mesh_.triangles.size() <= kSmallMesh ? kManySamples : kAdaptiveLevelsSamples;
   }
 
-  /// In all poses.
   void take(const Look& look) {
     const std::vector<SampledPiece> pieces = sampledPieces(next_, look.edges, look.triangles);
     forEachIndex(pieces.size(), 1, [&](std::size_t i) { takePiece(pieces[i], look.first); });
@@ -322,7 +300,7 @@ class LevelSearch {
     return out;
   }
 
-  /// What is looked at in one pose.
+  /// Samples of one pose.
   struct View {
     const SampledPart& part;
     const Surface& surface;
@@ -362,7 +340,7 @@ class LevelSearch {
       needed = static_cast<std::uint8_t>(edgeLevel(fineSamples, divisorFrom(fine, needed), tolerance_));
   }
 
-  /// The least divisor of `fine` from `level` on.
+  /// The least divisor >= `level` of `fine`.
   static int divisorFrom(int fine, int level) {
     while (fine % level != 0) ++level;
     return level;
@@ -394,12 +372,12 @@ class LevelSearch {
   LevelTolerance tolerance_;
   LevelTolerance look_;
   std::vector<bool> isLongTriangle_;  ///< [T]
-  std::vector<bool> isLongEdge_;      ///< [E] of such a triangle.
+  std::vector<bool> isLongEdge_;      ///< [E] at such a triangle.
   std::vector<std::uint8_t> flaggedEdges_;
   std::vector<std::uint8_t> flaggedTriangles_;
 };
 
-/// Sides are split at least half as finely as what they enclose: its triangles end there.
+/// Splits sides at least half as finely as the inside, whose triangles end there.
 RefinementLevels withSides(const ControlMesh& mesh, RefinementLevels levels) {
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     const auto half = static_cast<std::uint8_t>(levels.triangles[t] / 2);
@@ -436,8 +414,9 @@ std::shared_ptr<const AdaptiveLevels> findLevels(const Preparation& next, std::s
     if (*(firstTriangle + static_cast<std::ptrdiff_t>(t))) out->checked[t].clear();
   }
   const float within = kCheckMargin * tolerance * next.character().height;
-  out->levels =
-      levelsThatFit(next, out->from.poses, within, withClothLevels(next, withSides(mesh, out->needed)), out->checked);
+  RefinementLevels levels = withSides(mesh, out->needed);
+  if (next.layers() && next.layers()->hasCloth()) ClothSplitter(next, levels).run();
+  out->levels = levelsThatFit(next, out->from.poses, within, std::move(levels), out->checked);
   return out;
 }
 

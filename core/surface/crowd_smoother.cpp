@@ -1,4 +1,4 @@
-// core/surface/crowd_smoother.cpp: a smoother for every thread that comes by.
+// core/surface/crowd_smoother.cpp: lends each thread a smoother.
 #include "sinew/surface/crowd_smoother.h"
 
 #include <atomic>
@@ -45,7 +45,7 @@ Result<void> CrowdSmoother::prepare(const Rig& rig, std::span<const int> hidden,
 
 bool CrowdSmoother::smooth(std::span<const Pose> poses, std::span<Surface> out) {
   assert(poses.size() == out.size());
-  const bool enough = poses.size() >= static_cast<std::size_t>(threadCount());  // For all threads: a surface each.
+  const bool enough = poses.size() >= static_cast<std::size_t>(threadCount());  // One surface for each thread.
   std::atomic<bool> all{true};
   forRanges(poses.size(), 1, [&](std::size_t begin, std::size_t end) {
     std::optional<ThreadLimit> one;

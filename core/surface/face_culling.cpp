@@ -1,4 +1,4 @@
-// core/surface/face_culling.cpp: triangles of one-sided materials that face away and that no muscle moves.
+// core/surface/face_culling.cpp: one-sided triangles that face away and that no muscle moves.
 #include "core/surface/face_culling.h"
 
 #include <algorithm>

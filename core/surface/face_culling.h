@@ -1,41 +1,41 @@
-// core/surface/face_culling.h: control triangles that no picture from an eye shows (paper 4.3).
+// core/surface/face_culling.h: control triangles that are invisible from an eye (paper 4.3).
 #pragma once
 
 #include <cstdint>
 #include <span>
 #include <vector>
 
-#include "core/surface/projection/carrier_walk.h"
-#include "core/surface/triangle_classes.h"
+#include "core/surface/projection/candidates.h"
 #include "sinew/character/character.h"
 #include "sinew/surface/refinement.h"
+#include "sinew/surface/surface.h"
 
 namespace sinew {
 
-/// One pose, after the patches and before projection. Spans need to live for the call only.
+/// One pose, after the patches and before projection. Spans are used only during the call.
 struct CullingScene {
   const Character& character;
   const Refinement& refinement;
   const FieldView& field;
-  std::span<const TriangleClass> classes;     ///< [T] in `replace`: all but normal ones move. Empty: `swell`.
+  std::span<const TriangleClass> classes;     ///< [T] in `replace`: all but normal triangles move. Empty: `swell`.
   std::span<const glm::vec3> patchPositions;  ///< [V'] world.
-  std::span<const SkinLayer> layers{};        ///< [T] cloth may follow skin that moves. Empty: all is skin.
+  std::span<const SkinLayer> layers{};        ///< [T] cloth may follow moving skin. Empty: all is skin.
 };
 
-/// What the eye may skip in one pose. A mark of 1 means skipped.
+/// Marks of one pose and eye; 1: skipped.
 struct FaceCulling {
   std::vector<std::uint8_t> triangles;  ///< [T] neither projected nor drawn.
-  std::vector<std::uint8_t> carriers;   ///< [V+E+T] not projected: touched by culled triangles alone.
+  std::vector<std::uint8_t> carriers;   ///< [V+E+T] not projected: only at culled triangles.
   int culled = 0;                       ///< Triangles.
 
-  /// Nothing is skipped; keeps its memory.
+  /// Skips nothing; keeps its memory.
   void clear();
 };
 
-/// Marks control triangles that leave no pixel in a picture from the eye: the material has one side, all small
-/// triangles of the patch face away, by a hair more than rounding to a pixel's 256th could turn, and no primitive moves
-/// any of their vertices. The paper asks three vertex normals alone; that removes visible pixels where a patch curves,
-/// where a muscle tilts the skin, and where a back is drawn.
+/// Marks control triangles without a pixel in a picture from the eye: the material is one-sided, all refined triangles
+/// of the patch face away, by slightly more than rounding to 1/256 pixel could change, and no primitive moves any of
+/// their vertices. The paper tests only three vertex normals, which removes visible pixels where a patch curves, where
+/// a muscle tilts the skin, and where backs are drawn.
 void cullFaces(const CullingScene& scene, const glm::vec3& eye, FaceCulling& out);
 
 }  // namespace sinew

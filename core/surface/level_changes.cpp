@@ -1,5 +1,6 @@
-// core/surface/level_changes.cpp: muscles of two rigs, pose by pose, and the skin whose rays can meet what differs.
-#include "core/surface/level_changes.h"
+// core/surface/level_changes.cpp: compares the muscles of two rigs by pose, and finds skin whose rays meet changed
+// ones.
+#include "core/surface/adaptive_levels.h"
 
 #include <algorithm>
 #include <array>
@@ -11,13 +12,13 @@
 #include "core/character/skinning.h"
 #include "core/geometry/at.h"
 #include "core/geometry/parallel.h"
-#include "core/surface/place_muscles.h"
+#include "core/surface/posed_field.h"
 
 namespace sinew {
 namespace {
 
-/// How far a patch may bulge, of the most that one of its edges rises along an end's normal: 1/2 of PN triangles
-/// (a third at the sides' control points, half as much more at the middle one), 3/4 of Phong's.
+/// Largest bulge of a patch, as a fraction of the largest rise of an edge along an end's normal: 1/2 for PN triangles
+/// (a third at the sides' control points, half as much more at the middle one), 3/4 for Phong's.
 constexpr float kMostBulge = 0.75f;
 constexpr std::size_t kFewLooked = 1024;  ///< Carriers or triangles for one thread.
 
@@ -33,7 +34,7 @@ bool samePosed(const PosedPrimitive& a, const PosedPrimitive& b) {
          sameShape(x.shape, y.shape);
 }
 
-/// What decides over all samples alike.
+/// Compares what affects all samples.
 bool sameElsewhere(const LevelSources& a, const LevelSources& b) {
   const auto sameBlend = [](const LevelMuscles& x, const LevelMuscles& y) { return x.skinBlend == y.skinBlend; };
   return a.tolerance == b.tolerance && a.poses == b.poses && sameCandidates(*a.rig, *b.rig) &&
@@ -46,23 +47,24 @@ bool sameElsewhere(const LevelSources& a, const LevelSources& b) {
 /// An influence that an edit has changed, before or after.
 struct ChangedInfluence {
   const UnitBallMap* influence = nullptr;
-  float scale = 0.0f;  ///< By how much its map lengthens anything, at most.
+  float scale = 0.0f;  ///< Largest factor by which its map lengthens a vector.
 };
 
 float mostScale(const glm::mat3& map) {
   return std::sqrt(glm::dot(map[0], map[0]) + glm::dot(map[1], map[1]) + glm::dot(map[2], map[2]));
 }
 
-/// Rays from around a triangle: of any place of its patch, along any mean of its corners' directions. At s along the
-/// middle one all are within near + s turn of it, since a mean of unit directions is the mean's direction, shorter.
+/// Bundle of all rays from a triangle's patch along means of its corners' directions: at s along the middle ray all are
+/// within near + s turn of it, since a mean of unit directions is at most as long as a unit direction.
 struct TriangleRays {
-  glm::vec3 from{0.0f};  ///< Of the middle one.
-  glm::vec3 way{0.0f};   ///< Shorter than 1.
+  glm::vec3 from{0.0f};  ///< Start of the middle ray.
+  glm::vec3 way{0.0f};   ///< Its direction, shorter than 1.
   float near = 0.0f;
   float turn = 0.0f;
 };
 
-/// @param from, way  of the corners' rays, ways unit  @param bulge  how far the patch lies off the flat triangle
+/// @param from, way  of the corners' rays, unit directions.  @param bulge  largest distance of the patch from the
+/// triangle
 TriangleRays raysFrom(const std::array<glm::vec3, 3>& from, const std::array<glm::vec3, 3>& way, float bulge) {
   TriangleRays out{(from[0] + from[1] + from[2]) / 3.0f, (way[0] + way[1] + way[2]) / 3.0f, 0.0f, 0.0f};
   float near = 0.0f;
@@ -78,7 +80,7 @@ TriangleRays raysFrom(const std::array<glm::vec3, 3>& from, const std::array<glm
   return out;
 }
 
-/// Whether such a ray may meet a ball. The projection's own test is as generous: a hundredth more, and rounding.
+/// Whether such a ray may meet a ball, with the margins of the projection's own test: 1 % and rounding.
 bool mayMeet(const TriangleRays& rays, bool bothWays, const glm::vec3& center, float radius) {
   const glm::vec3 to = center - rays.from;
   const float apart = std::sqrt(glm::dot(to, to));
@@ -88,7 +90,7 @@ bool mayMeet(const TriangleRays& rays, bool bothWays, const glm::vec3& center, f
   if (!(narrow > 0.0f)) return true;
   const float ahead = glm::dot(to, rays.way);
   const float toward = (bothWays ? std::abs(ahead) : ahead) + within * rays.turn;
-  // The least of |to - s way|^2 - (within + s turn)^2 over s > 0.
+  // Least of |to - s way|^2 - (within + s turn)^2 over s > 0.
   return toward > 0.0f && 1.001f * toward * toward >= narrow * (apart - within) * (apart + within);
 }
 
@@ -125,10 +127,10 @@ class Changes {
     for (std::size_t pose = 0; pose < after.poses.size(); ++pose) poses_.push_back(changesIn(pose));
   }
 
-  /// [T] 1: some ray from the triangle may meet what has changed.
+  /// [T] 1: some ray from the triangle may meet a changed influence.
   [[nodiscard]] std::vector<std::uint8_t> triangles() const {
     std::vector<std::uint8_t> mayChange = seeingTriangles();
-    // Where rays go is known of `swell` alone, and how far a spherigon bulges of no patch.
+    // The rays are known only for `swell`, and the bulge is not known for spherigons.
     if (!next_.swells() || next_.smoothing.patch == PatchKind::kSpherigon) return mayChange;
     std::vector<std::uint8_t> out(mayChange.size(), 0);
     SkinnedMesh skinned;
@@ -138,12 +140,10 @@ class Changes {
       if (poses_[pose].influences.empty()) continue;
       skin(next_.character(), after_.poses[pose], base, skinned);
       skinDirections(next_.character(), next_.tables->riseInBind, skinned, rise);
-      forRanges(out.size(), kFewLooked, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t t = begin; t < end; ++t) {
-          if (mayChange[t] == 0 || out[t] != 0) continue;
-          const PosedTriangle posed = posedTriangle(next_.mesh().triangles[t], skinned, rise, poses_[pose].carves);
-          out[t] = posed.mayMeetAny(poses_[pose].influences) ? 1 : 0;
-        }
+      forEachIndex(out.size(), kFewLooked, [&](std::size_t t) {
+        if (mayChange[t] == 0 || out[t] != 0) return;
+        const PosedTriangle posed = posedTriangle(next_.mesh().triangles[t], skinned, rise, poses_[pose].carves);
+        out[t] = posed.mayMeetAny(poses_[pose].influences) ? 1 : 0;
       });
     }
     return out;
@@ -152,7 +152,7 @@ class Changes {
  private:
   struct ChangesInPose {
     std::vector<ChangedInfluence> influences;
-    bool carves = false;  ///< Some muscle draws skin inwards.
+    bool carves = false;  ///< Some muscle pulls skin inwards.
   };
 
   [[nodiscard]] ChangesInPose changesIn(std::size_t pose) {
@@ -175,7 +175,7 @@ class Changes {
     return out;
   }
 
-  /// [T] 1: the triangle, one of its edges or one of its corners sees a muscle that has changed.
+  /// [T] 1: the triangle, one of its edges or one of its corners sees a changed muscle.
   [[nodiscard]] std::vector<std::uint8_t> seeingTriangles() const {
     const ControlMesh& mesh = next_.mesh();
     const std::size_t firstEdge = mesh.positions.size();

@@ -1,8 +1,7 @@
-// core/surface/posed_field.cpp: the muscles of a posed rig as the field needs them, and the mesh they move.
+// core/surface/posed_field.cpp: places muscles by driven numbers and skins the mesh.
 #include "core/surface/posed_field.h"
 
 #include "core/geometry/at.h"
-#include "core/surface/place_muscles.h"
 
 namespace sinew {
 namespace {
@@ -12,7 +11,7 @@ void driveNumbers(const Preparation& preparation, const PosedRig& rig, std::vect
   setNumbers(rig.numbers, preparation.iso, preparation.attached->attachment, out);
 }
 
-/// Which triangles are implicit follows from the numbers; it is read again only when they have changed.
+/// The implicit triangles follow from the numbers; they are read again only if these have changed.
 void readDriven(const std::shared_ptr<const Preparation>& preparation, const PosedRig& rig, PosedField& out) {
   driveNumbers(*preparation, rig, out.driven);
   out.bind = &preparation->bind;
@@ -32,7 +31,7 @@ void placePrimitives(const Preparation& preparation, std::span<const FieldPrimit
   for (std::size_t i = 0; i < primitives.size(); ++i) {
     const PosedMuscle& muscle = at(rig.muscles, rigIndex[i]);
     out[i] = posedPrimitive(primitives[i], muscle.carrier);
-    // A muscle that its line bends keeps the width over which it blends.
+    // A muscle bent by its line keeps its blend width.
     if (muscle.isBent) out[i].influence = unitBallMap(muscle.body.placement, primitives[i].reach, muscle.body.carrier);
   }
 }
@@ -43,7 +42,7 @@ void placeMuscles(const std::shared_ptr<const Preparation>& preparation, const P
   out.rig = &rig;
   if (out.skinnedFrom != preparation) out.control.morphed = {};
   out.skinnedFrom = preparation;
-  if (out.readFrom != preparation) out.readFrom.reset();  // Nothing keeps a former preparation alive.
+  if (out.readFrom != preparation) out.readFrom.reset();  // Does not keep a former preparation alive.
   out.bind = &preparation->bind;
   const bool driven = preparation->poser->drivesMuscles();
   if (driven) readDriven(preparation, rig, out);

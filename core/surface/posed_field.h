@@ -1,6 +1,7 @@
-// core/surface/posed_field.h: a preparation in one pose: the rig's numbers, the placed muscles, the skinned mesh.
+// core/surface/posed_field.h: a preparation in one pose: numbers of the rig, placed muscles, skinned mesh.
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "core/character/skinning.h"
@@ -9,25 +10,33 @@
 
 namespace sinew {
 
-/// Made once per pose; everything after it reads it. Keeps its memory, and what stays the same while numbers and
-/// weights of morph targets do; nothing else goes from pose to pose.
+/// Made once per pose for all later stages. Keeps its memory, and results for unchanged numbers and weights of morph
+/// targets; nothing else carries over from pose to pose.
 struct PosedField {
   const PosedRig* rig = nullptr;
   SkinnedMesh control;                               ///< World.
-  std::shared_ptr<const Preparation> skinnedFrom{};  ///< Whose morph targets the mesh remembers.
+  std::shared_ptr<const Preparation> skinnedFrom{};  ///< Preparation whose morph targets `control` caches.
   std::vector<PosedPrimitive> primitives;            ///< [A] world.
-  const BindReading* bind = nullptr;                 ///< With the numbers of this pose.
+  const BindReading* bind = nullptr;                 ///< For the numbers of this pose.
 
-  // Where keys or drivers change primitives.
+  // If keys or drivers change primitives:
   std::vector<FieldPrimitive> driven;  ///< [A]
   BindReading drivenBind;
-  std::vector<MuscleNumbers> readWith;            ///< The numbers that drivenBind was read with,
-  std::shared_ptr<const Preparation> readFrom{};  ///< and the preparation; null: it holds nothing.
+  std::vector<MuscleNumbers> readWith;            ///< Numbers of drivenBind.
+  std::shared_ptr<const Preparation> readFrom{};  ///< Preparation of drivenBind; null: it is empty.
   BindScratch scratch;
 };
 
 /// @param rig  posed by preparation->poser in this pose; must outlive the use of `out`.
 void poseFieldAndSkin(const std::shared_ptr<const Preparation>& preparation, const PosedRig& rig, const Pose& pose,
                       PosedField& out);
+
+/// poseFieldAndSkin() without the skinned mesh, for callers that skin by other means.
+void placeMuscles(const std::shared_ptr<const Preparation>& preparation, const PosedRig& rig, PosedField& out);
+
+/// Places only the primitives; reads nothing made from a mesh or bind pose.  @param numbers  scratch.  @param out [A]
+/// world
+void posePrimitives(const Preparation& preparation, const PosedRig& rig, std::vector<FieldPrimitive>& numbers,
+                    std::vector<PosedPrimitive>& out);
 
 }  // namespace sinew

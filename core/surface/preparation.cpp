@@ -1,4 +1,4 @@
-// core/surface/preparation.cpp: attach, refine, and read the bind pose; what did not change is shared.
+// core/surface/preparation.cpp: attaches, refines and reads the bind pose; shares unchanged parts.
 #include "core/surface/preparation.h"
 
 #include <algorithm>
@@ -7,24 +7,50 @@
 #include "core/geometry/at.h"
 #include "core/geometry/creases.h"
 #include "core/geometry/instruction_set.h"
-#include "core/rig/mesh_layers.h"
+#include "core/geometry/parallel.h"
 #include "core/rig/validation.h"
 #include "core/surface/adaptive_levels.h"
-#include "core/surface/finish/border_vertices.h"
 #include "core/surface/finish/crease_lift.h"
 #include "core/surface/finish/fold.h"
 #include "core/surface/patches/patch.h"
-#include "core/surface/projection/rise_directions.h"
-#include "core/surface/projection/rise_limits.h"
-#include "core/surface/region_levels.h"
-#include "core/surface/triangle_classes.h"
+#include "core/surface/projection/rise.h"
+#include "sinew/geometry/control_mesh.h"
 
 namespace sinew {
 namespace {
 
-constexpr double kRootTolerance = 1e-6;  ///< Fraction of H: a hundredth of the agreement docs/design.md promises.
-constexpr float kSearchLength = 0.2f;    ///< L of `replace`, fraction of H.
-constexpr std::int64_t kMaxRefinedVertices = 16'000'000;  ///< 8 GiB: half a KiB each with all that is kept.
+constexpr std::size_t kFewClassified = 4096;  ///< Triangles for one thread.
+
+/// [T] Implicit with omega = 1 at all three corners, normal with 0 at all, straddling otherwise (paper 3).
+/// @param omega [V] 0 or 1.
+std::vector<TriangleClass> classifyTriangles(const ControlMesh& mesh, std::span<const float> omega) {
+  std::vector<TriangleClass> classes(mesh.triangles.size());
+  forEachIndex(classes.size(), kFewClassified, [&](std::size_t t) {
+    const auto isInside = [&](int vertex) { return at(omega, vertex) > 0.0f; };
+    const auto inside = std::ranges::count_if(mesh.triangles[t].vertices, isInside);
+    classes[t] = inside == 3   ? TriangleClass::kImplicit
+                 : inside == 0 ? TriangleClass::kNormal
+                               : TriangleClass::kStraddling;
+  });
+  return classes;
+}
+
+/// [V] omega in `swell`, used only by the overlay and the report: 1 inside some influence, else 0.
+std::vector<float> influenceWeights(const ControlMesh& mesh, const FieldView& bindField) {
+  std::vector<float> omega(mesh.positions.size(), 0.0f);
+  forEachIndex(omega.size(), kFewClassified / 4, [&](std::size_t v) {
+    const bool isInside =
+        std::ranges::any_of(bindField.lists->of(static_cast<int>(v)), [&](const CarrierCandidate& candidate) {
+          return at(bindField.primitives, candidate.primitive).influence.holds(mesh.positions[v]);
+        });
+    if (isInside) omega[v] = 1.0f;
+  });
+  return omega;
+}
+
+constexpr double kRootTolerance = 1e-6;                   ///< Fraction of H.
+constexpr float kSearchLength = 0.2f;                     ///< L of `replace`, fraction of H.
+constexpr std::int64_t kMaxRefinedVertices = 16'000'000;  ///< 8 GiB: half a KiB each with all tables.
 
 Result<void> checkSize(const ControlMesh& mesh, int depth) {
   const std::int64_t vertices = refinedVertexCount(mesh, depth);
@@ -82,7 +108,7 @@ Result<std::shared_ptr<const AttachedRig>> attachRig(const Rig& rig, const Chara
   return std::shared_ptr<const AttachedRig>(std::move(attached));
 }
 
-/// The candidate lists without hidden primitives, and how many are left.
+/// Sets the candidate lists without hidden primitives, and the number of shown ones.
 void hide(std::span<const int> hidden, const Preparation* former, Preparation& next) {
   const Attachment& attachment = next.attached->attachment;
   next.hidden.assign(hidden.begin(), hidden.end());
@@ -100,6 +126,38 @@ std::shared_ptr<const ControlMesh> creasedMesh(const ControlMesh& mesh, float de
   if (former && former->smoothing.creaseAngle == degrees) return former->refined->creased;
   auto result = std::make_shared<const ControlMesh>(creased(mesh, degrees));
   return hasCreases(*result) ? result : nullptr;
+}
+
+/// Rings of control triangles refined around a region: steps against folds and steep skin seldom reach further.
+constexpr int kRegionMargin = 3;
+
+/// Adds triangles that share a vertex with the region.
+void growRegion(const ControlMesh& mesh, Region& region) {
+  std::vector<bool> isCorner(mesh.positions.size(), false);
+  for (std::size_t t = 0; t < region.size(); ++t) {
+    if (region[t] == 0) continue;
+    for (const int v : mesh.triangles[t].vertices) isCorner[toIndex(v)] = true;
+  }
+  for (std::size_t t = 0; t < region.size(); ++t) {
+    if (std::ranges::any_of(mesh.triangles[t].vertices, [&](int v) { return isCorner[toIndex(v)]; })) region[t] = 1;
+  }
+}
+
+/// Keeps levels in the region and its margin; all others become 1. Edges at refined triangles keep theirs, so that no
+/// crack opens at the border.  @param region [T]
+RefinementLevels inRegion(const ControlMesh& mesh, RefinementLevels levels, const Region& region) {
+  Region refined = region;
+  for (int ring = 0; ring < kRegionMargin; ++ring) growRegion(mesh, refined);
+  std::vector<bool> keeps(mesh.edges.size(), false);
+  for (std::size_t t = 0; t < refined.size(); ++t) {
+    if (refined[t] == 0) levels.triangles[t] = 1;
+    else
+      for (const int e : mesh.triangles[t].edges) keeps[toIndex(e)] = true;
+  }
+  for (std::size_t e = 0; e < keeps.size(); ++e) {
+    if (!keeps[e]) levels.edges[e] = 1;
+  }
+  return levels;
 }
 
 Refinement refineBody(const Preparation& next, const ControlMesh& drawn) {
@@ -137,7 +195,7 @@ std::shared_ptr<const VertexTiles> tilesOf(const Preparation& next, const Prepar
   return std::make_shared<const VertexTiles>(makeVertexTiles(next.mesh(), next.refinement(), *next.seen));
 }
 
-/// What is read off the patch in the bind pose.
+/// Sets the tables made from the patch in the bind pose.
 void readBindPatch(const Preparation* former, Preparation& next) {
   const bool known = former && former->refined == next.refined && former->smoothing.patch == next.smoothing.patch;
   if (known) {

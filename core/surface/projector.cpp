@@ -1,12 +1,11 @@
-// core/surface/projector.cpp: what both modes need of a pose, then swell or replace by scalars or in vectors.
+// core/surface/projector.cpp: poses the input of both modes, then runs swell or replace, by scalars or in vectors.
 #include "core/surface/projector.h"
 
 #include <array>
 
 #include "core/geometry/instruction_set.h"
 #include "core/surface/patches/patch.h"
-#include "core/surface/projection/replace_vector.h"
-#include "core/surface/projection/swell_vector.h"
+#include "core/surface/projection/tile_projection.h"
 
 namespace sinew {
 namespace {
@@ -43,10 +42,10 @@ void projectInVectors(const Projection& projection, const Pose& pose, Workspace&
   const Preparation& p = projection.preparation;
   if (p.swells()) {
     swellInTiles(p.mesh(), projection.field, swellSettings(p, projection.posed.rig->numbers.skinBlend),
-                 poseRise(projection, workspace), *p.tiles, chosenVectorSet(), surface, workspace.projection);
+                 poseRise(projection, workspace), *p.tiles, surface, workspace.projection);
   } else {
     replaceInTiles(p.mesh(), projection.field, replaceSettings(p), poseFlat(projection, pose, workspace),
-                   projection.posed.bind->weights, *p.tiles, chosenVectorSet(), surface, workspace.projection);
+                   projection.posed.bind->weights, *p.tiles, surface, workspace.projection);
   }
 }
 

@@ -1,4 +1,4 @@
-// core/surface/projector.h: the ways to move a patch's vertices onto the surface, as a table.
+// core/surface/projector.h: the two implementations of projection, as a table.
 #pragma once
 
 #include <span>
@@ -8,24 +8,24 @@
 
 namespace sinew {
 
-/// Where vertices go in one pose.
+/// Input of projection in one pose.
 struct Projection {
   const Preparation& preparation;
   const PosedField& posed;
-  FieldView field;  ///< Muscles that are seen, and carriers that are not asked for.
+  FieldView field;  ///< Muscles in view, and carriers to leave out.
 };
 
-/// One way to compute what both modes define. They agree as docs/design.md promises (Projection): to 1e-6 H.
+/// An implementation of both modes. Implementations agree to 1e-6 H (docs/design.md, Projection).
 struct Projector {
   const char* name;
-  /// `surface` holds the patch on entry; fills positions, normals, displacement and counts in the report.
+  /// `surface` holds the patch on entry. Fills positions, normals, displacement and the counts of the report.
   void (*project)(const Projection& projection, const Pose& pose, Workspace& workspace, Surface& surface);
 };
 
-/// "scalar": one vertex after the other in double precision: the reference, which has every ProjectionKind. "vectors":
-/// 16 vertices at a time, by newton.
+/// "scalar", the reference: vertices one by one in double precision, by every ProjectionKind. "vectors": 16 vertices at
+/// a time, by newton.
 [[nodiscard]] std::span<const Projector> projectors();
-/// By the instruction set that is chosen for this process (core/geometry/instruction_set.h); scalar but for newton.
+/// "vectors" for newton, unless the process has chosen scalar code (core/geometry/instruction_set.h); else "scalar".
 [[nodiscard]] const Projector& chosenProjector(const Preparation& preparation);
 
 }  // namespace sinew

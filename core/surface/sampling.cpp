@@ -1,4 +1,4 @@
-// core/surface/sampling.cpp: a preparation of its own, and the first stages.
+// core/surface/sampling.cpp: parts of a mesh with renumbered tables, and the first stages on them.
 #include "core/surface/sampling.h"
 
 #include <algorithm>
@@ -12,24 +12,22 @@
 
 namespace sinew {
 
-// Tables of what is asked for, renumbered.
-
 namespace {
 
 constexpr std::size_t kMostOfPiece = 4'000;
-constexpr std::size_t kFewOfPiece = 500;  ///< Up to so many stay together.
+constexpr std::size_t kFewOfPiece = 500;  ///< So few stay together.
 
-/// Of equal pieces, an even number of them, as cores mostly are.
+/// Makes an even number of equal pieces, as the number of cores is usually even.
 std::size_t sizeOfPieces(std::size_t asked) {
   if (asked <= kFewOfPiece) return kFewOfPiece;
   const std::size_t pairs = (asked + 2 * kMostOfPiece - 1) / (2 * kMostOfPiece);
   return (asked + 2 * pairs - 1) / (2 * pairs);
 }
 
-/// Which are kept, and their new numbers.
+/// The kept items and their new numbers.
 struct Numbering {
   std::vector<int> kept;   ///< Ascending.
-  std::vector<int> newOf;  ///< Of the old ones; only of kept ones to be read.
+  std::vector<int> newOf;  ///< New number by old number; valid only for kept items.
 
   explicit Numbering(const std::vector<std::uint8_t>& asked) : newOf(asked.size()) {
     for (std::size_t i = 0; i < asked.size(); ++i) {
@@ -46,7 +44,7 @@ struct PartNumbers {
   Numbering triangles;
 };
 
-/// A wedge a vertex: nothing is drawn.
+/// Has a wedge per vertex, as nothing is drawn.
 ControlMesh meshOf(const ControlMesh& whole, const PartNumbers& numbers) {
   ControlMesh out;
   out.influenceBegin.push_back(0);
@@ -112,13 +110,6 @@ std::shared_ptr<const CharacterTables> tablesOf(const Preparation& next, const P
   return out;
 }
 
-/// 1 where it is 0.
-std::vector<std::uint8_t> others(const std::vector<std::uint8_t>& asked) {
-  std::vector<std::uint8_t> out;
-  for (const std::uint8_t flag : asked) out.push_back(flag == 0 ? 1 : 0);
-  return out;
-}
-
 }  // namespace
 
 std::vector<int> placesIn(const std::vector<int>& inWhole, const std::vector<int>& asked) {
@@ -172,9 +163,7 @@ SampledPart sampledPart(const Preparation& next, const SampledPiece& piece) {
   SampledPart out;
   if (!next.swells()) {
     for (std::vector<std::uint8_t>* asked : {&vertices, &edges, &triangles}) {
-      const std::vector<std::uint8_t> skipped = others(*asked);
-      out.skipped.insert(out.skipped.end(), skipped.begin(), skipped.end());
-      std::ranges::fill(*asked, std::uint8_t{1});
+      for (std::uint8_t& flag : *asked) out.skipped.push_back(std::exchange(flag, std::uint8_t{1}) == 0 ? 1 : 0);
     }
   }
   PartNumbers numbers{Numbering(vertices), Numbering(edges), Numbering(triangles)};
@@ -194,7 +183,7 @@ SurfaceSampler::SurfaceSampler(const SampledPart& part, Refinement points)
 
 const Surface& SurfaceSampler::sample(const Pose& pose) {
   preparation_->poser->pose(pose, rig_);
-  std::ranges::fill(rig_.morphWeights, 0.0f);  // What is read off the bind pose is that of the base.
+  std::ranges::fill(rig_.morphWeights, 0.0f);  // Tables of the bind pose are without morph targets.
   poseFieldAndSkin(preparation_, rig_, pose, posed_);
   layPatch(*preparation_, posed_, workspace_, surface_);
   if (preparation_->shownPrimitives > 0) {

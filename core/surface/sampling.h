@@ -11,38 +11,34 @@
 
 namespace sinew {
 
-// Some edges and triangles of a mesh as a mesh of their own, with all that sampling
-// reads.
-
-/// A part of a mesh: what a sample shows follows from its edge or triangle alone, and so does what it costs.
+/// Some edges and triangles as a mesh of their own, with all that sampling reads: a sample, and its cost, depend only
+/// on its edge or triangle.
 struct SampledPart {
-  std::shared_ptr<const Preparation> preparation;  ///< Of the part as a mesh; nothing that needs a refinement is made.
-  std::vector<int> edges;                          ///< Of the part's edges in the whole mesh, ascending.
+  std::shared_ptr<const Preparation> preparation;  ///< Of the part as a mesh, without anything that needs a refinement.
+  std::vector<int> edges;                          ///< Indices of the part's edges in the whole mesh, ascending.
   std::vector<int> triangles;                      ///< Likewise.
-  std::vector<std::uint8_t> skipped;  ///< [V+E+T] of the part: 1: nobody asks for its samples. Empty: none.
+  std::vector<std::uint8_t> skipped;               ///< [V+E+T] of the part, 1: needs no samples. Empty: none.
 
   [[nodiscard]] const ControlMesh& mesh() const { return preparation->mesh(); }
 };
 
-/// Where some of a part's edges or triangles are in it. @param inWhole  SampledPart::edges or triangles.  @param asked
-/// ascending, among them
+/// Indices in a part of some of its edges or triangles.
+/// @param inWhole  SampledPart::edges or triangles.  @param asked  some of these, ascending
 [[nodiscard]] std::vector<int> placesIn(const std::vector<int>& inWhole, const std::vector<int>& asked);
 
-/// Edges and triangles that are looked at together.
+/// Edges and triangles sampled together.
 struct SampledPiece {
   std::vector<int> edges;      ///< Ascending.
   std::vector<int> triangles;  ///< Ascending.
 };
 
-/// Pieces of a size that stays in the cache, each edge and triangle asked for in one of them. A part of each has its
-/// triangles' other edges besides. In `replace` there is one piece, as a part then holds the whole mesh.
-/// @param edges [E], triangles [T] 1: asked for
+/// Divides edges and triangles into pieces that fit the cache. In `replace` there is one piece, as its part has the
+/// whole mesh.  @param edges [E], triangles [T] 1: to be sampled
 [[nodiscard]] std::vector<SampledPiece> sampledPieces(const Preparation& next, std::vector<std::uint8_t> edges,
                                                       const std::vector<std::uint8_t>& triangles);
 
-/// The triangles of a piece with their edges, and its other edges. In `replace` the whole mesh, since whether muscles
-/// wrap the body is read off all of it, and what is not asked for is skipped.
-/// @param next  attached, with its candidates
+/// The triangles of a piece with all their edges, and its other edges. In `replace` the whole mesh, which decides
+/// whether muscles wrap the body, with the rest skipped.  @param next  attached, with candidates
 [[nodiscard]] SampledPart sampledPart(const Preparation& next, const SampledPiece& piece);
 
 /// Skin, patch and projection at given points, pose after pose.

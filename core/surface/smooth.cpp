@@ -8,7 +8,7 @@
 namespace sinew {
 namespace {
 
-// Refined vertices below which a surface is done before other threads wake.
+// A surface with fewer refined vertices is done before other threads wake.
 constexpr int kMinSharedSwell = 6'000;
 constexpr int kMinSharedReplace = 1'000;
 

@@ -1,4 +1,4 @@
-// core/surface/smooth.h: the pipeline: a preparation, a posed rig and scratch memory make a surface.
+// core/surface/smooth.h: the pipeline from a preparation and a posed rig to a surface.
 #pragma once
 
 #include <optional>
@@ -8,16 +8,16 @@
 
 namespace sinew {
 
-/// What one thread keeps from pose to pose.
+/// Memory of one thread, reused from pose to pose.
 struct SmoothingMemory {
   PosedField posed;
   Workspace workspace;
 };
 
-/// Skin, patch, project, remove folds, lay cloth over, shading normals. Threads may share the preparation, each with
-/// memory of its own.
+/// Skin, patch, projection, folds, cloth, shading normals. Threads may share the preparation; each needs its own
+/// memory.
 /// @param rig  posed by preparation->poser in this pose.  @param eye  as in Smoother::smooth
-/// @param posingSeconds  what posing the rig took: counted with the skin
+/// @param posingSeconds  time to pose the rig, added to that of the skin
 void smooth(const std::shared_ptr<const Preparation>& preparation, const PosedRig& rig, const Pose& pose,
             const std::optional<glm::vec3>& eye, SmoothingMemory& memory, Surface& out, double posingSeconds = 0.0);
 

@@ -1,4 +1,4 @@
-// core/surface/smoother.cpp: the public pipeline: what is prepared, and memory for one thread.
+// core/surface/smoother.cpp: the public pipeline: a preparation and memory for one thread.
 #include "sinew/surface/smoother.h"
 
 #include <algorithm>

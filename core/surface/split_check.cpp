@@ -1,5 +1,5 @@
-// core/surface/split_check.cpp: samples found in the pieces of a split, then measured pose after pose.
-#include "core/surface/split_check.h"
+// core/surface/split_check.cpp: splits of triangles checked against samples, pose by pose, and raised where they fail.
+#include "core/surface/adaptive_levels.h"
 
 #include <algorithm>
 #include <array>
@@ -10,9 +10,7 @@
 
 #include "core/geometry/at.h"
 #include "core/geometry/parallel.h"
-#include "core/surface/patches/lattice.h"
-#include "core/surface/patches/level_fit.h"
-#include "core/surface/patches/level_grading.h"
+#include "core/surface/patches/levels.h"
 #include "core/surface/patches/sample_points.h"
 #include "core/surface/sampling.h"
 
@@ -22,7 +20,7 @@ namespace {
 constexpr std::size_t kFewSplits = 4096;  ///< For one thread.
 constexpr int kSplitCheckRounds = 6;
 constexpr int kSplitCheckSamples = 12;  ///< Along each side.
-constexpr std::size_t kMany = 8'000;    ///< Triangles of a mesh from which on fewer will do: they are small.
+constexpr std::size_t kMany = 8'000;    ///< Meshes with more triangles, which are small, need fewer samples.
 constexpr int kSplitCheckFewSamples = 6;
 
 SplitLevels splitOf(const ControlMesh& mesh, const RefinementLevels& levels, int t) {
@@ -34,8 +32,8 @@ SplitLevels splitOf(const ControlMesh& mesh, const RefinementLevels& levels, int
 
 /// Where a sample lies in a triangle's split.
 struct Located {
-  int vertex = 0;                 ///< Of the samples.
-  std::array<int, 3> corners{};   ///< Of the split.
+  int vertex = 0;                 ///< Sample.
+  std::array<int, 3> corners{};   ///< Vertices of the split.
   std::array<float, 3> shares{};  ///< Barycentric.
 };
 
@@ -54,7 +52,7 @@ class SplitMeter {
         located_(asked_.size()),
         worst_(asked_.size(), 0.0f) {}
 
-  /// [triangles of the piece] the farthest sample from its flat triangle, over all poses.
+  /// [triangles of the piece] the largest distance of a sample from its flat triangle, over all poses.
   const std::vector<float>& measure(const std::vector<Pose>& poses) {
     for (const Pose& pose : poses) {
       const Surface& samples = samples_.sample(pose);
@@ -70,7 +68,7 @@ class SplitMeter {
   }
 
  private:
-  /// Levels of the part: `other` but for the triangles at hand and their sides.
+  /// Levels of the part: `other` except for the asked triangles and their sides.
   RefinementLevels only(std::uint8_t other, const auto& edgeLevel, const auto& insideLevel) const {
     RefinementLevels out{std::vector<std::uint8_t>(mesh_.edges.size(), other),
                          std::vector<std::uint8_t>(mesh_.triangles.size(), other)};
@@ -165,7 +163,7 @@ RefinementLevels levelsThatFit(const Preparation& next, const std::vector<Pose>&
     std::vector<std::uint8_t> unknown(mesh.triangles.size(), 0);
     forEachIndex(unknown.size(), kFewSplits, [&](std::size_t t) {
       const SplitLevels split = splitOf(mesh, levels, static_cast<int>(t));
-      // The fit has seen the n^2 split.
+      // The fit has covered n^2 splits.
       if (!split.isUniform() && !find(known[t], split)) unknown[t] = 1;
     });
     const std::vector<SampledPiece> pieces =

@@ -1,5 +1,4 @@
-// core/surface/stages.cpp: patch -> project -> folds -> cloth -> normals, each on the surface that the one before has
-// left.
+// core/surface/stages.cpp: patch -> project -> folds -> cloth -> normals, each on the result of the one before.
 #include "core/surface/stages.h"
 
 #include <algorithm>
@@ -15,7 +14,7 @@
 namespace sinew {
 namespace {
 
-/// A creased wedge has a normal of its own, which later stages turn with the surface.
+/// Creased wedges have normals of their own, which later stages change with the surface.
 void shadeCreases(const Preparation& preparation, const PosedField& posed, Workspace& workspace, Surface& out) {
   out.shadingNormals.clear();
   const ControlMesh* creased = preparation.refined->creased.get();
@@ -35,7 +34,7 @@ void startReport(const Preparation& p, const PosedField& posed, SmoothingReport&
   report.unwrapped = posed.bind->weights.unwrapped;
 }
 
-/// Marks what the eye cannot see; without an eye the marks are empty.
+/// Marks triangles that the eye cannot see; without an eye the marks are empty.
 void cull(const Preparation& p, const PosedField& posed, const FieldView& field, const std::optional<glm::vec3>& eye,
           FaceCulling& culling, Surface& out) {
   culling.clear();
@@ -50,7 +49,7 @@ void cull(const Preparation& p, const PosedField& posed, const FieldView& field,
   out.report.culledTriangles = culling.culled;
 }
 
-/// Positions and normals of vertices whose heights have been lowered: skin that stands lower is flatter.
+/// Updates positions and normals of vertices whose heights have been lowered: lower skin is flatter.
 /// @param lifted  vertices with a height.  @param raw [V'] heights before.
 void placeLowered(std::span<const int> lifted, std::span<const float> raw, const Workspace& w, Surface& out) {
   constexpr std::size_t kFew = 2048;  // For one thread.
@@ -64,7 +63,7 @@ void placeLowered(std::span<const int> lifted, std::span<const float> raw, const
   });
 }
 
-/// Heights as the posed skin can carry them: less in its own creases, nowhere steeper than the bound.
+/// Lowers heights in the creases of the posed skin, and wherever they are steeper than the bound.
 void boundHeights(const Preparation& preparation, const SkinnedMesh& control, Workspace& w, Surface& out) {
   const RefinedMesh& refined = *preparation.refined;
   const std::span<float> heights = out.displacement;
@@ -115,7 +114,7 @@ void project(const Preparation& preparation, const PosedField& posed, const Pose
 }
 
 bool findMoved(const Preparation& preparation, const PosedField& posed, Workspace& workspace, const Surface& out) {
-  // A surface that wraps the body may lie across its patch; it has the paper's normals.
+  // Where muscles wrap the body the surface may lie across its patch; it keeps the paper's normals.
   if (!preparation.swells() && posed.bind->weights.wraps) return false;
   MovedTriangles& moved = workspace.movedTriangles;
   moved.find(preparation.refinement(), workspace.patchPositions, out.positions);
@@ -151,7 +150,7 @@ void drape(const Preparation& preparation, bool moved, Workspace& w, Surface& ou
       preparation.refined->rings,    preparation.layered->layers, *preparation.cloth, w.patchPositions, w.patchNormals,
       preparation.character().height};
   if (!w.clothLift.apply(view, out) || !moved) return;
-  // Normals are made anew around cloth as around skin.
+  // Cloth needs new normals as skin does.
   w.movedTriangles.find(preparation.refinement(), w.patchPositions, out.positions);
   w.pairs.fill(w.movedTriangles.corners, w.patchPositions, out.positions);
 }

@@ -1,4 +1,4 @@
-// core/surface/workspace.h: memory for smoothing one surface after the other. One a thread.
+// core/surface/workspace.h: memory for smoothing one surface after another. One per thread.
 #pragma once
 
 #include <span>
@@ -7,18 +7,16 @@
 #include "core/surface/face_culling.h"
 #include "core/surface/finish/cloth_lift.h"
 #include "core/surface/finish/crease_lift.h"
-#include "core/surface/finish/fold_region.h"
+#include "core/surface/finish/fold.h"
 #include "core/surface/finish/fold_spread.h"
-#include "core/surface/finish/lift_filter.h"
 #include "core/surface/finish/lifted_heights.h"
 #include "core/surface/finish/moved_triangles.h"
 #include "core/surface/finish/shading_normals.h"
-#include "core/surface/finish/slope_bound.h"
 #include "core/surface/projection/projection_scratch.h"
 
 namespace sinew {
 
-/// Kept from pose to pose, so that a frame allocates nothing; never read before it is written in the same frame.
+/// Reused from pose to pose, so that a frame allocates nothing; never read before it is written in the same frame.
 struct Workspace {
   std::vector<glm::vec3> patchPositions;  ///< [V'] world; the surface before projection.
   std::vector<glm::vec3> patchNormals;    ///< [V']

@@ -1,6 +1,6 @@
 #version 450 core
 // shaders/compute/bend.comp: where heights bend more than edges can follow: weights of the filter, and what of them
-// a vertex passes on. As core/surface/finish/lift_filter.cpp.
+// a vertex passes on. As core/surface/finish/lifted_heights.cpp.
 #include "compute/items.glsl"
 #include "compute/mesh.glsl"
 

@@ -1,5 +1,5 @@
 // shaders/compute/exact.glsl: the first change of sign of the field along a ray, in double precision: roots isolated
-// between breakpoints, then Newton's steps in the bracket. As core/surface/roots/root_finding.cpp and isolation.h.
+// between breakpoints, then Newton's steps in the bracket. As core/surface/roots/ray_field.cpp and isolation.h.
 const int kMostExactTerms = 96;  // No place of the skin sees more muscles, or the surface is the processor's.
 
 struct ExactTerm {  // r^2 = a t^2 + 2 b t + c, f = factor (1 - r^2)^2 for enter < t < leave.

@@ -1,6 +1,6 @@
 #version 450 core
 // shaders/compute/filter.comp: one round of the heights' filter; the last one moves the vertices. As
-// core/surface/finish/lift_filter.cpp.
+// core/surface/finish/lifted_heights.cpp.
 #include "compute/items.glsl"
 #include "compute/mesh.glsl"
 

@@ -1,5 +1,5 @@
 // shaders/compute/overhang.glsl: heights where psi falls slowly, as below what hangs over the skin, in numbers of the
-// type Real. As core/surface/projection/overhang.h. Needs Real, Real2 and psiAt(Real), psi and its slope.
+// type Real. As core/surface/projection/swell.h. Needs Real, Real2 and psiAt(Real), psi and its slope.
 const float kOverhangSlope = 0.5, kPart = 0.25;
 const int kMostParts = 32, kNarrowings = 6;
 

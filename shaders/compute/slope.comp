@@ -2,7 +2,7 @@
 // shaders/compute/slope.comp: one round of the bound on slopes: a height is at most what each vertex a step away
 // leaves it.
 // Where the rounds come to rest is one set of heights, in whatever order they ran. As
-// core/surface/finish/slope_bound.h.
+// core/surface/finish/lifted_heights.h.
 #include "compute/items.glsl"
 #include "compute/mesh.glsl"
 

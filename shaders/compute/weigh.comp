@@ -1,6 +1,6 @@
 #version 450 core
 // shaders/compute/weigh.comp: a vertex's weight in the filter is its own or what a neighbor passes on. As
-// core/surface/finish/lift_filter.cpp.
+// core/surface/finish/lifted_heights.cpp.
 #include "compute/items.glsl"
 #include "compute/mesh.glsl"
 

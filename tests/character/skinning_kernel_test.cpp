@@ -11,7 +11,7 @@
 
 #include "core/character/skinning.h"
 #include "core/geometry/at.h"
-#include "core/surface/projection/rise_directions.h"
+#include "core/surface/projection/rise.h"
 #include "tests/support/characters/synthetic_characters.h"
 #include "tests/support/rigs/random_rigs.h"
 #include "tests/support/rigs/trial_scenes.h"

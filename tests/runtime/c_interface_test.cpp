@@ -1,4 +1,5 @@
 // tests/runtime/c_interface_test.cpp: what C sees: the same bits, codes with a reason, nothing that harms.
+
 #include <cstring>
 #include <limits>
 
@@ -123,7 +124,7 @@ TEST_F(CInterface, BadArgumentsHaveCodesAndReasons) {
   sinew_character* none = character_;
   EXPECT_EQ(sinew_character_create("no game file, but longer than its head is", 40, &none), SINEW_BAD_FILE);
   EXPECT_EQ(none, nullptr);
-  EXPECT_NE(std::strstr(sinew_error(), "no game file"), nullptr) << sinew_error();
+  EXPECT_NE(std::strstr(sinew_error(), "not a Sinew game file"), nullptr) << sinew_error();
   EXPECT_EQ(sinew_character_create(nullptr, 0, &none), SINEW_BAD_ARGUMENT);
   EXPECT_EQ(sinew_character_create("", 0, nullptr), SINEW_BAD_ARGUMENT);
   sinew_smoother* other = smoother_;

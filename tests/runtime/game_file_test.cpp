@@ -1,4 +1,5 @@
 // tests/runtime/game_file_test.cpp: what is written comes back with the same surface; what is damaged is refused.
+
 #include <cstring>
 
 #include <gtest/gtest.h>
@@ -101,7 +102,7 @@ TEST(GameFile, RefusesWhatIsNoGameFileAndWhatIsOfAnotherVersion) {
   EXPECT_NE(reasonOf({}).find("too short"), std::string::npos);
   Bytes other = bytes;
   other[0] = std::byte{'g'};
-  EXPECT_NE(reasonOf(other).find("no game file"), std::string::npos) << reasonOf(other);
+  EXPECT_NE(reasonOf(other).find("not a Sinew game file"), std::string::npos) << reasonOf(other);
   other = bytes;
   other[8] = std::byte{2};
   EXPECT_NE(reasonOf(other).find("expected version 1, got 2"), std::string::npos) << reasonOf(other);
@@ -138,11 +139,11 @@ TEST(GameFile, NamesWhatIsWrong) {
       {"triangles[0]: expected a part of", [](Character& c, Rig&) { c.mesh.triangles[0].part = 7; }},
       {"vertices[0]: expected a binding of", [](Character& c, Rig&) { c.mesh.influences[0].binding = 9999; }},
       {"vertices[0]: the weights do not sum to 1", [](Character& c, Rig&) { c.mesh.influences[0].weight = 3.0f; }},
-      {"vertices[1]: it lies too far off", [](Character& c, Rig&) { c.mesh.positions[1].x = 1e20f; }},
+      {"vertices[1]: it lies too far away", [](Character& c, Rig&) { c.mesh.positions[1].x = 1e20f; }},
       {"a number is not finite", [](Character& c, Rig&) { c.mesh.positions[1].x = std::nanf(""); }},
-      {"influences: they are not those of the vertices", [](Character& c, Rig&) { c.mesh.influenceBegin.pop_back(); }},
+      {"influences: they do not match the vertices", [](Character& c, Rig&) { c.mesh.influenceBegin.pop_back(); }},
       {"bones[1]: expected a node of", [](Character& c, Rig&) { c.skeleton.bones[1].node = 500; }},
-      {"nodes[1]: its parent must stand before it", [](Character& c, Rig&) { c.skeleton.nodes[1].parent = 1; }},
+      {"nodes[1]: its parent must come before it", [](Character& c, Rig&) { c.skeleton.nodes[1].parent = 1; }},
       {"bones[0]: its bind matrix has no inverse",
        [](Character& c, Rig&) { c.skeleton.bones[0].bindInWorld[0] = glm::vec4(0.0f); }},
       {"height: expected a number > 0", [](Character& c, Rig&) { c.height = 0.0f; }},

@@ -11,7 +11,6 @@
 #include "core/character/skinning.h"
 #include "core/rig/attachment.h"
 #include "core/surface/patches/patch.h"
-#include "core/surface/projection/anchors.h"
 #include "core/surface/projection/replace.h"
 #include "sinew/surface/smoother.h"
 #include "tests/support/oracle/oracle.h"

@@ -5,7 +5,7 @@
 
 #include "core/character/morphing.h"
 #include "core/geometry/at.h"
-#include "core/surface/place_muscles.h"
+#include "core/surface/posed_field.h"
 
 namespace sinew::app {
 namespace {

@@ -8,7 +8,7 @@
 #include <glm/vec2.hpp>
 
 #include "app/viewport/gpu/card_layout.h"
-#include "core/surface/finish/lift_filter.h"
+#include "core/surface/finish/lifted_heights.h"
 
 namespace sinew::app {
 

@@ -1,4 +1,4 @@
-// core/surface/finish/cloth_binding.cpp: from the control triangle that a corner is bound to, along the surface.
+// core/surface/finish/cloth_binding.cpp: nearest places found by walking from the control triangle of a corner.
 #include "core/surface/finish/cloth_binding.h"
 
 #include <algorithm>
@@ -12,72 +12,61 @@
 #include "core/geometry/parallel.h"
 #include "core/geometry/potential.h"
 #include "core/geometry/triangle_tree.h"
-#include "core/surface/finish/refined_corners.h"
 
 namespace sinew {
 namespace {
 
-constexpr int kMostWalkSteps = 256;         ///< From triangle to triangle; a guard, hardly reached.
-constexpr float kClothWholeWithin = 0.03f;  ///< Fraction of H up to which cloth takes all of the skin's height.
-constexpr float kSkinUnderWithin = 0.05f;   ///< Fraction of H within which cloth has to make room for skin under it.
-constexpr float kSkinUnderAlong = 0.2f;     ///< Cosine to its normal at which skin looks for cloth.
+constexpr int kMostWalkSteps = 256;         ///< From triangle to triangle; a guard, hardly ever reached.
+constexpr float kClothWholeWithin = 0.03f;  ///< Fraction of H up to which cloth follows the skin's full height.
+constexpr float kSkinUnderWithin = 0.05f;   ///< Fraction of H within which cloth makes room for skin under it.
+constexpr float kSkinUnderAlong = 0.2f;     ///< Least cosine between the skin's normal and the direction to cloth.
 
 float squaredLength(const glm::vec3& v) { return glm::dot(v, v); }
 
-/// Corners of a refined vertex's carrier, the one with the largest share first.
+/// Corners of a refined vertex's carrier, the one with the largest weight first.
 struct CarrierCorners {
   std::array<int, 3> corners{};
   std::size_t count = 1;
 };
 
-class ClothBinder {
- public:
-  ClothBinder(const ControlMesh& mesh, const Refinement& refinement, const MeshLayers& layers)
-      : mesh_(mesh), refinement_(refinement), layers_(layers) {}
-
-  /// Calls visit(vertex, corners) for every refined vertex of a layer.
-  template <class Visit>
-  void forEach(SkinLayer layer, Visit visit) const {
-    const int vertices = refinement_.controlVertices;
-    for (int v = 0; v < vertices; ++v) {
-      if (at(layers_.carriers, v) == layer) visit(v, CarrierCorners{{v, v, v}, 1});
-    }
-    for (int e = 0; e < refinement_.controlEdges; ++e) {
-      if (at(layers_.carriers, vertices + e) != layer) continue;
-      const auto& ends = at(mesh_.edges, e).vertices;
-      const int level = refinement_.edgeLevel(e);
-      for (int step = 1; step < level; ++step) {
-        const bool first = 2 * step <= level;
-        visit(refinement_.edgeVertex(e, step), CarrierCorners{{ends[first ? 0 : 1], ends[first ? 1 : 0], 0}, 2});
-      }
-    }
-    for (int t = 0; t < static_cast<int>(mesh_.triangles.size()); ++t) {
-      if (at(layers_.carriers, vertices + refinement_.controlEdges + t) != layer) continue;
-      const auto& corners = at(mesh_.triangles, t).vertices;
-      for (int v = at(refinement_.insideBegin, t); v < at(refinement_.insideBegin, t + 1); ++v) {
-        const glm::dvec2& place = refinement_.insideAt(v);
-        const double a = 1.0 - place.x - place.y;
-        const std::size_t largest = a >= place.x && a >= place.y ? 0 : place.x >= place.y ? 1 : 2;
-        visit(v, CarrierCorners{{corners[largest], corners[(largest + 1) % 3], corners[(largest + 2) % 3]}, 3});
-      }
+/// Calls visit(vertex, corners) for every refined vertex of a layer.
+template <class Visit>
+void forEachOn(SkinLayer layer, const ControlMesh& mesh, const Refinement& refinement, const MeshLayers& layers,
+               Visit visit) {
+  const int vertices = refinement.controlVertices;
+  for (int v = 0; v < vertices; ++v) {
+    if (at(layers.carriers, v) == layer) visit(v, CarrierCorners{{v, v, v}, 1});
+  }
+  for (int e = 0; e < refinement.controlEdges; ++e) {
+    if (at(layers.carriers, vertices + e) != layer) continue;
+    const auto& ends = at(mesh.edges, e).vertices;
+    const int level = refinement.edgeLevel(e);
+    for (int step = 1; step < level; ++step) {
+      const bool first = 2 * step <= level;
+      visit(refinement.edgeVertex(e, step), CarrierCorners{{ends[first ? 0 : 1], ends[first ? 1 : 0], 0}, 2});
     }
   }
-
-  /// The refined triangle where a walk begins; -1: no corner is bound.
-  [[nodiscard]] int startOf(const CarrierCorners& of, const std::vector<int>& bound) const {
-    for (std::size_t i = 0; i < of.count; ++i) {
-      if (const int t = at(bound, of.corners[i]); t >= 0) return at(refinement_.triangleBegin, t);
+  for (int t = 0; t < static_cast<int>(mesh.triangles.size()); ++t) {
+    if (at(layers.carriers, vertices + refinement.controlEdges + t) != layer) continue;
+    const auto& corners = at(mesh.triangles, t).vertices;
+    for (int v = at(refinement.insideBegin, t); v < at(refinement.insideBegin, t + 1); ++v) {
+      const glm::dvec2& place = refinement.insideAt(v);
+      const double a = 1.0 - place.x - place.y;
+      const std::size_t largest = a >= place.x && a >= place.y ? 0 : place.x >= place.y ? 1 : 2;
+      visit(v, CarrierCorners{{corners[largest], corners[(largest + 1) % 3], corners[(largest + 2) % 3]}, 3});
     }
-    return -1;
   }
+}
 
- private:
-  const ControlMesh& mesh_;
-  const Refinement& refinement_;
-  const MeshLayers& layers_;
-};
+/// The refined triangle to start a walk from; -1: no corner is bound.
+int startOf(const CarrierCorners& of, const std::vector<int>& bound, const Refinement& refinement) {
+  for (std::size_t i = 0; i < of.count; ++i) {
+    if (const int t = at(bound, of.corners[i]); t >= 0) return at(refinement.triangleBegin, t);
+  }
+  return -1;
+}
 
-/// Finds nearest places on the refined triangles of one layer by going from one triangle to the next.
+/// Finds nearest places on the refined triangles of one layer by walking from triangle to triangle.
 class SurfaceWalk {
  public:
   /// All must outlive the walk. @param layers [T] of the control triangles.  @param positions [V']
@@ -85,12 +74,36 @@ class SurfaceWalk {
               std::span<const glm::vec3> positions)
       : refinement_(refinement), rings_(rings), layers_(layers), on_(on), positions_(positions) {}
 
-  /// The nearest place that can be reached from a triangle by steps that each come nearer.
-  [[nodiscard]] SurfacePlace nearest(const glm::vec3& p, int start) const;
+  /// The nearest place reached from a triangle by steps that each come nearer.
+  [[nodiscard]] SurfacePlace nearest(const glm::vec3& p, int start) const {
+    const auto cornersOf = [&](int triangle) { return refinedCorners(refinement_, triangle, positions_); };
+    const auto isOn = [&](int triangle) { return at(layers_, at(refinement_.controlOf, triangle)) == on_; };
+    SurfacePlace best{start, {}};
+    const TriangleCorners first = cornersOf(start);
+    best.shares = nearestOnTriangle(p, first);
+    float least = squaredLength(p - mixed(first, best.shares));
+    for (int step = 0; step < kMostWalkSteps; ++step) {
+      const SurfacePlace here = best;
+      if (here.shares.x > 0.0f && here.shares.y > 0.0f && here.shares.z > 0.0f) break;
+      for (int c = 0; c < 3; ++c) {
+        if (!(here.shares[c] > 0.0f)) continue;
+        for (const int corner : rings_.cornersOf(at(at(refinement_.triangles, here.triangle), c))) {
+          const int triangle = corner / 3;
+          if (triangle == here.triangle || !isOn(triangle)) continue;
+          const TriangleCorners corners = cornersOf(triangle);
+          const glm::vec3 shares = nearestOnTriangle(p, corners);
+          const float distance = squaredLength(p - mixed(corners, shares));
+          if (!(distance < least)) continue;
+          least = distance;
+          best = {triangle, shares};
+        }
+      }
+      if (best.triangle == here.triangle) break;
+    }
+    return best;
+  }
 
  private:
-  [[nodiscard]] bool isOn(int triangle) const;
-
   const Refinement& refinement_;
   const VertexRings& rings_;
   std::span<const SkinLayer> layers_;
@@ -98,39 +111,7 @@ class SurfaceWalk {
   std::span<const glm::vec3> positions_;
 };
 
-bool SurfaceWalk::isOn(int triangle) const { return at(layers_, at(refinement_.controlOf, triangle)) == on_; }
-
-SurfacePlace SurfaceWalk::nearest(const glm::vec3& p, int start) const {
-  const auto cornersOf = [&](int triangle) {
-    const std::array<int, 3>& t = at(refinement_.triangles, triangle);
-    return TriangleCorners{at(positions_, t[0]), at(positions_, t[1]), at(positions_, t[2])};
-  };
-  SurfacePlace best{start, {}};
-  const TriangleCorners first = cornersOf(start);
-  best.shares = nearestOnTriangle(p, first);
-  float least = squaredLength(p - mixed(first, best.shares));
-  for (int step = 0; step < kMostWalkSteps; ++step) {
-    const SurfacePlace here = best;
-    if (here.shares.x > 0.0f && here.shares.y > 0.0f && here.shares.z > 0.0f) break;
-    for (int c = 0; c < 3; ++c) {
-      if (!(here.shares[c] > 0.0f)) continue;
-      for (const int corner : rings_.cornersOf(at(at(refinement_.triangles, here.triangle), c))) {
-        const int triangle = corner / 3;
-        if (triangle == here.triangle || !isOn(triangle)) continue;
-        const TriangleCorners corners = cornersOf(triangle);
-        const glm::vec3 shares = nearestOnTriangle(p, corners);
-        const float distance = squaredLength(p - mixed(corners, shares));
-        if (!(distance < least)) continue;
-        least = distance;
-        best = {triangle, shares};
-      }
-    }
-    if (best.triangle == here.triangle) break;
-  }
-  return best;
-}
-
-/// Refined triangles of skin with cloth near them.
+/// Refined triangles of skin near cloth.
 std::vector<int> skinNearCloth(const ControlMesh& mesh, const Refinement& refinement, const MeshLayers& layers) {
   std::vector<bool> isUnder(mesh.triangles.size());
   for (const int t : layers.skinUnder) {
@@ -147,7 +128,7 @@ std::vector<int> skinNearCloth(const ControlMesh& mesh, const Refinement& refine
   return out;
 }
 
-/// Halves, along the longest side, down to groups.
+/// Halves along the longest side, down to groups.
 void sortInSpace(std::span<int> order, std::span<const WallsUnder> places) {
   if (order.size() <= kClothGroup) return;
   Bounds box;
@@ -183,10 +164,8 @@ ClothBinding bindCloth(const ControlMesh& mesh, const Refinement& refinement, co
                        const MeshLayers& layers, std::span<const glm::vec3> positions,
                        std::span<const glm::vec3> normals, float height) {
   ClothBinding out;
-  const ClothBinder binder(mesh, refinement, layers);
   const auto placeOf = [&](const SurfacePlace& place) {
-    const std::array<int, 3>& t = at(refinement.triangles, place.triangle);
-    return mixed({at(positions, t[0]), at(positions, t[1]), at(positions, t[2])}, place.shares);
+    return mixed(refinedCorners(refinement, place.triangle, positions), place.shares);
   };
   const auto walkAll = [&](std::vector<BoundVertex>& bound, SkinLayer to, auto shareOf) {
     const SurfaceWalk walk(refinement, rings, triangleLayers(refinement, layers), to, positions);
@@ -197,19 +176,20 @@ ClothBinding bindCloth(const ControlMesh& mesh, const Refinement& refinement, co
     });
     std::erase_if(bound, [](const BoundVertex& one) { return one.share == 0.0f; });
   };
-  binder.forEach(SkinLayer::kCloth, [&](int v, const CarrierCorners& of) {
-    if (const int start = binder.startOf(of, layers.skinUnder); start >= 0) out.cloth.push_back({v, {start, {}}, 1.0f});
+  const auto bindAll = [&](SkinLayer layer, const std::vector<int>& to, std::vector<BoundVertex>& bound) {
+    forEachOn(layer, mesh, refinement, layers, [&](int v, const CarrierCorners& of) {
+      if (const int start = startOf(of, to, refinement); start >= 0) bound.push_back({v, {start, {}}, 1.0f});
+    });
+  };
+  bindAll(SkinLayer::kCloth, layers.skinUnder, out.cloth);
+  walkAll(out.cloth, SkinLayer::kSkin, [&](int, const glm::vec3& apart) {
+    return 1.0f - smoothstep(kClothWholeWithin, kClothReach, glm::length(apart) / height);
   });
-  walkAll(out.cloth, SkinLayer::kSkin, [&](int, const glm::vec3& way) {
-    return 1.0f - smoothstep(kClothWholeWithin, kClothReach, glm::length(way) / height);
-  });
-  binder.forEach(SkinLayer::kSkin, [&](int v, const CarrierCorners& of) {
-    if (const int start = binder.startOf(of, layers.clothOver); start >= 0) out.under.push_back({v, {start, {}}, 1.0f});
-  });
-  walkAll(out.under, SkinLayer::kCloth, [&](int v, const glm::vec3& way) {
-    const float length = glm::length(way);
+  bindAll(SkinLayer::kSkin, layers.clothOver, out.under);
+  walkAll(out.under, SkinLayer::kCloth, [&](int v, const glm::vec3& apart) {
+    const float length = glm::length(apart);
     const bool isOver =
-        length <= kSkinUnderWithin * height && glm::dot(way, at(normals, v)) >= kSkinUnderAlong * length;
+        length <= kSkinUnderWithin * height && glm::dot(apart, at(normals, v)) >= kSkinUnderAlong * length;
     return isOver ? 1.0f : 0.0f;
   });
   findWalls(mesh, refinement, rings, layers, positions, height, out);

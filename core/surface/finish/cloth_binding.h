@@ -1,5 +1,5 @@
-// core/surface/finish/cloth_binding.h: which skin is under refined vertices of cloth, and which cloth over skin.
-// Made once per refinement. docs/characters.md.
+// core/surface/finish/cloth_binding.h: binds refined vertices of cloth to the skin under them, and skin to the cloth
+// over it, once per refinement. docs/characters.md.
 #pragma once
 
 #include <span>
@@ -20,20 +20,20 @@ struct SurfacePlace {
 
 struct BoundVertex {
   int vertex = 0;      ///< Refined.
-  SurfacePlace place;  ///< Of the other layer, nearest in the bind pose. It stays the same in all poses: the nearest of
-                       ///< a pose leaps from one wall of a fold to the other.
-  float share = 1.0f;  ///< Of cloth: how much of the skin's height it takes; less where it hangs far off the skin.
+  SurfacePlace place;  ///< Nearest place on the other layer in the bind pose, for all poses: the nearest in a pose
+                       ///< would leap between the walls of a fold.
+  float share = 1.0f;  ///< For cloth: fraction of the skin's height it follows; less where it hangs far off the skin.
 };
 
 inline constexpr std::size_t kClothGroup = 16;
 
 struct ClothBinding {
-  std::vector<BoundVertex> cloth;      ///< Those with skin near them. Ascending.
-  std::vector<BoundVertex> under;      ///< Vertices of skin with cloth over them. Ascending.
+  std::vector<BoundVertex> cloth;      ///< Cloth near skin. Ascending.
+  std::vector<BoundVertex> under;      ///< Skin under cloth. Ascending.
   std::vector<int> slot;               ///< [V'] index into `cloth`, or -1.
-  WallTree walls;                      ///< Skin that cloth is near.
+  WallTree walls;                      ///< Skin near cloth.
   std::vector<WallsUnder> wallsUnder;  ///< [cloth]
-  std::vector<int> inSpace;            ///< Indices into `cloth`: kClothGroup after kClothGroup lie close together.
+  std::vector<int> inSpace;            ///< Indices into `cloth`: each kClothGroup of them lie close together.
 };
 
 /// @param positions, normals [V'] of the patch in the bind pose.  @param height  H
@@ -41,7 +41,7 @@ struct ClothBinding {
                                      const MeshLayers& layers, std::span<const glm::vec3> positions,
                                      std::span<const glm::vec3> normals, float height);
 
-/// The layers of the control triangles alone.
+/// [T] Layers of the control triangles.
 [[nodiscard]] inline std::span<const SkinLayer> triangleLayers(const Refinement& refinement, const MeshLayers& layers) {
   return std::span(layers.carriers)
       .subspan(static_cast<std::size_t>(refinement.controlVertices) +

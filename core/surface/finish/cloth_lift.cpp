@@ -1,5 +1,4 @@
-// core/surface/finish/cloth_lift.cpp: cloth follows its feet, makes room for skin between its vertices, and comes
-// out of the other walls of folds.
+// core/surface/finish/cloth_lift.cpp: cloth follows its feet, makes room for skin, and leaves other walls of folds.
 #include "core/surface/finish/cloth_lift.h"
 
 #include <algorithm>
@@ -10,41 +9,41 @@
 #include "core/geometry/at.h"
 #include "core/geometry/parallel.h"
 #include "core/geometry/potential.h"
-#include "core/surface/finish/refined_corners.h"
+#include "core/surface/finish/skin_walls.h"
 
 namespace sinew {
 namespace {
 
 constexpr float kLeastGap = 0.001f;       ///< Fraction of H, where the skin has moved.
-constexpr std::size_t kClothBlock = 256;  ///< Vertices that one thread looks at.
-constexpr float kClothOverFrom = 0.2f;   ///< Cosine between the skin's normal and the way to the cloth: less is beside,
-constexpr float kClothOverWhole = 0.5f;  ///< more is over it.
-constexpr float kClothDeepest = 0.05f;   ///< Fraction of H: deeper than this cloth is not looked for.
-constexpr float kClear = -1.0f;          ///< In place of a gap: below no skin.
-constexpr float kClearMotion = 2e-4f;    ///< Fraction of H that a wall or the cloth has moved, from which walls count.
-constexpr float kClearBeyond = 0.25f;    ///< Of its depth, how far above a wall a vertex comes to be.
-constexpr int kClearRounds = 12;         ///< The way out of one wall may lead into the next.
-constexpr float kLeastRaiseCosine = 0.5f;  ///< A raise along another direction grows by no more than this says.
+constexpr std::size_t kClothBlock = 256;  ///< Vertices for one thread.
+constexpr float kClothOverFrom = 0.2f;  ///< Cosine between the skin's normal and the direction to cloth: less is beside
+constexpr float kClothOverWhole = 0.5f;    ///< the skin, more is over it.
+constexpr float kClothDeepest = 0.05f;     ///< Fraction of H: deeper cloth is not searched for.
+constexpr float kClear = -1.0f;            ///< In place of a gap: below no skin.
+constexpr float kClearMotion = 2e-4f;      ///< Motion of a wall or the cloth from which walls count, fraction of H.
+constexpr float kClearBeyond = 0.25f;      ///< Height above the wall that a vertex is moved to, fraction of its depth.
+constexpr int kClearRounds = 12;           ///< Moving out of one wall may lead into the next.
+constexpr float kLeastRaiseCosine = 0.5f;  ///< Divides raises along another direction, at the least.
 
 bool footHasMoved(const Refinement& refinement, int triangle, const ClothView& view, const Surface& surface) {
   return std::ranges::any_of(at(refinement.triangles, triangle),
                              [&](int v) { return at(surface.positions, v) != at(view.patchPositions, v); });
 }
 
-/// How a vertex of cloth moves. @param way  of its foot.  @param gap, height  along the normal there.
+/// Motion of a vertex of cloth.
 struct ClothMove {
-  float share = 0.0f;  ///< Of the foot's way.
+  float share = 0.0f;  ///< Fraction of the foot's motion.
   float more = 0.0f;   ///< Along the normal.
 };
 
-/// How much the skin that a place is below counts: wholly where it is the nearest by far.
+/// Weight of the skin that a place is below: 1 where it is the nearest by far.
 float weightOf(const Walls& walls, float wholeUpTo, float noneFrom) {
   return walls.triangle < 0 ? 0.0f : 1.0f - smoothstep(wholeUpTo, noneFrom, walls.below / walls.above);
 }
 
 ClothMove clothMove(float share, float gap, float height, float way, float least) {
   ClothMove move{share, 0.0f};
-  // As much as leaves the gap. What the file has below the skin is left there.
+  // Enough to leave the gap. Cloth below the skin in the file stays there.
   if (height > 0.0f)
     move.share = std::max(share, std::clamp(1.0f - (gap - least) / height, 0.0f, 1.0f) * smoothstep(-least, 0.0f, gap));
   if (gap < least) move.more = (least - gap) * smoothstep(-least, 0.0f, gap) * smoothstep(0.0f, least, way);
@@ -129,7 +128,7 @@ void ClothLift::makeRoom(const ClothView& view, Surface& surface) {
   }
 }
 
-/// Which vertices are below any skin near them; of all others the gap becomes kClear. @return whether there are any
+/// Sets the gap of vertices that are not below any skin near them to kClear. @return whether there are others
 bool ClothLift::findBelow(const ClothView& view, const SkinWalls& walls, const Surface& surface) {
   const ClothBinding& binding = view.binding;
   const float deepest = kClothDeepest * view.height;
@@ -156,7 +155,7 @@ bool ClothLift::findBelow(const ClothView& view, const SkinWalls& walls, const S
   return std::ranges::any_of(gap_, [](float gap) { return gap != kClear; });
 }
 
-/// Out of walls on which the file has the vertex above, or out as far as it has it there.
+/// Moves vertices out of walls, but no farther than the file has them.
 void ClothLift::clearWalls(const ClothView& view, Surface& surface) {
   const ClothBinding& binding = view.binding;
   const Refinement& refinement = *surface.refinement;
@@ -173,7 +172,7 @@ void ClothLift::clearWalls(const ClothView& view, Surface& surface) {
     const glm::vec3 followed = surface.positions[v];
     const Walls onPatch = before.around(view.patchPositions[v], binding.wallsUnder[i], deepest);
     const float allowed = onPatch.depth * weightOf(onPatch, 1.0f / SkinWalls::kWallsApart, 1.0f);
-    // The way is found as if each wall counted wholly; then each step counts as much as its wall and all before it.
+    // Steps are found with every wall at full weight; each is then weighted by its wall and all before it.
     glm::vec3 way(0.0f);
     float weight = 1.0f;
     for (int round = 0; round < kClearRounds; ++round) {

@@ -9,7 +9,7 @@
 
 namespace sinew {
 
-/// What a lift reads beside the surface.
+/// Input of ClothLift besides the surface.
 struct ClothView {
   const VertexRings& rings;
   const MeshLayers& layers;
@@ -19,14 +19,14 @@ struct ClothView {
   float height = 1.0f;                        ///< H
 };
 
-/// Moves cloth, on a surface whose skin is done: a vertex goes as its foot does, the point of the skin's patch that is
-/// nearest in the bind pose, so that it keeps its gap along the skin's normal; where the skin has moved, the gap is at
-/// least 0.1 % of H, unless the file has the cloth below the skin. Then corners of cloth make room for vertices of skin
-/// that would come through between them. What is far off the skin moves less, as far as that leaves the gap. At last,
-/// vertices that are below another wall of a fold than their own are moved out of it.
+/// Moves cloth on a surface with finished skin. A vertex follows its foot, the nearest point on the skin's patch in the
+/// bind pose, and keeps its gap along the skin's normal. Where the skin has moved, the gap is at least 0.1 % of H,
+/// unless the file has the cloth below the skin. Cloth far off the skin moves less, as far as the gap allows. Then
+/// corners of cloth make room for vertices of skin that would come through between them. Last, vertices below another
+/// wall of a fold than their own are moved out of it.
 class ClothLift {
  public:
-  /// Positions, normals and displacement of cloth. @return false: nothing has moved
+  /// Sets positions, normals and displacement of cloth. @return false: nothing has moved
   bool apply(const ClothView& view, Surface& surface);
 
  private:
@@ -37,10 +37,10 @@ class ClothLift {
 
   std::vector<glm::vec3> up_;         ///< [cloth] the skin's normal at the foot.
   std::vector<float> raise_;          ///< [cloth]
-  std::vector<float> lack_;           ///< [under] how much the cloth over it is too low.
+  std::vector<float> lack_;           ///< [under] height that the cloth over it lacks.
   std::vector<int> over_;             ///< [under] the triangle over it, where lack_ is not 0.
-  std::vector<WallNode> walls_;       ///< Of the skin,
-  std::vector<WallNode> patchWalls_;  ///< and of its patch.
+  std::vector<WallNode> walls_;       ///< Of the skin.
+  std::vector<WallNode> patchWalls_;  ///< Of its patch.
   std::vector<float> gap_;            ///< [cloth] distance of the foot; 0 below it.
 };
 

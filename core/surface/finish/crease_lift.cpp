@@ -1,5 +1,4 @@
-// core/surface/finish/crease_lift.cpp: fronts of control triangles, the least of them at each control vertex, and
-// heights lowered by what lies in between.
+// core/surface/finish/crease_lift.cpp: least fronts at control vertices, interpolated, and heights lowered by them.
 #include "core/surface/finish/crease_lift.h"
 
 #include <algorithm>
@@ -12,13 +11,13 @@
 namespace sinew {
 namespace {
 
-constexpr float kFolded = -0.3f;           ///< rho up to which heights fall the most.
-constexpr float kLevel = 0.4f;             ///< rho from which on they stay.
-constexpr float kLeft = 0.4f;              ///< What is left of them.
+constexpr float kFolded = -0.3f;           ///< rho up to which heights fall to kLeft.
+constexpr float kLevel = 0.4f;             ///< rho from which heights stay.
+constexpr float kLeft = 0.4f;              ///< Fraction.
 constexpr float kLeastFront = 0.05f;       ///< In the bind pose.
 constexpr std::size_t kFewCreased = 2048;  ///< Triangles, edges or vertices for one thread.
 
-/// How much of its height is left to a vertex.
+/// Remaining fraction of a vertex's height.
 float leftOf(float rho) { return kLeft + (1.0f - kLeft) * smoothstep(kFolded, kLevel, rho); }
 
 float ratioOf(const std::array<int, 3>& t, std::span<const glm::vec3> positions, std::span<const glm::vec3> normals) {
@@ -43,7 +42,7 @@ void CreaseLift::findRho(const CarryingMesh& c, const MovedTriangles& moved) {
   forEachIndex(moved.isControl.size(), kFewCreased, [&](std::size_t t) {
     if (moved.isControl[t] == 0) return;
     for (const int v : c.mesh.triangles[t].vertices) {
-      std::atomic_ref(at(isNear, v)).store(1, std::memory_order_relaxed);  // Several threads may.
+      std::atomic_ref(at(isNear, v)).store(1, std::memory_order_relaxed);  // Several threads may write it.
     }
   });
   fronts_.resize(c.mesh.triangles.size());

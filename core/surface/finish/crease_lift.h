@@ -1,4 +1,4 @@
-// core/surface/finish/crease_lift.h: heights where the pose folds the skin itself. docs/design.md, Creases of a pose.
+// core/surface/finish/crease_lift.h: heights where the pose folds the skin. docs/design.md, Creases of a pose.
 #pragma once
 
 #include <cstdint>
@@ -14,7 +14,7 @@
 
 namespace sinew {
 
-/// A control mesh in its pose, and the refined mesh that it carries.
+/// A posed control mesh and its refined mesh.
 struct CarryingMesh {
   const ControlMesh& mesh;
   std::span<const float> perBindFront;   ///< [T] bindFrontInverses.
@@ -27,14 +27,14 @@ struct CarryingMesh {
 /// [T] 1 / the front (fold.h) of each control triangle in the bind pose; 0 where that is below 0.05.
 [[nodiscard]] std::vector<float> bindFrontInverses(const ControlMesh& mesh);
 
-/// Lowers muscles in the crease of a bent joint. There the bare skin is folded and hidden, and muscles that lifted both
-/// banks would lift them through each other. With rho the least front of the control triangles at a control vertex over
-/// that in the bind pose (fold.h), at most 1, at least -1 and linear in between, heights fall to
-/// 0.4 + 0.6 smoothstep(-0.3, 0.4, rho) of themselves. Triangles that are all but edge-on in the bind pose, front below
-/// 0.05, have no say. Continuous in time; the same at every detail, since refined triangles are not looked at.
+/// Lowers muscles in the crease of a bent joint, where the bare skin is folded and hidden, and muscles would lift both
+/// sides through each other. With rho the least ratio at a control vertex of the front (fold.h) of a control triangle
+/// to that in the bind pose, clamped to [-1, 1] and interpolated linearly, heights are multiplied by 0.4 + 0.6
+/// smoothstep(-0.3, 0.4, rho). Triangles nearly edge-on in the bind pose, with a front below 0.05, do not count.
+/// Continuous in time, and the same for every detail, since it does not use refined triangles.
 class CreaseLift {
  public:
-  /// @param moved  of the refinement.  @param heights [V'] in and out.  On all cores.
+  /// Works on all cores.  @param moved  of the refinement.  @param heights [V'] in and out.
   void lower(const CarryingMesh& carrying, const MovedTriangles& moved, std::span<float> heights);
 
  private:
@@ -43,9 +43,9 @@ class CreaseLift {
   void lowerEdges(const CarryingMesh& carrying, std::span<float> heights);
 
   std::vector<std::uint8_t> isNear_;     ///< [V] at a moved triangle.
-  std::vector<float> fronts_;            ///< [T] over those of the bind pose, where a corner is near; else not read.
+  std::vector<float> fronts_;            ///< [T] over those of the bind pose, valid where a corner is near.
   std::vector<float> rho_;               ///< [V] of this pose; 1 where not near.
-  std::vector<std::uint8_t> isLowered_;  ///< [E] of moved triangles with a corner below kLevel.
+  std::vector<std::uint8_t> isLowered_;  ///< [E] at moved triangles with a corner below kLevel.
 };
 
 }  // namespace sinew

@@ -1,5 +1,5 @@
-// core/surface/finish/fold_kernel.cpp: areas of four triangles at once, compiled once per instruction set.
-#include "core/surface/finish/fold_kernel.h"
+// core/surface/finish/fold_kernel.cpp: areas of four triangles at once, once per instruction set.
+#include "core/surface/finish/fold.h"
 
 #include <algorithm>
 
@@ -17,7 +17,7 @@ namespace sinew::HWY_NAMESPACE {
 
 using Pair = Blocks<2>;
 
-/// Products whose sums are the patch's face squared, and that face times the surface's.
+/// Products whose sums are the squared face of the patch, and its dot product with the surface's.
 HWY_INLINE Pair facesOf(const VertexPair* vertices, const std::array<int, 3>& t) {
   const Pair a = Pair::load(vertices[t[0]].of.data());
   const Pair ab = Pair::load(vertices[t[1]].of.data()) - a;
@@ -32,7 +32,7 @@ std::size_t findShrunk(const ShrunkSearch& search) {
   const std::size_t asked = search.asked.size();
   std::size_t count = 0;
   for (std::size_t begin = 0; begin < asked; begin += kTogether) {
-    // The last ones are repeated; they are not counted again.
+    // The last triangle is repeated, but counted once.
     const auto index = [&](std::size_t i) HWY_ATTR { return search.asked[std::min(begin + i, asked - 1)]; };
     const auto faces = [&](std::size_t i) HWY_ATTR { return facesOf(search.vertices, search.triangles[index(i)]); };
     const Pair both = sums(faces(0), faces(1), faces(2), faces(3));

@@ -2,7 +2,6 @@
 #include "core/surface/finish/fold_spread.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include <glm/geometric.hpp>
@@ -10,8 +9,6 @@
 #include "core/geometry/parallel.h"
 
 namespace sinew {
-
-// Vertices are numbered as triangles name them; each lists its triangles.
 
 void FoldMesh::start(FoldRegion& region, std::span<const std::uint8_t> isBorder, std::span<const glm::vec3> patch,
                      std::span<const glm::vec3> positions) {
@@ -78,9 +75,9 @@ std::span<const FoldMove> FoldMesh::finish(std::span<glm::vec3> positions) {
 
 namespace {
 
-constexpr float kWholeLack = 0.1f;   ///< Lack of q from which on it asks with its whole weight ...
-constexpr float kWholeStep = 0.01f;  ///< ... and moves of its corners, over its edges.
-constexpr float kRelaxation = 1.5f;  ///< Factor on the mean move; above 1: converges faster.
+constexpr float kWholeLack = 0.1f;   ///< Missing q from which a request has its full weight.
+constexpr float kWholeStep = 0.01f;  ///< The same for moves of corners, over the edges.
+constexpr float kRelaxation = 1.5f;  ///< Factor on the mean move; above 1 for faster convergence.
 
 }  // namespace
 
@@ -99,9 +96,9 @@ void FoldSpread::ask(int triangle, FoldMesh& mesh) {
     gradients[i] = glm::cross(normal, opposite);
     squared += glm::dot(gradients[i], gradients[i]);
   }
-  // Where the triangle has shrunk to a line along the normal its gradients vanish: the moves stay small.
+  // The gradients vanish where the triangle has shrunk to a line along the normal: moves stay small.
   const float step = (kLeastArea - fold.area) * area / std::max(squared, area);
-  // Of a sliver q changes fast: what it asks for must not at once count as much as what its neighbors do.
+  // The q of a sliver changes fast: its requests must not weigh as much as its neighbors' at once.
   const float weight = fold.weight * std::min({1.0f, (kLeastArea - fold.area) / kWholeLack, step / kWholeStep});
   for (std::size_t i = 0; i < 3; ++i) {
     FoldVertex& corner = mesh.vertex(corners[i]);
@@ -139,17 +136,15 @@ void FoldSpread::moveAsked(FoldMesh& mesh) {
   asked_.clear();
 }
 
-/// Solves q >= 0.3 for every triangle as a constraint on its area, by the projection step of position based dynamics
-/// (Mueller et al. 2007): each corner moves along the gradient of the area, by the constraint's lack over the sum of
-/// the squared gradients. A corner takes the weighted mean of what all its triangles ask for (Jacobi), so
-/// that the order of triangles does not matter. docs/design.md, Folds.
+/// Treats q >= 0.3 as a constraint on every triangle and projects on it as position based dynamics does (Mueller et al.
+/// 2007), all triangles at once (Jacobi).
 void FoldSpread::apply(FoldMesh& mesh) {
   findFolded(mesh);
   for (const int t : folded_) ask(t, mesh);
   mesh.grow();
   moveAsked(mesh);
   for (int round = 1; round < kMostRounds && !moved_.empty(); ++round) {
-    // Where no corner has moved nothing has changed.
+    // A triangle changes only if a corner has moved.
     mesh.forEachAt(moved_, [&](int triangle) { ask(triangle, mesh); });
     mesh.grow();
     moveAsked(mesh);

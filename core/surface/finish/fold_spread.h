@@ -1,4 +1,4 @@
-// core/surface/finish/fold_spread.h: lifted skin must not turn inside out. docs/design.md, Folds.
+// core/surface/finish/fold_spread.h: unfolds lifted skin that has turned inside out. docs/design.md, Folds.
 #pragma once
 
 #include <array>
@@ -9,39 +9,36 @@
 
 #include "core/geometry/at.h"
 #include "core/surface/finish/fold.h"
-#include "core/surface/finish/fold_region.h"
 
 namespace sinew {
 
-// The folding part of the surface as a small mesh, while folds are taken out.
-
-/// A vertex that folds have moved, and where it was.
+/// A vertex moved by unfolding, and its position before.
 struct FoldMove {
   int vertex = 0;
   glm::vec3 from{0.0f};  ///< World.
 };
 
-/// A vertex of the region: one cache line holds all that rounds read of it.
+/// A vertex of the region, with all that rounds read of it in one cache line.
 struct FoldVertex {
   glm::vec3 position{0.0f};  ///< World.
-  int firstCorner = -1;      ///< Of its list of triangle corners: 3 triangle + corner.
-  glm::vec3 from{0.0f};      ///< Before any fold moved it.
-  float most = 0.0f;         ///< How far it may move from there; 0: it stays.
+  int firstCorner = -1;      ///< First in its list of triangle corners: 3 triangle + corner.
+  glm::vec3 from{0.0f};      ///< Before any move.
+  float most = 0.0f;         ///< Largest distance from `from`; 0: it stays.
   int index = 0;             ///< In the surface.
   bool hasMoved = false;
-  float weight = 0.0f;  ///< The stage's own; 0 before and after it.
+  float weight = 0.0f;  ///< For the stage; 0 before and after it.
   glm::vec3 way{0.0f};  ///< Likewise.
 };
 
-/// The triangles of a FoldRegion with vertices of their own. Rounds go over them many times: what they read lies
-/// together, and the tables of the whole refinement are not looked at. Kept from pose to pose for its memory.
+/// The triangles of a FoldRegion with vertices of their own, for the many rounds over them: what these read lies
+/// together. Reused from pose to pose for its memory.
 ///
-/// Every vertex stays as near to where muscles have put it as they have moved it. So one that has only begun to move is
-/// not thrown about by a fold beside it. Those on borders, and those that muscles have not moved, stay.
+/// A vertex moves no farther than muscles have moved it, so that a fold does not throw a neighbor about that has just
+/// begun to move. Vertices on borders, and those that muscles have not moved, stay.
 class FoldMesh {
  public:
-  /// Everything that is passed must outlive the use of the mesh.
-  /// @param region  found.  @param isBorder [V'] borderVertices.  @param patch, positions [V'] world.
+  /// All arguments must outlive the use of the mesh.
+  /// @param region  after find().  @param isBorder [V'] borderVertices().  @param patch, positions [V'] world.
   void start(FoldRegion& region, std::span<const std::uint8_t> isBorder, std::span<const glm::vec3> patch,
              std::span<const glm::vec3> positions);
 
@@ -53,7 +50,7 @@ class FoldMesh {
     return {at(triangles_, triangle).face, at(triangles_, triangle).whole};
   }
 
-  /// @param least  q from which on the caller does not look: its weight is 0.
+  /// @param least  q from which the weight is 0, since the caller does not need it.
   [[nodiscard]] Fold foldOf(int triangle, float least) {
     const Triangle& own = at(triangles_, triangle);
     const glm::vec3& a = at(vertices_, own.corners[0]).position;
@@ -78,17 +75,17 @@ class FoldMesh {
   /// @param local  a vertex that may move
   void move(int local, const glm::vec3& to);
 
-  /// A triangle folds: what is around its control triangle belongs to the mesh from the next grow() on.
+  /// Adds a fold: the next grow() extends the mesh around its control triangle.
   void add(int triangle) { region_->add(at(region_->triangles(), triangle)); }
   void grow();
 
-  /// Writes what has moved, each vertex once, and ends the use of the mesh. Valid until the next start().
+  /// Writes moved vertices and lists each once. Ends the use of the mesh. Valid until the next start().
   [[nodiscard]] std::span<const FoldMove> finish(std::span<glm::vec3> positions);
 
  private:
   struct Triangle {
     std::array<int, 3> corners{};  ///< Local.
-    int round = 0;                 ///< The last visit that came by.
+    int round = 0;                 ///< Last round that visited it.
     glm::vec3 face{0.0f};
     float whole = 0.0f;
   };
@@ -100,28 +97,27 @@ class FoldMesh {
   std::span<const std::uint8_t> isBorder_;
   std::span<const glm::vec3> patch_;
   std::span<const glm::vec3> positions_;
-  std::vector<int> localOf_;  ///< [V'] -1: outside of the region.
+  std::vector<int> localOf_;  ///< [V'] -1: outside the region.
   std::vector<FoldVertex> vertices_;
-  std::vector<Triangle> triangles_;  ///< As the region has them.
+  std::vector<Triangle> triangles_;  ///< In the region's order.
   std::vector<int> next_;            ///< [3 triangles] the next corner at the same vertex; -1: none.
   std::vector<FoldMove> moved_;
   int round_ = 0;
 };
 
-/// Moves the corners of folded triangles apart, along their patch.
+/// Moves the corners of folded triangles apart along their patch.
 ///
-/// A triangle with q below 0.3 (fold.h) asks its corners for the least moves that would give it q = 0.3: along the
-/// gradients of its area as seen along the patch's face normal. They lie in the patch's plane, so heights stay, and no
-/// pit opens. A corner follows the mean of what it is asked for, weighted by how far each q can be trusted and, from q
-/// = 0.2 up or where the moves are below 1 % of the edges, by how much is missing; over-relaxed by 1/2. Up to 8
-/// rounds, each of which reads the one before alone: the order of triangles does not matter, and what a vertex does is
-/// a continuous function of all positions. Vertices that have not moved stay, as do borders.
+/// Every triangle with q < 0.3 (fold.h) requests of its corners the least moves that would give it q = 0.3, along the
+/// gradients of its area projected along the patch's face normal. These lie in the patch's plane, so heights stay and
+/// no pit opens. A corner moves by the mean of its requests, over-relaxed by 1/2. Weights are the trust in q, times the
+/// missing part from q = 0.2 up or where the moves are below 1 % of the edges. There are up to 8 rounds, each reading
+/// only the one before: the order of triangles does not matter, and positions depend continuously on each other.
 class FoldSpread {
  public:
-  static constexpr float kLeastArea = 0.3f;  ///< q below which a triangle asks.
+  static constexpr float kLeastArea = 0.3f;  ///< q below which a triangle counts as folded.
   static constexpr int kMostRounds = 8;
 
-  /// @param mesh  its region found with kLeastArea.
+  /// @param mesh  of a region found with kLeastArea.
   void apply(FoldMesh& mesh);
 
  private:
@@ -130,8 +126,8 @@ class FoldSpread {
   void moveAsked(FoldMesh& mesh);
 
   std::vector<int> folded_;  ///< Triangles, before the first round.
-  std::vector<int> asked_;   ///< Of the mesh's vertices.
-  std::vector<int> moved_;   ///< Those of the last round.
+  std::vector<int> asked_;   ///< Vertices with requests.
+  std::vector<int> moved_;   ///< Vertices moved in the last round.
 };
 
 }  // namespace sinew

@@ -1,5 +1,5 @@
-// core/surface/finish/lift_kernel.cpp: six neighbors at once, compiled once per instruction set.
-#include "core/surface/finish/lift_kernel.h"
+// core/surface/finish/lift_kernel.cpp: six neighbors at once, once per instruction set.
+#include "core/surface/finish/lifted_heights.h"
 
 #include "core/geometry/at.h"
 #include "core/geometry/targets.h"
@@ -16,7 +16,7 @@ namespace sinew::HWY_NAMESPACE {
 
 using Pair = Blocks<2>;
 
-/// Places and heights of two vertices, from `own` on.
+/// Places and heights of two vertices relative to `own`.
 HWY_INLINE Pair twoSeen(const LiftPlace* places, const int* two, const Pair& own) {
   return Pair::join(at(places, two[0]).of.data(), at(places, two[1]).of.data()) - own;
 }
@@ -49,8 +49,7 @@ void sumEdges(const LiftInputs& inputs) {
   }
 }
 
-/// Squares stand for the lengths themselves: a height is too steep where its square is above that of the slope times
-/// the way, or all but that.
+/// Compares squares: a height is steep if its square exceeds that of the slope times the distance, or nearly so.
 std::size_t findSteep(const SteepInputs& inputs) {
   constexpr float kNearly = 0.9999f;
   const float squaredSlope = kNearly * inputs.slope * inputs.slope;

@@ -1,18 +1,14 @@
 // core/surface/finish/moved_triangles.cpp: from moved vertices to the triangles around them, on all cores.
 #include "core/surface/finish/moved_triangles.h"
 
-#include <array>
 #include <atomic>
-
-#include "core/geometry/at.h"
-#include "core/geometry/parallel.h"
 
 namespace sinew {
 namespace {
 
 constexpr std::size_t kFewMoved = 4096;  ///< Vertices or triangles for one thread.
 
-/// What is flagged, ascending. Without a branch: flags change too often to be foreseen.
+/// Lists what is flagged, ascending. Has no branch because flags change too often to be predicted.
 void listFlagged(std::span<const std::uint8_t> flags, std::vector<int>& out) {
   out.resize(flags.size());
   out.resize(listInBlocks(flags.size(), kFewMoved, out.data(), [&](std::size_t begin, std::size_t end, int* listed) {
@@ -38,8 +34,8 @@ void flag(const std::array<int, 3>& t, Flags flags) {
   for (const int corner : t) std::atomic_ref(at(flags, corner)).store(1, std::memory_order_relaxed);
 }
 
-// Parts, as several threads take them. They have spans of their own: bytes may lie anywhere, so that a flag that is
-// written has all that others may know of read again, what a lambda refers to as well.
+// Parts for several threads. They take spans by value: bytes may alias anything, so that after each write of a flag the
+// compiler would read again all that a lambda refers to.
 
 void findMoved(std::span<const glm::vec3> patch, std::span<const glm::vec3> positions, Flags isMoved, std::size_t begin,
                std::size_t end) {
@@ -50,13 +46,13 @@ void findMoved(std::span<const glm::vec3> patch, std::span<const glm::vec3> posi
   }
 }
 
-/// What one thread reads of the pieces of control triangles.
+/// Refined triangles and the first of each control triangle.
 struct Pieces {
   Triangles triangles;
   std::span<const int> begin;
 };
 
-/// Control triangles with a moved vertex, and the vertices of their pieces that have one.
+/// Flags control triangles with a moved vertex, and the corners of their refined triangles that have one.
 void findNear(Pieces pieces, Flags isMoved, Flags isControl, Flags isNear, std::size_t begin, std::size_t end) {
   for (std::size_t t = begin; t < end; ++t) {
     std::uint8_t any = 0;
@@ -69,7 +65,7 @@ void findNear(Pieces pieces, Flags isMoved, Flags isControl, Flags isNear, std::
   }
 }
 
-/// Triangles at those vertices, and their corners. @return  how many
+/// Lists triangles with a near vertex and flags their corners. @return  number of triangles
 std::size_t findRefined(Triangles triangles, Flags isNear, Flags isCorner, int* refined, std::size_t begin,
                         std::size_t end) {
   std::size_t count = 0;

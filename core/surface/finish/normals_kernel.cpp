@@ -1,6 +1,6 @@
-// core/surface/finish/normals_kernel.cpp: normals softened at rims, held to the faces and without teeth, compiled
-// once per instruction set.
-#include "core/surface/finish/normals_kernel.h"
+// core/surface/finish/normals_kernel.cpp: normals softened at rims, held to the faces and freed of teeth, once per
+// instruction set.
+#include "core/surface/finish/shading_normals.h"
 
 #include <algorithm>
 #include <cmath>
@@ -19,28 +19,28 @@
 HWY_BEFORE_NAMESPACE();
 namespace sinew::HWY_NAMESPACE {
 
-// Difference between neighbors' deltas from which the second step softens the field's, and does so whole.
+// Difference between neighbors' deltas from which step 2 softens the field's, and from which it does so fully.
 constexpr float kRimFrom = 0.05f;
 constexpr float kRimWhole = 0.2f;
-constexpr float kRimSecond = 0.44f;  ///< Largest weight of the second step there.
-// Difference between neighbors' normals from which the ring's mean takes its place, and does so whole.
+constexpr float kRimSecond = 0.44f;  ///< Largest weight of step 2 there.
+// Difference between neighbors' normals from which the ring's mean replaces it, and from which it does so fully.
 constexpr float kMeanFrom = 0.2f;
 constexpr float kMeanWhole = 0.45f;
-constexpr float kSoftening = 0.8f;       ///< Largest share of the mean.
+constexpr float kSoftening = 0.8f;       ///< Largest weight of the mean.
 constexpr float kFreedom = 0.145f;       ///< About 8 degrees.
 constexpr float kRotationFrom = -0.95f;  ///< Cosine between face normals from which a rotation between them counts.
 constexpr float kRotationWhole = -0.7f;
-constexpr float kTeeth = 0.23f;  ///< Largest weight of the second step.
-// Difference between neighbors' deltas from which the second step works, from which it works whole, and where it ends.
+constexpr float kTeeth = 0.23f;  ///< Largest weight of step 2.
+// Differences between neighbors' deltas from which step 2 starts, is full, starts to fade, and ends.
 constexpr float kTeethFrom = 0.22f;
 constexpr float kTeethWhole = 0.45f;
 constexpr float kCliffFrom = 0.45f;
 constexpr float kCliffWhole = 0.8f;
-constexpr float kTurnedWhole = 0.1f;  ///< Turn of a vertex from which the second step works whole.
+constexpr float kTurnedWhole = 0.1f;  ///< Length of delta from which step 2 is full.
 
 using Pair = Blocks<2>;
 
-/// An angle to 7e-5 from twice its cosine (Abramowitz & Stegun 4.4.45): a weight needs no more.
+/// An angle, to 7e-5, from twice its cosine (Abramowitz & Stegun 4.4.45): enough for a weight.
 template <std::size_t kCount>
 HWY_INLINE Blocks<kCount> roughAngle(const Blocks<kCount>& x) {
   const auto all = [](float value) HWY_ATTR { return Blocks<kCount>::all(value); };
@@ -51,7 +51,7 @@ HWY_INLINE Blocks<kCount> roughAngle(const Blocks<kCount>& x) {
   return whereNegative(x, all(3.14159265f) - angle, angle);
 }
 
-/// Normals of one triangle or of two, block by block, times the angle at one corner.
+/// Normals of one triangle or two, times the angle at each corner.
 template <std::size_t kCount>
 struct LaneCorners {
   Blocks<kCount> a;
@@ -67,12 +67,12 @@ HWY_INLINE LaneCorners<kCount> cornerNormals(const Blocks<kCount>& a, const Bloc
   const Many bc = c - b;
   const Many ca = a - c;
   const Many face = yzxw(ab * yzxw(bc) - yzxw(ab) * bc);
-  // Squared lengths of ab, bc, ca and the face; corner by corner those of one edge, the other and the opposite one.
+  // Squared lengths of ab, bc, ca and the face; for each corner, of one edge, the other and the opposite one.
   const Many one = sums(ab * ab, bc * bc, ca * ca, face * face);
   const Many other = xyzAndW(zxyw(one), Many::all(1.0f));
   const Many opposite = yzxw(one);
   const Many squares = one * other;
-  // Twice the cosines, and in w one over the face's length.
+  // Twice the cosines; w: 1 / length of the face.
   const Many cosines = wherePositive(squares, ((one - opposite) + other) / root(squares));
   const Many weights = roughAngle(cosines) * spread<3>(cosines);
   return {spread<0>(weights) * face, spread<1>(weights) * face, spread<2>(weights) * face};
@@ -82,7 +82,7 @@ HWY_INLINE const float* cornerOf(const NormalsInputs& inputs, const std::array<i
   return inputs.pairs[t[i]].of.data();
 }
 
-/// Each where its vertex has them together.
+/// Stores each normal in the list of its vertex.
 HWY_INLINE void store(const LaneCorners<2>& normals, const NormalsInputs& inputs, int triangle) {
   const int* places = inputs.rings->placeOf.data() + 3 * triangle;
   normals.a.store(inputs.corners[places[0]].of.data());
@@ -121,14 +121,14 @@ HWY_INLINE Pair sumOfFaces(const NormalsInputs& inputs, int vertex) {
   return sum;
 }
 
-/// Unit, where the length is that of a sum of a few weighted unit vectors; `fallback` where they cancel.
+/// Normalizes a sum of a few weighted unit vectors; `fallback` where they cancel.
 HWY_INLINE V3 unitOfSum(const V3& sum, const V3& fallback) {
   const V squared = dot(sum, sum);
   return select(hn::Gt(squared, all(1e-12f)), (all(1.0f) / hn::Sqrt(squared)) * sum, fallback);
 }
 
-/// What the least rotation that takes `from` to `to`, both unit, adds to v. Opposite ones have no such rotation:
-/// towards them it goes over into their plain difference.
+/// Change of v by the least rotation from `from` to `to`, both unit. Opposite vectors have none; near them the change
+/// becomes to - from.
 HWY_INLINE V3 turnOf(const V3& v, const V3& from, const V3& to) {
   const V cosine = dot(from, to);
   const V t = hn::Min(hn::Max((cosine - all(kRotationFrom)) / all(kRotationWhole - kRotationFrom), zero()), all(1.0f));
@@ -143,7 +143,7 @@ HWY_INLINE V3 turnOf(const V3& v, const V3& from, const V3& to) {
   return select(whole, rotated, select(hn::Gt(t, zero()), between, plain));
 }
 
-/// Up to width() vertices; the lanes beyond them repeat the last one.
+/// For up to width() vertices; lanes beyond them repeat the last one.
 void holdToFaces(const NormalsInputs& inputs, const Rows& patchNormals, std::span<const int> vertices) {
   const auto vertexOf = [&](std::size_t lane) { return vertices[std::min(lane, vertices.size() - 1)]; };
   alignas(32) std::array<std::array<float, 8>, kLanes> sums{};
@@ -189,7 +189,7 @@ void hold(const NormalsInputs& inputs, std::size_t begin, std::size_t end) {
 
 using Vector = Blocks<1>;
 
-/// What six neighbors differ by, two in each.
+/// Differences of six neighbors, two in each member.
 struct SixNeighbors {
   Pair a;
   Pair b;
@@ -211,7 +211,7 @@ HWY_INLINE SixNeighbors differences(const NormalsInputs& inputs, const int* ring
   return {two(0), two(2), two(4)};
 }
 
-/// (M - 1) delta into `first`. Returns the square of the largest difference of delta from a neighbor's.
+/// Sets `first` to (M - 1) delta. Returns the square of the largest difference between delta and a neighbor's.
 HWY_INLINE float setFirst(const NormalsInputs& inputs, int vertex) {
   const float* place = placeOf<&NormalsVertex::delta>(inputs, vertex);
   const Pair own = Pair::join(place, place);
@@ -229,7 +229,7 @@ HWY_INLINE float setFirst(const NormalsInputs& inputs, int vertex) {
   return first(max(max(furthest, spread<1>(furthest)), spread<2>(furthest)));
 }
 
-/// delta less a share of (M - 1)^2 delta.
+/// delta - weight (M - 1)^2 delta
 HWY_INLINE Vector withoutSecond(const NormalsInputs& inputs, int vertex, float weight) {
   const float* place = placeOf<&NormalsVertex::first>(inputs, vertex);
   const Pair own = Pair::join(place, place);
@@ -253,7 +253,7 @@ void setNormal(const NormalsInputs& inputs, int vertex, const Vector& delta) {
   if (squared > 1e-12f) inputs.normals[v] = (1.0f / std::sqrt(squared)) * direction;
 }
 
-/// The field's normals, and what they turn the patch's by.
+/// Reads the field's normals and their deltas.
 void takeTurns(const NormalsInputs& inputs, std::size_t begin, std::size_t end) {
   const Rows normals(inputs.normals);
   const Rows patchNormals(inputs.patchNormals);
@@ -261,12 +261,12 @@ void takeTurns(const NormalsInputs& inputs, std::size_t begin, std::size_t end) 
   for (const int vertex : std::span(inputs.moved->corners).subspan(begin, end - begin)) {
     const Pair normal = Pair::join(normals.at(vertex), normals.at(vertex));
     const Pair both = normal - Pair::join(patchNormals.at(vertex), kZero.data());
-    xyzAndW(both, Pair::all(0.0f)).store(inputs.vertices[vertex].delta.data());  // The fourth is any in Rows.
+    xyzAndW(both, Pair::all(0.0f))
+        .store(inputs.vertices[vertex].delta.data());  // Fourth numbers of Rows are undefined.
   }
 }
 
-/// (M - 1) delta, and what the ring's mean adds where normals differ enough.
-/// @return  the square of the largest difference of delta from a neighbor's
+/// setFirst(), and `mean` where normals differ enough.
 HWY_INLINE float setFirstAndMean(const NormalsInputs& inputs, int vertex) {
   const auto both = [&](int v) HWY_ATTR { return Pair::load(inputs.vertices[v].delta.data()); };
   const Pair own = both(vertex);
@@ -283,7 +283,7 @@ HWY_INLINE float setFirstAndMean(const NormalsInputs& inputs, int vertex) {
   const Pair means = Pair::all(inputs.rings->share[static_cast<std::size_t>(vertex)]) * sum;
   NormalsVertex& out = inputs.vertices[vertex];
   lower(means).store(out.first.data());
-  const float apart = first(upper(most));  // Of normals, squared.
+  const float apart = first(upper(most));  // Squared, between normals.
   if (apart > kMeanFrom * kMeanFrom) {
     const float mean = smoothstep(kMeanFrom, kMeanWhole, std::sqrt(apart));
     (Vector::all(kSoftening * mean) * upper(means)).store(out.mean.data());
@@ -292,7 +292,7 @@ HWY_INLINE float setFirstAndMean(const NormalsInputs& inputs, int vertex) {
   return first(lower(most));
 }
 
-/// Those that differ enough from a neighbor in their deltas or their normals.
+/// Vertices with a delta or normal that differs enough from a neighbor's.
 std::size_t findRims(const NormalsInputs& inputs, std::size_t begin, std::size_t end) {
   std::size_t count = 0;
   for (std::size_t at = begin; at < end; ++at) {
@@ -320,7 +320,7 @@ HWY_INLINE V smoothstepOf(float from, float to, V x) {
   return t * t * (all(3.0f) - all(2.0f) * t);
 }
 
-/// In place of the squared differences.
+/// Replaces squared differences by weights.
 void weighTeeth(const NormalsInputs& inputs, std::span<const int> teeth, float* weights) {
   for (std::size_t begin = 0; begin < teeth.size(); begin += width()) {
     LaneFloats squared;
@@ -336,7 +336,7 @@ void weighTeeth(const NormalsInputs& inputs, std::span<const int> teeth, float* 
     const V apart = hn::Sqrt(hn::Load(kTag, squared.at(0)));
     const V turn = hn::Sqrt(hn::Load(kTag, turns.at(0)));
     const V cliff = hn::Load(kTag, cliffs.at(0)) * smoothstepOf(kCliffFrom, kCliffWhole, apart);
-    // Only where something has turned; from there on continuously.
+    // Only where delta is not 0, and continuous from there.
     const V weight = all(kTeeth) * smoothstepOf(kTeethFrom, kTeethWhole, apart) * (all(1.0f) - cliff) *
                      smoothstepOf(0.0f, kTurnedWhole, turn);
     hn::Store(weight, kTag, squared.at(0));

@@ -1,17 +1,16 @@
-// core/surface/finish/shading_normals.cpp: memory for the kernel.
+// core/surface/finish/shading_normals.cpp: memory and threads for the kernel.
 #include "core/surface/finish/shading_normals.h"
 
 #include <algorithm>
 
 #include "core/geometry/at.h"
-#include "core/geometry/parallel.h"
 
 namespace sinew {
 namespace {
 
-constexpr std::size_t kBlock = 512;  ///< Vertices that one thread looks at.
+constexpr std::size_t kBlock = 512;  ///< Vertices for one thread.
 
-/// Blocks of `size` vertices, each with its place and its end.
+/// Calls use(block, begin, end) for blocks of `size` vertices.
 template <class Use>
 void forBlocks(std::size_t size, const Use& use) {
   forEachIndex((size + kBlock - 1) / kBlock, 1,

@@ -1,44 +1,93 @@
-// core/surface/finish/shading_normals.h: normals that agree with the triangles they are drawn on.
-// docs/design.md, Normals.
+// core/surface/finish/shading_normals.h: normals that agree with the drawn triangles. docs/design.md, Normals.
 #pragma once
 
+#include <array>
+#include <cstddef>
+#include <cstdint>
 #include <span>
 #include <vector>
 
+#include "core/geometry/instruction_set.h"
 #include "core/geometry/parallel.h"
 #include "core/surface/finish/moved_triangles.h"
-#include "core/surface/finish/normals_kernel.h"
+#include "core/surface/finish/vertex_rings.h"
 #include "sinew/surface/surface.h"
 
 namespace sinew {
 
-/// Holds the field's normals to what the mesh can show, in steps on delta = normal - n_patch, the turn that the muscles
-/// give to the patch's normal.
+/// At the corner of a triangle: the unit normals of the patch and of the surface, times the angle. Four numbers each.
+struct alignas(32) CornerNormals {
+  std::array<float, 8> of;
+};
+
+/// Scratch of one vertex in one cache line, 0 before and after. Fourth numbers are 0 unless noted.
+struct alignas(64) NormalsVertex {
+  std::array<float, 4> delta{};   ///< normal - n_patch: the field's, then held to the faces.
+  std::array<float, 4> normal{};  ///< The field's. Softening reads it and `delta` as eight numbers.
+  std::array<float, 4> first{};   ///< (M - 1) delta
+  std::array<float, 4> mean{};    ///< Added to the normal by the ring's mean; fourth: 0..1, how far the mean replaces
+                                  ///< the second step.
+};
+
+static_assert(offsetof(NormalsVertex, normal) == sizeof(NormalsVertex::delta));
+
+/// Spans and arrays of vertices are [V']; all but `rings` are read and written only at moved.corners. The kernel
+/// allocates nothing.
+struct NormalsInputs {
+  const Refinement* refinement = nullptr;
+  const VertexRings* rings = nullptr;
+  const MovedTriangles* moved = nullptr;
+  const VertexPair* pairs = nullptr;
+  std::span<const glm::vec3> patchNormals;
+  std::span<const float> filtered;   ///< Empty: all are 0.
+  std::span<glm::vec3> normals;      ///< In and out: as ShadingNormals::apply.
+  CornerNormals* corners = nullptr;  ///< [3 T n^2] scratch, in the order of rings->corners, for moved.refined.
+  NormalsVertex* vertices = nullptr;
+  float* turns = nullptr;    ///< Squared delta, the larger of the field's and the faces'; 0 before and after.
+  std::span<int> teeth;      ///< [moved.corners] scratch: vertices found by each block, at its place. First rims.
+  std::span<float> weights;  ///< [moved.corners] of the same vertices.
+};
+
+/// Stages, in this order. Threads can share each of them, as its parts write to different places. A part goes from
+/// begin to end in the named span of `moved`.
+struct NormalsKernel {
+  void (*takeTurns)(const NormalsInputs& inputs, std::size_t begin, std::size_t end);         ///< moved.corners
+  std::size_t (*findRims)(const NormalsInputs& inputs, std::size_t begin, std::size_t end);   ///< moved.near
+  void (*softenRims)(const NormalsInputs& inputs, std::size_t begin, std::size_t count);      ///< Vertices found there.
+  void (*faces)(const NormalsInputs& inputs, std::size_t begin, std::size_t end);             ///< moved.refined
+  void (*hold)(const NormalsInputs& inputs, std::size_t begin, std::size_t end);              ///< moved.near
+  std::size_t (*findTeeth)(const NormalsInputs& inputs, std::size_t begin, std::size_t end);  ///< moved.corners
+  void (*removeTeeth)(const NormalsInputs& inputs, std::size_t begin, std::size_t count);     ///< Vertices found there.
+};
+
+[[nodiscard]] NormalsKernel normalsKernel(InstructionSet set);
+
+/// Limits the field's normals to what the mesh can show, in steps on delta = normal - n_patch, the change that muscles
+/// make to the patch's normal.
 ///
-/// 0. With adaptive detail only: along a muscle's rim the field turns within an edge, and where the rim runs across the
-///    mesh, deltas alternate. As in step 2 what alternates is taken away, by nearly all of it from small differences
-///    on, which show from close by; the more neighbors differ, the more goes over into the ring's mean.
-/// 1. The field knows more than the mesh: where a muscle's rim is narrower than an edge, its gradient turns between two
-///    vertices while the triangle between them is flat, and interpolated shading shows saw teeth. With N the normal of
-///    the faces around a vertex (weighted by the corners' angles) and delta' the turn that the least rotation from
-///    N(patch) to N(surface) gives to n_patch, delta is moved towards delta' until it is within kFreedom of it. Smooth
+/// 0. With adaptive detail only: along a muscle's rim the field's normal rotates within an edge, and deltas alternate
+///    where the rim runs across the mesh. Alternation is removed as in step 2, nearly all of it from small differences
+///    on, which show from close by; the more neighbors differ, the more the ring's mean takes over.
+/// 1. The field has more detail than the mesh: where a muscle's rim is narrower than an edge, its gradient rotates
+///    between two vertices while the triangle between them is flat, and interpolated shading shows saw teeth. With N
+///    the normal of the faces around a vertex (weighted by the corners' angles) and delta' the change of n_patch by the
+///    least rotation from N(patch) to N(surface), delta moves towards delta' until it is within kFreedom of it. Smooth
 ///    places keep the field's normal exactly.
 /// 2. The faces themselves alternate along a rim that runs across the mesh. With M the mean over a vertex's neighbors,
-///    delta -= weight (M - 1)^2 delta: nearly all of what alternates from vertex to vertex, little of what spreads over
-///    several. The weight is 0 where neighbors differ little, where the vertex itself is not turned, and on cliffs,
-///    which are meant.
+///    delta -= weight (M - 1)^2 delta: nearly all that alternates from vertex to vertex, little that spreads over
+///    several. The weight is 0 where neighbors differ little, where delta is 0, and on cliffs, which are intended.
 ///
-/// Where heights were filtered (lift_filter.h) the field's normal is not that of the surface, and a cliff is not meant:
-/// there, by the filter's weight, delta goes over into delta', and cliffs are no exception in the second step.
+/// Where heights were filtered (LiftFilter) the field's normal is not that of the surface, and cliffs are not intended:
+/// there, by the filter's weight, delta becomes delta', and step 2 treats cliffs like the rest.
 ///
-/// Continuous in time. A vertex that has not moved and has no moved neighbor keeps its normal bit for bit.
+/// Continuous in time. A vertex that has not moved, nor any neighbor, keeps its normal to the bit.
 class ShadingNormals {
  public:
   /// @param rings  of the refinement.  @param moved  of these positions.  @param pairs  of moved.corners.
   /// @param patchNormals [V'] unit.
-  /// @param filtered [V'] 0..1, the weights of lift_filter.h; empty: all are 0.
+  /// @param filtered [V'] 0..1, the weights of LiftFilter; empty: all are 0.
   /// @param softensRims  for adaptive detail.
-  /// @param normals [V'] unit: in: the field's where a vertex has moved, else the patch's; out: for shading.
+  /// @param normals [V'] unit. In: the field's where a vertex has moved, else the patch's; out: for shading.
   void apply(const Refinement& refinement, const VertexRings& rings, const MovedTriangles& moved,
              const VertexPairs& pairs, std::span<const glm::vec3> patchNormals, std::span<const float> filtered,
              bool softensRims, std::span<glm::vec3> normals);
@@ -46,7 +95,7 @@ class ShadingNormals {
  private:
   void softenRims(const NormalsInputs& inputs, const NormalsKernel& kernel);
 
-  // Scratch of NormalsInputs. What no muscle reaches is never written, and takes no memory.
+  // Scratch of NormalsInputs. Parts that no muscle reaches are never written, and take no memory.
   ScratchArray<CornerNormals> corners_;
   std::vector<NormalsVertex> vertices_;
   std::vector<float> turns_;
@@ -55,9 +104,9 @@ class ShadingNormals {
   std::vector<std::size_t> foundIn_;  ///< [blocks] rims, then teeth.
 };
 
-/// The same turns for creases. Where the patch is not creased, or not moved, this is exact.
-/// @param surface  with its normals as apply() leaves them.  @param patchNormals [V'] unit.
-/// @param shading [D] unit: in: the wedges' patch; out: turned with the surface as it moves off its own patch.
+/// Makes the same changes at creases; exact where the patch is not creased or has not moved.
+/// @param surface  with normals from apply().  @param patchNormals [V'] unit.
+/// @param shading [D] unit. In: of the wedges' patch; out: changed as the surface's normals differ from the patch's.
 void turnWithSurface(const Surface& surface, std::span<const glm::vec3> patchNormals, std::vector<glm::vec3>& shading);
 
 }  // namespace sinew

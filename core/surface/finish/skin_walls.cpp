@@ -1,18 +1,12 @@
-// core/surface/finish/skin_walls.cpp: a tree of boxes, found anew; sides by normals of faces, edges and vertices.
+// core/surface/finish/skin_walls.cpp: a tree of boxes refitted to each pose; sides by normals of faces, edges,
+// vertices.
 #include "core/surface/finish/skin_walls.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <limits>
 
-#include <glm/geometric.hpp>
-
-#include "core/geometry/at.h"
 #include "core/geometry/parallel.h"
 #include "core/geometry/potential.h"
-#include "core/geometry/triangle_tree.h"
-#include "core/surface/finish/refined_corners.h"
 
 namespace sinew {
 namespace {
@@ -20,20 +14,19 @@ namespace {
 constexpr std::size_t kMostWallDepth = 64;
 constexpr float kWallSeenWhole = 0.05f;  ///< Cosine to a wall's normal from which it counts as it is.
 
-/// How far skin is that a place is below: it comes from infinity where it is seen from the side.
-/// @param along  the way to the place along the skin's normal, below 0
+/// Walls::below: infinite for skin seen from the side.
+/// @param along  height of the place along the skin's normal, negative
 float asSeen(float distance, float along) {
   const float share = smoothstep(0.0f, kWallSeenWhole, -along / distance);
   return share > 0.0f ? distance / share : std::numeric_limits<float>::infinity();
 }
 
-/// Squared.
-float boxDistance(const Bounds& box, const glm::vec3& p) {
+float squaredBoxDistance(const Bounds& box, const glm::vec3& p) {
   const glm::vec3 way = glm::max(glm::max(box.low - p, p - box.high), glm::vec3(0.0f));
   return glm::dot(way, way);
 }
 
-/// Halves along the longest side of the triangles' middles.
+/// Halves nodes along the longest side of the box of their triangles' centers.
 class WallSplitter {
  public:
   WallSplitter(const Refinement& refinement, std::span<const glm::vec3> positions, WallTree& tree) : tree_(tree) {
@@ -47,7 +40,7 @@ class WallSplitter {
 
   void run() {
     tree_.nodes.push_back({0, static_cast<int>(order_.size())});
-    // Nodes that are added come last, so that all are met.
+    // The loop reaches added nodes too.
     for (std::size_t n = 0; n < tree_.nodes.size(); ++n) {
       const WallTree::Node node = tree_.nodes[n];
       if (node.count <= kMostInWallLeaf) continue;
@@ -77,7 +70,7 @@ class WallSplitter {
   }
 
   WallTree& tree_;
-  std::vector<glm::vec3> middles_;  ///< [triangles] as given.
+  std::vector<glm::vec3> middles_;  ///< [triangles]
   std::vector<int> order_;
 };
 
@@ -158,7 +151,7 @@ bool SkinWalls::isSkin(int triangle) const {
   return at(layers_, at(refinement_.controlOf, triangle)) == SkinLayer::kSkin;
 }
 
-/// Those that tell inside from outside (Baerentzen and Aanaes 2005): of faces, by the angles there.
+/// Sum of face normals weighted by angles, to decide between inside and outside (Baerentzen and Aanaes 2005).
 glm::vec3 SkinWalls::normalAtVertex(int vertex) const {
   glm::vec3 sum(0.0f);
   for (const int corner : rings_.cornersOf(vertex)) {
@@ -243,11 +236,11 @@ void SkinWalls::forEachNear(int root, const glm::vec3& p, float& within, Visit v
   if (!tree_.nodes.empty()) open[count++] = root;
   while (count > 0) {
     const int n = open[--count];
-    if (!(boxDistance(at(nodes_, n).box, p) <= within * within)) continue;
+    if (!(squaredBoxDistance(at(nodes_, n).box, p) <= within * within)) continue;
     const WallTree::Node& node = at(tree_.nodes, n);
     if (node.count == 0) {
       const bool leftFirst =
-          boxDistance(at(nodes_, node.first).box, p) <= boxDistance(at(nodes_, node.first + 1).box, p);
+          squaredBoxDistance(at(nodes_, node.first).box, p) <= squaredBoxDistance(at(nodes_, node.first + 1).box, p);
       open[count++] = leftFirst ? node.first + 1 : node.first;
       open[count++] = leftFirst ? node.first : node.first + 1;
       continue;
@@ -292,13 +285,13 @@ bool SkinWalls::isBelowAny(const glm::vec3& p, const WallsUnder& under, float wi
     const glm::vec3 way = p - mixed(c, shares);
     const float squared = glm::dot(way, way);
     if (!(squared < within * within)) return false;
-    // Other skin may end at a wall. A place can then be below the wall and behind that skin alone.
+    // Other skin may end at a wall: a place can then be below the wall and behind only that skin.
     if (!isUnder(place, under)) return isAnyUnderAround(triangle, under);
     const float along = glm::dot(way, normalAt(triangle, shares));
     return along < 0.0f && asSeen(std::sqrt(squared), along) < within;
   };
   return std::ranges::any_of(among, [&](int n) {
-    // Where the tree had to be cut short, leaves are looked for below.
+    // nearTo() may have run out of memory above the leaves.
     if (at(tree_.nodes, n).count == 0) {
       bool found = false;
       forEachNear(n, p, within, [&](int place) { found = found || isBelow(place); });
@@ -309,7 +302,7 @@ bool SkinWalls::isBelowAny(const glm::vec3& p, const WallsUnder& under, float wi
     const WallTree::Node& leaf = at(tree_.nodes, n);
     for (int i = 0; i < leaf.count; ++i) {
       const glm::vec4& plane = at(own.planes, i);
-      // A place is below a wall only if it is behind one of the faces that meet at the wall's nearest point.
+      // A place below a wall is behind one of the faces that meet at the wall's nearest point.
       const float behind = plane.w - glm::dot(glm::vec3(plane), p);
       if (behind > 0.0f && behind < within && isBelow(leaf.first + i)) return true;
     }

@@ -5,10 +5,25 @@
 #include <array>
 #include <compare>
 
-#include "core/geometry/at.h"
 #include "core/geometry/parallel.h"
 
 namespace sinew {
+
+// The ends of open control edges, and all that refinement puts between them.
+
+std::vector<std::uint8_t> borderVertices(const ControlMesh& mesh, const Refinement& refinement) {
+  std::vector<std::uint8_t> out(static_cast<std::size_t>(refinement.vertexCount), 0);
+  for (int e = 0; e < static_cast<int>(mesh.edges.size()); ++e) {
+    const Edge& edge = at(mesh.edges, e);
+    if (edge.triangleCount > 1) continue;
+    for (const int end : edge.vertices) at(out, end) = 1;
+    for (int step = 1; step <= refinement.edgeVertices(e); ++step) {
+      at(out, refinement.edgeVertex(e, step)) = 1;
+    }
+  }
+  return out;
+}
+
 namespace {
 
 /// Another vertex of a triangle, and its third one.
@@ -18,7 +33,7 @@ struct Other {
   friend auto operator<=>(const Other&, const Other&) = default;
 };
 
-/// Every vertex comes exactly twice. @param sorted  ascending.
+/// Whether every vertex occurs exactly twice. @param sorted  ascending.
 bool comeTwice(std::span<const Other> sorted) {
   if (sorted.size() % 2 != 0) return false;
   for (std::size_t i = 0; i < sorted.size(); i += 2) {
@@ -41,7 +56,7 @@ void findCorners(const Refinement& refinement, VertexRings& rings) {
   }
 }
 
-/// The others of the triangles at a vertex, ascending.
+/// Other vertices of the triangles at a vertex, ascending.
 void otherVertices(const Refinement& refinement, std::span<const int> corners, std::vector<Other>& out) {
   out.clear();
   for (const int corner : corners) {
@@ -67,14 +82,13 @@ void addAcross(int vertex, std::span<const Other> sorted, std::vector<std::array
 
 constexpr std::size_t kRingBlock = 4096;  ///< Vertices whose lists one thread makes.
 
-/// Of the vertices of a block, one after the other.
+/// Lists of the vertices of a block, one after another.
 struct RingBlock {
   std::vector<int> neighbors;              ///< As in VertexRings.
-  std::vector<std::array<int, 2>> across;  ///< addAcross.
+  std::vector<std::array<int, 2>> across;  ///< From addAcross().
 };
 
-/// @param rings  with its corners; the vertices' shares are filled in, and rings.begin[v + 1] with how many neighbors v
-///               has.
+/// @param rings  with corners. Fills rings.share, and rings.begin[v + 1] with the number of neighbors of v.
 void listBlock(const Refinement& refinement, std::size_t begin, std::size_t end, VertexRings& rings, RingBlock& out) {
   std::vector<Other> all;
   for (std::size_t v = begin; v < end; ++v) {
@@ -90,7 +104,7 @@ void listBlock(const Refinement& refinement, std::size_t begin, std::size_t end,
   }
 }
 
-/// Lists of both vertices of every pair, filled up to multiples with the vertex itself.
+/// Lists each vertex of every pair for the other one, padded to multiples with the vertex itself.
 void listAcross(std::span<const std::array<int, 2>> pairs, int vertices, VertexRings& rings) {
   std::vector<int> next(toIndex(vertices) + 1, 0);
   for (const auto& pair : pairs) {

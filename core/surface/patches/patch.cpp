@@ -1,10 +1,9 @@
-// core/surface/patches/patch.cpp: places of control vertices, then the kernels; single numbers are interpolated here.
+// core/surface/patches/patch.cpp: control vertices are copied, kernels do the rest; scalars are interpolated here.
 #include "core/surface/patches/patch.h"
 
 #include <algorithm>
 
 #include "core/geometry/at.h"
-#include "core/surface/patches/patch_kernel.h"
 
 namespace sinew {
 

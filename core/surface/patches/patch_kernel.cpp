@@ -1,6 +1,5 @@
-// core/surface/patches/patch_kernel.cpp: patches, directions and the normals of creases, compiled once per
-// instruction set.
-#include "core/surface/patches/patch_kernel.h"
+// core/surface/patches/patch_kernel.cpp: patches, directions and normals at creases, once per instruction set.
+#include "core/surface/patches/patch.h"
 
 #include <algorithm>
 #include <tuple>
@@ -59,7 +58,7 @@ class PieceVertices<ControlTriangle> {
   const Refinement& refinement_;
 };
 
-/// Up to width() edges or triangles, those with the most vertices first; lanes beyond the last one repeat it.
+/// Up to width() edges or triangles, the ones with the most vertices first; lanes beyond the last repeat it.
 template <class Piece>
 class PieceLanes {
  public:
@@ -82,7 +81,7 @@ class PieceLanes {
     return out;
   }
 
-  /// Calls visit(weights, used, index) for the index-th vertex of all pieces that have one: the first `used` lanes.
+  /// Calls visit(weights, used, index) for the index-th vertex of the first `used` lanes, the pieces that have one.
   template <class Visit>
   HWY_INLINE void forEachVertex(Visit visit) {
     const int most = vertices_.count(pieces_.front());
@@ -112,7 +111,7 @@ class PieceLanes {
   bool sameWeights_;
 };
 
-/// Calls visit(lanes, place), on any thread; place(lane) is a lane's first refined vertex.
+/// Calls visit(lanes, place) on any thread; place(lane) is the lane's first refined vertex.
 template <class Piece, class Visit>
 HWY_INLINE void forEachLanes(const Refinement& refinement, Visit visit) {
   const PieceVertices<Piece> vertices(refinement);
@@ -162,7 +161,7 @@ HWY_NOINLINE void interpolate(const DirectionInputs& inputs, std::span<const Pie
   });
 }
 
-/// Collects edges or triangles as drawn, those with a creased wedge, until they fill the lanes.
+/// Collects drawn edges or triangles with a creased wedge until they fill the lanes.
 template <class Patch, class Piece>
 class Shader {
  public:
@@ -213,7 +212,7 @@ class Shader {
   std::array<std::size_t, kLanes> first_{};
 };
 
-/// One kind, by its formulas for edges and for triangles.
+/// One kind of patch, by its formulas for edges and for triangles.
 template <class EdgePatch, class TrianglePatch>
 struct Kind {
   static void evaluate(const PatchInputs& inputs) {
@@ -251,7 +250,7 @@ void interpolateAll(const DirectionInputs& inputs) {
   interpolate<ControlTriangle>(inputs, inputs.mesh->triangles);
 }
 
-/// All but pn have the same normals.
+/// All kinds but pn have the same normals.
 void shadeKind(const ShadingInputs& inputs) {
   if (inputs.kind == PatchKind::kPn) {
     Kind<PnEdge, PnTriangle>::shade(inputs);

@@ -1,5 +1,5 @@
-// core/surface/patches/patch_lanes.h: the formulas of the four patches, an edge or a triangle a lane. Included once
-// per instruction set.
+// core/surface/patches/patch_lanes.h: formulas of the four patches, an edge or triangle per lane. Included once per
+// instruction set.
 #if defined(SINEW_PATCH_LANES_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef SINEW_PATCH_LANES_H
 #undef SINEW_PATCH_LANES_H
@@ -18,20 +18,19 @@
 HWY_BEFORE_NAMESPACE();
 namespace sinew::HWY_NAMESPACE {
 
-/// Barycentric; an edge's third is 0.
+/// Barycentric; s is 0 on an edge.
 struct Weights {
   V u;
   V v;
   V s;
 };
 
-/// Numbers of one corner after the other.
 template <std::size_t kCorners>
 struct Corners {
   V3 of[kCorners];
 };
 
-/// Corners of one edge or triangle a lane.
+/// Corners of one edge or triangle per lane.
 template <std::size_t kCorners>
 struct Ends {
   static constexpr std::size_t kCount = kCorners;
@@ -51,7 +50,7 @@ HWY_INLINE V3 weightedSum(const Corners<kCorners>& corners, const Weights& w) {
   return sum;
 }
 
-/// Of the corner with the largest weight; of the first of equal ones.
+/// Value at the corner with the largest weight, the first if several are equal.
 template <std::size_t kCorners>
 HWY_INLINE V3 heaviest(const Corners<kCorners>& corners, const Weights& w) {
   const M first = both(hn::Ge(w.u, w.v), hn::Ge(w.u, w.s));
@@ -74,7 +73,7 @@ struct FlatPatch {
   const Ends<kCorners>& ends;
 };
 
-/// Phong tessellation: pulled towards the mean of its projections on the corners' tangent planes.
+/// Phong tessellation: a point pulled towards the mean of its projections onto the corners' tangent planes.
 template <std::size_t kCorners>
 struct PhongPatch {
   explicit PhongPatch(const Ends<kCorners>& of) : ends(of) {}
@@ -106,7 +105,7 @@ struct SpherigonPatch {
     V sum = zero();
     for (std::size_t i = 0; i < kCorners; ++i) {
       const V3& own = ends.normals.of[i];
-      // 1 + N.Ni goes to 0 for opposite normals, where no such sphere exists.
+      // 1 + N.Ni goes to 0 for opposite normals, which have no such sphere.
       const V between = all(1.0f) + dot(normal, own);
       const V along = select(hn::Lt(between, all(0.1f)), all(0.1f), between);
       const V squared = weights[i] * weights[i];

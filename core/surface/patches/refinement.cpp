@@ -15,7 +15,7 @@
 namespace sinew {
 namespace {
 
-/// Those with vertices. @param begin  of each one's vertices.
+/// Pieces with vertices, those with the most first. @param begin  first vertex of each piece.
 std::vector<int> mostFirst(std::span<const int> begin) {
   const auto count = [&](int i) { return at(begin, i + 1) - at(begin, i); };
   std::vector<int> order;
@@ -26,9 +26,9 @@ std::vector<int> mostFirst(std::span<const int> begin) {
   return order;
 }
 
-/// Vertices on an edge belong to the edge and are numbered in its own direction, so that the triangles at it share them
-/// and cracks cannot open. Vertices as drawn have texture coordinates and colors besides: they are shared along an edge
-/// only where both triangles have the same two wedges. docs/design.md, Refinement.
+/// Vertices on an edge belong to the edge and are numbered in its own direction, so that its triangles share them and
+/// no crack can open. Drawn vertices also have texture coordinates and colors: triangles share them along an edge only
+/// if both have the same two wedges. docs/design.md, Refinement.
 class Builder {
  public:
   Builder(const ControlMesh& mesh, const RefinementLevels& levels)
@@ -70,7 +70,7 @@ class Builder {
   int addDrawn(int refinedVertex, const glm::vec2& uv, const glm::vec4& color) {
     out_.drawVertex.push_back(refinedVertex);
     out_.drawUv.push_back(uv);
-    // Shares of 1 need not sum to 1 in floats, and glTF allows no color above 1.
+    // Weights need not sum to 1 in floats, and glTF allows no color above 1.
     if (colored_) out_.drawColor.push_back(glm::clamp(color, 0.0f, 1.0f));
     return static_cast<int>(out_.drawVertex.size()) - 1;
   }
@@ -87,7 +87,7 @@ class Builder {
       placeSide(triangle, side);
     }
     const auto corner = [&](std::size_t c) { return at(mesh_.positions, triangle.vertices[c]); };
-    // Whole meshes have one level: nothing changes from triangle to triangle.
+    // Most meshes have one level: all triangles are split alike.
     if (!levels.isUniform() || splitUniformly_ != levels.inside) {
       split_.split(levels, {corner(0), corner(1), corner(2)});
       splitUniformly_ = levels.isUniform() ? levels.inside : 0;
@@ -117,7 +117,7 @@ class Builder {
     }
   }
 
-  /// First drawn vertex of the edge between these two wedges; made when first asked for.
+  /// First drawn vertex of the edge between two wedges, created on first use.
   int edgeRun(int edge, const std::array<int, 2>& wedges) {
     const std::uint64_t hash =
         hashCombine(static_cast<std::uint64_t>(wedges[0]), static_cast<std::uint64_t>(wedges[1]));
@@ -166,10 +166,10 @@ class Builder {
   const RefinementLevels& levels_;
   bool colored_ = false;
   Refinement out_;
-  IndexTable runs_;  ///< Finds drawRuns by their wedges, which name the edge too.
+  IndexTable runs_;  ///< Finds drawRuns by their wedges, which identify the edge.
   SplitTriangle split_;
-  int splitUniformly_ = 0;       ///< What split_ holds is the n^2 split of this n; 0: it is another.
-  std::vector<int> points_;      ///< Refined vertices of the triangle at hand.
+  int splitUniformly_ = 0;       ///< split_ holds the n^2 split of this n; 0: another split.
+  std::vector<int> points_;      ///< Refined vertices of the current triangle.
   std::vector<int> drawPoints_;  ///< Its drawn vertices.
 };
 
@@ -183,7 +183,7 @@ RefinementLevels uniformLevels(const ControlMesh& mesh, int depth) {
 Refinement refine(const ControlMesh& mesh, int depth) {
   assert(depth >= 1 && depth <= kMaxDepth);
   Refinement refinement = Builder(mesh, uniformLevels(mesh, depth)).build();
-  refinement.depth = depth;  // Of an empty mesh too.
+  refinement.depth = depth;  // For an empty mesh too.
   return refinement;
 }
 

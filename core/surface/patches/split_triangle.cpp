@@ -1,5 +1,5 @@
-// core/surface/patches/split_triangle.cpp: rows of inner points; the boundary cut into faces, points inserted, edges
-// flipped until all is Delaunay (Lawson 1977).
+// core/surface/patches/split_triangle.cpp: inner points in rows; the boundary is cut into faces, points are inserted,
+// and edges flipped until all faces are Delaunay (Lawson 1977).
 #include "core/surface/patches/split_triangle.h"
 
 #include <algorithm>
@@ -12,10 +12,10 @@
 namespace sinew {
 namespace {
 
-constexpr double kLeastHeight = 1e-4;  ///< Of a triangle's longest side: flatter ones have no shape to keep.
-constexpr double kKeepAway = 0.4;      ///< Of a side's segment, in barycentric measure: nearer points are left out.
-constexpr double kRowHeight = 0.866;   ///< sqrt(3) / 2: rows of equilateral triangles.
-constexpr double kInCircle = 1e-12;    ///< Less counts as on the circle: no flip, so that flipping ends.
+constexpr double kLeastHeight = 1e-4;  ///< Fraction of the longest side: flatter triangles have no shape to keep.
+constexpr double kKeepAway = 0.4;      ///< Fraction of a side's segment, barycentric: nearer points are left out.
+constexpr double kRowHeight = 0.866;   ///< sqrt(3) / 2, of equilateral triangles.
+constexpr double kInCircle = 1e-12;    ///< Less counts as on the circle, so that flipping ends.
 
 double cross(const glm::dvec2& a, const glm::dvec2& b) { return a.x * b.y - a.y * b.x; }
 
@@ -61,7 +61,7 @@ void SplitTriangle::splitUniformly(int n) {
   }
 }
 
-/// The corners in a plane, the longest side being 1.
+/// Puts the corners in a plane, with a longest side of 1.
 void SplitTriangle::flatten(const std::array<glm::vec3, 3>& corners) {
   const auto length = [&](std::size_t a, std::size_t b) {
     return glm::distance(glm::dvec3(corners[a]), glm::dvec3(corners[b]));
@@ -129,13 +129,13 @@ bool SplitTriangle::onOneSide(int a, int b, int c) const {
   return (at(sidesOf_, a) & at(sidesOf_, b) & at(sidesOf_, c)) != 0;
 }
 
-/// Twice the area, positive counter-clockwise; exactly 0 for points of one side.
+/// Twice the area, positive counter-clockwise; exactly 0 for points on one side.
 double SplitTriangle::areaOf(int a, int b, int c) const {
   if (onOneSide(a, b, c)) return 0.0;
   return cross(at(points_, b) - at(points_, a), at(points_, c) - at(points_, a));
 }
 
-/// Cuts off one boundary point after the other; what is left must not lie on one side.
+/// Cuts off boundary points one by one; the rest must not all lie on one side.
 void SplitTriangle::joinBoundary() {
   faces_.clear();
   while (ring_.size() > 3) {
@@ -155,7 +155,7 @@ void SplitTriangle::joinBoundary() {
   faces_.push_back({{ring_[0], ring_[1], ring_[2]}, {-1, -1, -1}});
 }
 
-/// Which faces lie beyond each other's sides.
+/// Finds the face beyond each side.
 void SplitTriangle::link() {
   const auto sideOf = [&](const Face& face, int from, int to) {
     for (std::size_t i = 0; i < 3; ++i) {
@@ -183,7 +183,12 @@ bool SplitTriangle::isInCircle(int a, int b, int c, int d) const {
   return glm::dot(p, p) * cross(q, r) - glm::dot(q, q) * cross(p, r) + glm::dot(r, r) * cross(p, q) > kInCircle;
 }
 
-/// Replaces the side that two faces share by the other diagonal of their four points, where that is better.
+void SplitTriangle::relink(int face, int from, int to) {
+  if (face < 0) return;
+  for (int& across : at(faces_, face).across) across = across == from ? to : across;
+}
+
+/// Replaces the common side of two faces by the other diagonal of their four points, if that is better.
 void SplitTriangle::flipIfBetter(int face, std::size_t side) {
   const int other = at(faces_, face).across[side];
   if (other < 0) return;
@@ -198,7 +203,7 @@ void SplitTriangle::flipIfBetter(int face, std::size_t side) {
   if (!(areaOf(p, u, q) > 0.0 && areaOf(p, q, v) > 0.0)) return;
   const bool isFlat = !(areaOf(p, u, v) > 0.0) || !(areaOf(q, v, u) > 0.0);
   if (!isFlat && !isInCircle(p, u, v, q)) return;
-  // Beyond each of the four outer sides.
+  // Faces beyond the four outer sides.
   const auto beyond = [](const Face& of, int opposite) {
     for (std::size_t i = 0; i < 3; ++i) {
       if (of.points[i] == opposite) return of.across[i];
@@ -211,10 +216,6 @@ void SplitTriangle::flipIfBetter(int face, std::size_t side) {
   const int qu = beyond(two, v);
   one = {{p, u, q}, {qu, other, pu}};
   two = {{p, q, v}, {qv, pv, face}};
-  const auto relink = [&](int of, int from, int to) {
-    if (of < 0) return;
-    for (int& across : at(faces_, of).across) across = across == from ? to : across;
-  };
   relink(qu, other, face);
   relink(pv, face, other);
   pending_.push_back({face, 0});
@@ -249,12 +250,8 @@ void SplitTriangle::insert(int point) {
   at(faces_, within) = {{a, b, point}, {second, third, old.across[2]}};
   faces_.push_back({{b, c, point}, {third, within, old.across[0]}});
   faces_.push_back({{c, a, point}, {within, second, old.across[1]}});
-  const auto relink = [&](int of, int to) {
-    if (of < 0) return;
-    for (int& across : at(faces_, of).across) across = across == within ? to : across;
-  };
-  relink(old.across[0], second);
-  relink(old.across[1], third);
+  relink(old.across[0], within, second);
+  relink(old.across[1], within, third);
   for (const int face : {within, second, third}) pending_.push_back({face, 2});
   makeDelaunay();
 }

@@ -1,4 +1,4 @@
-// core/surface/patches/split_triangle.h: one control triangle's points at given levels, and how they are joined.
+// core/surface/patches/split_triangle.h: points and small triangles of one control triangle at given levels.
 #pragma once
 
 #include <array>
@@ -21,16 +21,15 @@ struct SplitLevels {
   friend bool operator==(const SplitLevels&, const SplitLevels&) = default;
 };
 
-/// Points are numbered: the corners 0, 1, 2; those between the ends of side 0, 1, 2, each from corner i on; those
-/// inside. Barycentric coordinates are (1-x-y, x, y).
+/// Numbers of points: corners 0, 1, 2; then the points on sides 0, 1, 2, each from corner i on; then those inside.
+/// Barycentric coordinates are (1-x-y, x, y).
 ///
-/// With one level n everywhere this is the n^2 split. Else the inner points lie in rows along the longest side, about
-/// as far from each other as that side's share of the inner level, and keep away from sides that are much coarser; all
-/// are joined by a Delaunay triangulation in the plane of the bind pose, so that no sliver is made. Kept for its
-/// memory.
+/// With one level n everywhere this is the n^2 split. Otherwise the inner points lie in rows along the longest side,
+/// spaced as the inner level would split that side, and keep away from much coarser sides. A Delaunay triangulation in
+/// the plane of the bind pose joins all points without slivers. Reused for its memory.
 class SplitTriangle {
  public:
-  /// @param corners  bind pose. A triangle without area is taken for an equilateral one.
+  /// @param corners  bind pose. A triangle without area counts as equilateral.
   void split(const SplitLevels& levels, const std::array<glm::vec3, 3>& corners);
 
   [[nodiscard]] std::span<const glm::dvec2> inside() const { return inside_; }
@@ -51,6 +50,7 @@ class SplitTriangle {
   void insert(int point);
   void link();
   void makeDelaunay();
+  void relink(int face, int from, int to);
   void flipIfBetter(int face, std::size_t side);
   [[nodiscard]] double areaOf(int a, int b, int c) const;
   [[nodiscard]] bool onOneSide(int a, int b, int c) const;
@@ -63,9 +63,9 @@ class SplitTriangle {
   std::vector<glm::dvec2> inside_;
   std::vector<glm::dvec2> points_;  ///< In the plane.
   std::vector<int> sidesOf_;        ///< Bit i: the point lies on side i.
-  std::vector<int> ring_;           ///< Boundary points that no face has cut off yet.
+  std::vector<int> ring_;           ///< Boundary points not yet cut off by a face.
   std::vector<Face> faces_;
-  std::vector<std::array<int, 2>> pending_;  ///< Face and side to look at.
+  std::vector<std::array<int, 2>> pending_;  ///< Face and side to check.
   std::vector<std::array<int, 3>> triangles_;
 };
 

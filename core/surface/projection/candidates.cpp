@@ -1,11 +1,9 @@
-// core/surface/projection/candidates.cpp: vertex candidates gathered to edges and triangles.
+// core/surface/projection/candidates.cpp: candidates of vertices gathered for edges and triangles.
 #include "core/surface/projection/candidates.h"
 
 #include <algorithm>
 #include <iterator>
 #include <map>
-
-#include "core/geometry/at.h"
 
 namespace sinew {
 namespace {
@@ -27,7 +25,7 @@ class Gatherer {
     finishCarrier(first);
   }
 
-  /// A carrier's candidates but the hidden ones.
+  /// Adds a carrier with its candidates, except hidden ones.
   void addShown(std::span<const CarrierCandidate> candidates, int cliqueSet, const std::vector<bool>& hidden) {
     const std::size_t first = out_.items.size();
     std::ranges::copy_if(candidates, std::back_inserter(out_.items),
@@ -58,7 +56,7 @@ class Gatherer {
 
   int groupOf(const CarrierCandidate& candidate) const { return at(attachment_.primitives, candidate.primitive).group; }
 
-  /// Numbers the groups present and finds their cliques; many carriers share one set.
+  /// Numbers the groups present and returns the index of their clique set, which many carriers have in common.
   int numberSlots(std::span<CarrierCandidate> own) {
     std::vector<int> groups;
     for (const CarrierCandidate& candidate : own) groups.push_back(groupOf(candidate));

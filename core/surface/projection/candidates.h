@@ -1,15 +1,21 @@
-// core/surface/projection/candidates.h: which primitives each piece of the control mesh can ever see.
-// Made once per edit.
+// core/surface/projection/candidates.h: the primitives that each piece of the control mesh can ever see, found once per
+// edit, and a walk over the vertices that some primitive reaches in a pose.
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <span>
 #include <vector>
 
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
 #include "core/geometry/at.h"
 #include "core/rig/attachment.h"
+#include "core/rig/field.h"
 #include "core/rig/mesh_layers.h"
 #include "sinew/geometry/control_mesh.h"
+#include "sinew/surface/refinement.h"
 
 namespace sinew {
 
@@ -26,17 +32,16 @@ struct CarrierCandidate {
 };
 
 /// Candidate lists per carrier: control vertices first, then edges (corners: smaller vertex, larger), then triangles.
-/// Both triangles at an edge see its refined vertices through the edge's own list: the surface cannot crack there.
+/// The vertices on an edge use the edge's own list, whichever triangle they are seen from: no crack can open.
 struct CandidateLists {
   std::vector<int> begin;  ///< [V+E+T+1]
   std::vector<CarrierCandidate> items;
   std::vector<int> cliqueSet;           ///< [V+E+T] index into cliqueSets.
-  std::vector<CliqueLists> cliqueSets;  ///< [0] is empty: everything sums.
+  std::vector<CliqueLists> cliqueSets;  ///< [0] is empty: all groups add up.
 
   [[nodiscard]] std::span<const CarrierCandidate> of(int carrier) const {
-    const auto c = static_cast<std::size_t>(carrier);
-    return std::span(items).subspan(static_cast<std::size_t>(begin[c]),
-                                    static_cast<std::size_t>(begin[c + 1] - begin[c]));
+    const int first = at(begin, carrier);
+    return std::span(items).subspan(toIndex(first), toIndex(at(begin, carrier + 1) - first));
   }
   [[nodiscard]] const CliqueLists& cliquesOf(int carrier) const { return at(cliqueSets, at(cliqueSet, carrier)); }
 };
@@ -45,10 +50,129 @@ struct CandidateLists {
 [[nodiscard]] CandidateLists makeCandidateLists(const ControlMesh& mesh, const Attachment& attachment,
                                                 const MeshLayers* layers = nullptr);
 
-/// The lists as they would be without some primitives, which keep their indices: slots and cliques are those of the
-/// groups that are left. Reads no territory anew.
-/// @param hidden [A]
+/// The lists without the hidden primitives, whose indices stay in use: slots and cliques are those of the remaining
+/// groups. Does not read territories again.  @param hidden [A]
 [[nodiscard]] CandidateLists withoutHidden(const CandidateLists& lists, const Attachment& attachment,
                                            const std::vector<bool>& hidden);
+
+/// A refined vertex and its coordinates in its carrier: a control vertex, edge or triangle.
+struct CarriedVertex {
+  int index = 0;                       ///< Refined vertex.
+  int carrier = 0;                     ///< As in CandidateLists.
+  std::array<int, 3> corners{};        ///< Control vertices; corners[2] repeats on edges, all repeat on vertices.
+  std::array<float, 3> barycentric{};  ///< Weights of the corners; unused ones are 0.
+};
+
+[[nodiscard]] inline CarriedVertex controlCarried(int v) { return {v, v, {v, v, v}, {1.0f, 0.0f, 0.0f}}; }
+[[nodiscard]] CarriedVertex edgeCarried(const ControlMesh& mesh, const Refinement& refinement, int edge, int vertex);
+[[nodiscard]] CarriedVertex insideCarried(const ControlMesh& mesh, const Refinement& refinement, int triangle,
+                                          int vertex);
+/// Finds the carrier first.
+[[nodiscard]] CarriedVertex carriedVertex(const ControlMesh& mesh, const Refinement& refinement, int vertex);
+
+/// Posed primitives and the carriers that may see them.
+struct FieldView {
+  std::span<const PosedPrimitive> primitives;
+  const CandidateLists* lists = nullptr;
+  std::span<const std::uint8_t> skipped = {};  ///< [V+E+T] 1: leave this carrier out (face_culling.h); or empty.
+};
+
+namespace carrier_walk {
+
+/// Gap between a ball and a box (< 0: they overlap), and distance of the ball's far side from the box.
+struct Span {
+  float gap = 0.0f;
+  float farthest = 0.0f;
+};
+
+inline Span spanTo(const UnitBallMap& influence, const Bounds& box) {
+  const float apart = glm::distance(influence.center, glm::clamp(influence.center, box.low, box.high));
+  return {apart - influence.boundingRadius, apart + influence.boundingRadius};
+}
+
+/// Extent from the box of the influences connected, through each other, with one that overlaps it; 0 if none does. A
+/// ray from the box leaves all of these before it meets any other.
+inline float extentOf(std::span<const Span> spans) {
+  float extent = 0.0f;
+  for (bool grew = true; grew;) {
+    grew = false;
+    for (const Span& span : spans) {
+      if (span.gap >= extent || span.farthest <= extent) continue;
+      extent = span.farthest;
+      grew = true;
+    }
+  }
+  return extent;
+}
+
+}  // namespace carrier_walk
+
+/// Memory reused from walk to walk.
+struct WalkScratch {
+  std::vector<CarrierCandidate> near;
+  std::vector<carrier_walk::Span> spans;
+};
+
+/// Primitives that a walk considers.
+enum class Reach {
+  kOverlapping,  ///< Those whose influence overlaps the carrier, and those connected with them.
+  kAll,          ///< All candidates of the carrier.
+};
+
+/// Part `index` of `of` equal parts of the control vertices, edges and triangles.
+struct WalkShare {
+  std::size_t index = 0;
+  std::size_t of = 1;
+
+  [[nodiscard]] int begin(int count) const { return static_cast<int>(toIndex(count) * index / of); }
+  [[nodiscard]] int end(int count) const { return static_cast<int>(toIndex(count) * (index + 1) / of); }
+};
+
+/// Calls visit(const CarriedVertex&, std::span<const CarrierCandidate> near), in order, for every refined vertex in
+/// the share whose carrier has primitives to consider: `near`.  @param positions [V'] world.
+template <class Visit>
+void forEachReachable(const ControlMesh& mesh, const Refinement& refinement, const FieldView& field,
+                      std::span<const glm::vec3> positions, Reach reach, const WalkShare& share, WalkScratch& scratch,
+                      Visit&& visit) {
+  std::vector<CarrierCandidate>& near = scratch.near;
+  std::vector<carrier_walk::Span>& spans = scratch.spans;
+  const auto gather = [&](int carrier, int first, int count) {
+    near.clear();
+    if (!field.skipped.empty() && at(field.skipped, carrier)) return false;
+    const std::span<const CarrierCandidate> all = field.lists->of(carrier);
+    if (all.empty() || count == 0) return false;
+    if (reach == Reach::kAll) {
+      near.assign(all.begin(), all.end());
+      return true;
+    }
+    const Bounds box = boundsOf(positions.subspan(toIndex(first), toIndex(count)));
+    spans.clear();
+    for (const CarrierCandidate& candidate : all) {
+      spans.push_back(carrier_walk::spanTo(at(field.primitives, candidate.primitive).influence, box));
+    }
+    const float extent = carrier_walk::extentOf(spans);
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      if (spans[i].gap < extent) near.push_back(all[i]);
+    }
+    return !near.empty();
+  };
+
+  const auto visitCarrier = [&](int carrier, int first, int count, auto carried) {
+    if (!gather(carrier, first, count)) return;
+    for (int v = first; v < first + count; ++v) visit(carried(v), near);
+  };
+  for (int v = share.begin(refinement.controlVertices); v < share.end(refinement.controlVertices); ++v) {
+    visitCarrier(v, v, 1, controlCarried);
+  }
+  for (int e = share.begin(refinement.controlEdges); e < share.end(refinement.controlEdges); ++e) {
+    visitCarrier(refinement.controlVertices + e, refinement.edgeVertex(e, 1), refinement.edgeVertices(e),
+                 [&](int v) { return edgeCarried(mesh, refinement, e, v); });
+  }
+  const int triangles = static_cast<int>(mesh.triangles.size());
+  for (int t = share.begin(triangles); t < share.end(triangles); ++t) {
+    visitCarrier(refinement.controlVertices + refinement.controlEdges + t, at(refinement.insideBegin, t),
+                 refinement.insideVertices(t), [&](int v) { return insideCarried(mesh, refinement, t, v); });
+  }
+}
 
 }  // namespace sinew

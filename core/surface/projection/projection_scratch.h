@@ -1,18 +1,18 @@
-// core/surface/projection/projection_scratch.h: memory that projection keeps from frame to frame.
+// core/surface/projection/projection_scratch.h: memory that projection reuses from frame to frame.
 #pragma once
 
 #include <algorithm>
 #include <vector>
 
 #include "core/rig/field.h"
-#include "core/surface/projection/carrier_walk.h"
+#include "core/surface/projection/candidates.h"
 #include "core/surface/roots/lane_terms.h"
 #include "core/surface/roots/ray_field.h"
 #include "sinew/surface/surface.h"
 
 namespace sinew {
 
-/// What is found out about some vertices.
+/// Statistics of some vertices.
 struct VertexCounts {
   int projected = 0;
   int unresolved = 0;
@@ -20,7 +20,7 @@ struct VertexCounts {
   double residualMax = 0.0;
 };
 
-/// For vertices one after the other.
+/// For vertices one by one.
 struct VertexScratch {
   WalkScratch walk;
   std::vector<Candidate> candidates;
@@ -30,25 +30,34 @@ struct VertexScratch {
   VertexCounts counts;
 };
 
-/// For the tiles of one range.
+/// For a range of tiles.
 struct TileScratch {
   VertexCounts counts;
-  VertexScratch vertices;  ///< For those that the vector path leaves to the scalar one.
+  VertexScratch vertices;  ///< For vertices that the vector path leaves to the scalar path.
   LaneScratch lanes;
   std::vector<LaneTerm> lines;  ///< In `replace`: along each vertex's line, in both directions.
-  std::vector<int> near;        ///< Has room for the tile with the most candidates.
+  std::vector<int> near;        ///< Fits the tile with the most candidates.
   std::vector<carrier_walk::Span> spans;
-  std::vector<int> uncertified;  ///< Vertices whose first root the vector path cannot vouch for; as many fit.
+  std::vector<int> uncertified;  ///< Vertices whose first root the vector path cannot certify. All vertices fit.
 };
 
-/// Reused from vertex to vertex and from frame to frame, so that nothing is allocated once it has grown. Its contents
-/// carry nothing from one frame to the next. One a surface that is being made: what it starts with is for the thread
-/// that calls.
+/// Reused from frame to frame, so that nothing is allocated once it has grown; carries nothing over. One per surface
+/// in the making; its base is for the calling thread.
 struct ProjectionScratch : VertexScratch {
   std::vector<float> omega;           ///< [V'] in `replace`.
-  std::vector<VertexScratch> shares;  ///< Scratch of the parts that a frame's vertices are divided into.
-  std::vector<TileScratch> tiles;     ///< Scratch of the ranges that a frame's tiles are divided into.
+  std::vector<VertexScratch> shares;  ///< For the parts of a frame's vertices.
+  std::vector<TileScratch> tiles;     ///< For the ranges of a frame's tiles.
 };
+
+/// Fills scratch.candidates with those of `near` that have weight at a vertex.
+inline void gatherCandidates(const CarriedVertex& vertex, std::span<const CarrierCandidate> near,
+                             VertexScratch& scratch) {
+  scratch.candidates.clear();
+  for (const CarrierCandidate& candidate : near) {
+    const float weight = candidate.weightAt(vertex.barycentric);
+    if (weight > 0.0f) scratch.candidates.push_back({candidate.primitive, weight, candidate.slot});
+  }
+}
 
 inline void add(const VertexCounts& part, VertexCounts& sum) {
   sum.projected += part.projected;
@@ -57,12 +66,11 @@ inline void add(const VertexCounts& part, VertexCounts& sum) {
   sum.residualMax = std::max(sum.residualMax, part.residualMax);
 }
 
-/// Adds what has been found out to a frame's report.
-inline void tell(const VertexScratch& scratch, SmoothingReport& report) {
-  report.projected += scratch.counts.projected;
-  report.unresolved += scratch.counts.unresolved;
-  report.anchorFallbacks = scratch.counts.anchorFallbacks;
-  report.residualMax = std::max(report.residualMax, scratch.counts.residualMax);
+inline void addToReport(const VertexCounts& counts, SmoothingReport& report) {
+  report.projected += counts.projected;
+  report.unresolved += counts.unresolved;
+  report.anchorFallbacks = counts.anchorFallbacks;
+  report.residualMax = std::max(report.residualMax, counts.residualMax);
 }
 
 }  // namespace sinew

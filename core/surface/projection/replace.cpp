@@ -1,26 +1,60 @@
-// core/surface/projection/replace.cpp: projection onto F = T along the normal or towards the anchor (paper 4.1, 4.2,
-// Fig. 5).
+// core/surface/projection/replace.cpp: projection onto F = T along the normal or towards the anchor (paper 4.1, 4.2).
 #include "core/surface/projection/replace.h"
 
 #include <algorithm>
 #include <cmath>
 
+#include <glm/geometric.hpp>
+
+#include "core/character/bone_segments.h"
 #include "core/geometry/at.h"
 #include "core/geometry/parallel.h"
 #include "core/geometry/potential.h"
-#include "core/surface/projection/rise_limits.h"
-#include "core/surface/roots/root_finding.h"
+#include "core/surface/projection/rise.h"
+#include "core/surface/roots/ray_field.h"
 
 namespace sinew {
+
+std::vector<Anchor> findAnchors(const Skeleton& skeleton, std::span<const glm::vec3> points) {
+  const std::vector<BoneSegment> segments = boneSegments(skeleton, bindPose(skeleton));
+  std::vector<Anchor> anchors;
+  anchors.reserve(points.size());
+  for (const glm::vec3& point : points) {
+    Anchor anchor;
+    float nearest = std::numeric_limits<float>::infinity();
+    for (const BoneSegment& bones : segments) {
+      const Segment segment = bones.segment();
+      const float along = segment.closestTo(point);
+      const glm::vec3 candidate = segment.from + segment.along * along;
+      const glm::vec3 apart = candidate - point;
+      const float squared = glm::dot(apart, apart);
+      if (!(squared < nearest)) continue;
+      nearest = squared;
+      const int carrier = along == 1.0f ? bones.endBone : bones.bone;
+      const Bone& bone = at(skeleton.bones, carrier);
+      anchor = {carrier, glm::vec3(bone.inverseBindInWorld * glm::vec4(candidate, 1.0f))};
+    }
+    anchors.push_back(anchor);
+  }
+  return anchors;
+}
+
+void poseAnchors(std::span<const Anchor> anchors, const Pose& pose, std::vector<glm::vec3>& out) {
+  out.resize(anchors.size());
+  std::ranges::transform(anchors, out.begin(), [&pose](const Anchor& anchor) {
+    return glm::vec3(at(pose.boneInWorld, anchor.bone) * glm::vec4(anchor.pointInBone, 1.0f));
+  });
+}
+
 namespace {
 
-constexpr float kWrapped = 0.7f;  ///< Share of anchors inside from which muscles count as wrapping the body.
-constexpr std::size_t kVerticesInShare = 512;  ///< Fewer are not worth another thread's trouble.
-constexpr std::size_t kSharesOfThread = 4;     ///< So that one with little to do can help.
+constexpr float kWrapped = 0.7f;  ///< Fraction of anchors inside from which muscles count as wrapping the body.
+constexpr std::size_t kVerticesInShare = 512;  ///< Fewer are not worth another thread.
+constexpr std::size_t kSharesOfThread = 4;     ///< So that idle threads can help.
 
 struct Projected : Replaced {
   double residual = 0.0;
-  bool found = false;  ///< Some root exists within the search length, of whatever weight.
+  bool found = false;  ///< There is a root, of any weight, within the search length.
 
   [[nodiscard]] float left() const { return 1.0f - weight; }
 };
@@ -30,28 +64,23 @@ class VertexReplacer {
   VertexReplacer(const FieldView& field, const ReplaceSettings& settings, VertexScratch& scratch)
       : field_(field), settings_(settings), scratch_(scratch) {}
 
-  /// Reads the candidates of a vertex; false where none has weight.
+  /// Reads the candidates of a vertex. False if none has weight.
   bool gatherCandidates(const CarriedVertex& vertex, std::span<const CarrierCandidate> near) {
-    scratch_.candidates.clear();
-    for (const CarrierCandidate& candidate : near) {
-      const float weight = candidate.weightAt(vertex.barycentric);
-      if (weight > 0.0f) scratch_.candidates.push_back({candidate.primitive, weight, candidate.slot});
-    }
+    sinew::gatherCandidates(vertex, near, scratch_);
     cliques_ = &field_.lists->cliquesOf(vertex.carrier);
     return !scratch_.candidates.empty();
   }
 
-  /// Some f_i != 0 at the point.
+  /// Whether some f_i != 0 at the point.
   bool insideInfluence(const glm::vec3& point) const {
     return std::ranges::any_of(scratch_.candidates, [&](const Candidate& candidate) {
-      const UnitBallMap& ball = at(field_.primitives, candidate.primitive).influence;
-      return ball.holds(point);
+      return at(field_.primitives, candidate.primitive).influence.holds(point);
     });
   }
 
   bool isInside(const glm::vec3& point) const { return fieldAt(point) > settings_.iso; }
 
-  /// @param inwards  also look for what lies inwards; otherwise along the normal alone.
+  /// @param inwards  also search inwards; otherwise only along the normal.
   Projected project(const FlatVertices& flat, std::size_t index, bool inwards) {
     looksInwards_ = inwards;
     const glm::vec3 p = flat.positions[index];
@@ -65,7 +94,7 @@ class VertexReplacer {
     const glm::vec3 q = flat.anchors[index];
     compositeLine(p, normalizeOr(q - p, -n), static_cast<double>(glm::length(q - p)), inside, n, result);
     if (!inside && result.left() > 0.0f) {
-      ++scratch_.counts.anchorFallbacks;  // the anchor is not always inside
+      ++scratch_.counts.anchorFallbacks;  // The anchor is not always inside.
       compositeLine(p, -n, static_cast<double>(settings_.searchLength), inside, n, result);
     }
     return result;
@@ -89,7 +118,7 @@ class VertexReplacer {
                        scratch_.roots);
   }
 
-  /// Largest phi over a stretch, by samples, or as much as counts whole: continuous in the stretch's ends, 0 when it
+  /// Largest sampled phi of an interval, or enough for full weight: continuous in the interval's ends, 0 as it
   /// vanishes.
   double prominence(double begin, double end) {
     const double whole = static_cast<double>(kFullProminence * settings_.iso);
@@ -101,7 +130,7 @@ class VertexReplacer {
     return largest;
   }
 
-  /// The line through p: from inside first outwards to the end of p's own stretch, then the stretches inwards.
+  /// The line through p: from inside, first outwards to the end of p's own interval, then the intervals inwards.
   void compositeLine(const glm::vec3& p, const glm::vec3& inwards, double inwardLength, bool inside, const glm::vec3& n,
                      Projected& result) {
     double ownEnd = 0.0;
@@ -120,16 +149,16 @@ class VertexReplacer {
     } else {
       gatherTerms(p, inwards);
     }
-    compositeStretches(p, inwards, inside ? ownEnd : 0.0, inwardLength, n, result);
+    compositeIntervals(p, inwards, inside ? ownEnd : 0.0, inwardLength, n, result);
   }
 
-  void compositeStretches(const glm::vec3& p, const glm::vec3& inwards, double begin, double end, const glm::vec3& n,
+  void compositeIntervals(const glm::vec3& p, const glm::vec3& inwards, double begin, double end, const glm::vec3& n,
                           Projected& result) {
     if (!looksInwards_) return;
     const double reachable = std::min(end, static_cast<double>(settings_.searchLength));
-    const double nudge = 4.0 * settings_.tolerance;  // off a root, where rounding decides the sign
+    const double nudge = 4.0 * settings_.tolerance;  // Off a root, where rounding decides the sign.
     double t = begin > 0.0 ? begin + nudge : 0.0;
-    for (int i = 0; i < kMostStretches && t < reachable && result.left() > 0.0f; ++i) {
+    for (int i = 0; i < kMostIntervals && t < reachable && result.left() > 0.0f; ++i) {
       const std::optional<double> in = findChange(t, reachable, false);
       if (!in) return;
       const double out = *in + nudge < end ? findChange(*in + nudge, end, true).value_or(end) : end;
@@ -180,8 +209,8 @@ void blendWithPatch(Surface& surface, std::size_t index, const Replaced& project
   surface.displacement[index] = glm::dot(surface.positions[index] - patch, n);
 }
 
-/// Skin on both sides of a muscle that fills a gap would go to its far side, each through the other.
-/// @param patch, n  of the vertex before it moved.
+/// Keeps skin on both sides of a gap filled by a muscle from moving through each other to its far sides.
+/// @param patch, n  position and normal of the vertex before it moved.
 void limitRise(Surface& surface, std::size_t index, const glm::vec3& patch, const glm::vec3& n, float inverseLimit) {
   const glm::vec3 way = surface.positions[index] - patch;
   const float rise = glm::length(way);
@@ -211,19 +240,6 @@ void moveVertex(const CarriedVertex& vertex, std::span<const CarrierCandidate> n
   placeReplaced(projected, weight, limits ? flat.inverseLimits[index] : 0.0f, index, surface);
 }
 
-/// A vertex is written by its share alone, which reads no other's place.
-void replaceShare(const ControlMesh& mesh, const WalkShare& share, const FieldView& field,
-                  const ReplaceSettings& settings, const FlatVertices& flat, const ImplicitWeights& weights,
-                  Surface& surface, VertexScratch& scratch) {
-  scratch.counts = {};
-  VertexReplacer projector(field, settings, scratch);
-  const auto move = [&](const CarriedVertex& vertex, std::span<const CarrierCandidate> near) {
-    moveVertex(vertex, near, projector, flat, weights, surface, scratch.counts);
-  };
-  // The anchor may lie anywhere on the skeleton.
-  forEachReachable(mesh, *surface.refinement, field, flat.positions, Reach::kAll, share, scratch.walk, move);
-}
-
 }  // namespace
 
 void placeReplaced(const Replaced& replaced, float omega, float inverseLimit, std::size_t vertex, Surface& surface) {
@@ -247,8 +263,7 @@ ImplicitWeights implicitWeights(const ControlMesh& mesh, const FieldView& bindFi
   const auto eachInRegion = [&](auto&& visit) {
     for (int v = 0; v < static_cast<int>(mesh.positions.size()); ++v) {
       const auto index = static_cast<std::size_t>(v);
-      if (!projector.gatherCandidates(CarriedVertex{v, v, {v, v, v}, {1.0f, 0.0f, 0.0f}}, bindField.lists->of(v)))
-        continue;
+      if (!projector.gatherCandidates(controlCarried(v), bindField.lists->of(v))) continue;
       if (projector.insideInfluence(flat.positions[index])) visit(index);
     }
   };
@@ -272,11 +287,18 @@ void replace(const ControlMesh& mesh, const FieldView& field, const ReplaceSetti
                                         kSharesOfThread * static_cast<std::size_t>(threadCount()));
   scratch.shares.resize(std::max(scratch.shares.size(), shares));
   forEachIndex(shares, 1, [&](std::size_t index) {
-    replaceShare(mesh, {index, shares}, field, settings, flat, weights, surface, scratch.shares[index]);
+    VertexScratch& own = scratch.shares[index];
+    own.counts = {};
+    VertexReplacer projector(field, settings, own);
+    const auto move = [&](const CarriedVertex& vertex, std::span<const CarrierCandidate> near) {
+      moveVertex(vertex, near, projector, flat, weights, surface, own.counts);
+    };
+    // All candidates, because the anchor may lie anywhere on the skeleton.
+    forEachReachable(mesh, *surface.refinement, field, flat.positions, Reach::kAll, {index, shares}, own.walk, move);
   });
   scratch.counts = {};
   for (const VertexScratch& share : std::span(scratch.shares).first(shares)) add(share.counts, scratch.counts);
-  tell(scratch, surface.report);
+  addToReport(scratch.counts, surface.report);
 }
 
 }  // namespace sinew

@@ -1,5 +1,5 @@
 // core/surface/projection/replace_kernel.cpp: `replace` on tiles of 16 lanes, compiled once per instruction set.
-#include "core/surface/projection/replace_kernel.h"
+#include "core/surface/projection/tile_projection.h"
 
 #include <algorithm>
 
@@ -10,13 +10,12 @@
 #include "hwy/foreach_target.h"
 //
 #include "core/surface/projection/tile_field.h"
-#include "core/surface/roots/root_lanes.h"
 #include "hwy/highway.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace sinew::HWY_NAMESPACE {
 
-/// Roots composited front to back: replace.h.
+/// Roots composited front to back (replace.h).
 struct CompositeLanes {
   V3 position;
   V3 normal;
@@ -31,7 +30,7 @@ struct CompositeLanes {
 struct LineLanes {
   V3 p;
   V3 inwards;  ///< Unit.
-  V3 n;        ///< What a root without a gradient takes for its normal.
+  V3 n;        ///< Normal for a root without a gradient.
   V length;    ///< Inwards, to the anchor.
 };
 
@@ -62,7 +61,7 @@ class TileReplacer : TileField {
   }
 
  private:
-  /// The tile's muscles that its vertices' lines can meet. False if there are none.
+  /// Finds the tile's muscles that its vertices' lines can meet. False if there are none.
   bool gatherNear() {
     float reach = inputs_.settings.searchLength;
     for (int lane = 0; toAnchors_ && lane < tile_->used; ++lane) {
@@ -117,7 +116,7 @@ class TileReplacer : TileField {
         const M others = andNot(open_, again);
         open_ = again;
         fillLines(along);
-        compositeStretches(along, zero(), composite);
+        compositeIntervals(along, zero(), composite);
         open_ = hn::Or(open_, others);
       }
     } else {
@@ -126,7 +125,7 @@ class TileReplacer : TileField {
     finish(composite, omega);
   }
 
-  /// Those lanes that some muscle has weight at.
+  /// Lanes where some muscle has weight.
   M withMuscles(M lanes) const {
     M seen = none();
     for (std::size_t i = 0; i < static_cast<std::size_t>(tile_->candidateCount) && any(andNot(lanes, seen)); ++i) {
@@ -136,7 +135,7 @@ class TileReplacer : TileField {
     return both(lanes, seen);
   }
 
-  /// The muscles along the lines, which go on in both directions.
+  /// Muscles along the lines, in both directions.
   void fillLines(const LineLanes& line) {
     lineCount_ = 0;
     clearTerms();
@@ -148,12 +147,12 @@ class TileReplacer : TileField {
     }
   }
 
-  static constexpr float kOn = 1.0f;     ///< Ways along a line: inwards ...
-  static constexpr float kBack = -1.0f;  ///< ... and outwards.
-  static constexpr float kFall = 1.0f;   ///< What is looked for: where F falls to T ...
-  static constexpr float kRise = -1.0f;  ///< ... and where it rises to it.
+  static constexpr float kOn = 1.0f;     ///< Direction along a line: inwards
+  static constexpr float kBack = -1.0f;  ///< or outwards.
+  static constexpr float kFall = 1.0f;   ///< Change to find: F falls to T,
+  static constexpr float kRise = -1.0f;  ///< or rises to T.
 
-  /// psi = sense (F - T) at way t on the lines.
+  /// psi = sense (F - T) at s = way t on the lines.
   RayLanes raysOf(float way, float sense) {
     LaneScratch& lanes = scratch_.lanes;
     lanes.termCount = lineCount_;
@@ -178,7 +177,7 @@ class TileReplacer : TileField {
     return RayLanes(lanes, cliques_, skin_, first_);
   }
 
-  /// First change of sign. Lanes that cannot be vouched for leave open_.
+  /// First change of sign. Removes uncertified lanes from open_.
   FoundLanes findChange(const RayLanes& rays, V begin, V end, M active) {
     const LaneSearch search = rays.bracketBetween(begin, end, active);
     const LaneRoots roots = rootsIn(rays, search, tolerance_);
@@ -186,8 +185,8 @@ class TileReplacer : TileField {
     return {roots.t, both(both(active, roots.solved), open_)};
   }
 
-  /// Largest F - T over a stretch, by samples, or as much as counts whole. @param rays  looking for falls.
-  /// @param largest  what is known already.
+  /// Largest sampled F - T of an interval, or enough for full weight.
+  /// @param rays  that search for falls.  @param largest  known so far.
   V prominence(const RayLanes& rays, V begin, V end, M active, V largest) const {
     const V whole = all(kFullProminence * inputs_.settings.iso);
     for (const int tenths : kProminenceSamples) {
@@ -212,16 +211,16 @@ class TileReplacer : TileField {
       const V largest = prominence(on, zero(), ownEnd, root.found, atSkin);
       compositeRoot(line, zero() - root.t, {largest, residual}, both(root.found, open_), composite);
     }
-    if (inputs_.wraps) compositeStretches(line, ownEnd, composite);
+    if (inputs_.wraps) compositeIntervals(line, ownEnd, composite);
   }
 
-  /// From `begin` inwards, as long as there is weight left.
-  void compositeStretches(const LineLanes& line, V begin, CompositeLanes& composite) {
+  /// From `begin` inwards while there is weight left.
+  void compositeIntervals(const LineLanes& line, V begin, CompositeLanes& composite) {
     const V reachable = hn::Min(line.length, all(inputs_.settings.searchLength));
     const V nudge = all(4.0f * tolerance_);  // Off a root, where rounding decides the sign.
     V t = select(hn::Gt(begin, zero()), begin + nudge, zero());
     M goesOn = open_;
-    for (int i = 0; i < kMostStretches; ++i) {
+    for (int i = 0; i < kMostIntervals; ++i) {
       goesOn = both(both(goesOn, open_), both(hn::Lt(t, reachable), hn::Gt(composite.left(), zero())));
       if (!any(goesOn)) return;
       const FoundLanes in = findChange(raysOf(kOn, kRise), t, reachable, goesOn);
@@ -247,7 +246,7 @@ class TileReplacer : TileField {
     V residual;
   };
 
-  /// A root at t inwards. The rays are those that look inwards for falls.
+  /// Adds a root at t inwards. Expects the rays that search inwards for falls.
   void compositeRoot(const LineLanes& line, V t, const RootLanes& root, M mask, CompositeLanes& composite) {
     if (!any(mask)) return;
     const V far = (hn::Abs(t) / all(inputs_.settings.searchLength) - all(kFadeBegin)) / all(1.0f - kFadeBegin);
@@ -290,12 +289,12 @@ class TileReplacer : TileField {
   }
 
   ReplaceInputs& inputs_;
-  bool toAnchors_;             ///< Lines go to the anchors, otherwise along the normals.
-  float tolerance_;            ///< Of roots, world units.
+  bool toAnchors_;             ///< Lines go to the anchors; otherwise along the normals.
+  float tolerance_;            ///< For roots, world units.
   std::size_t lineCount_ = 0;  ///< Used part of scratch_.lines.
   LaneSkin skin_;
   M asked_;
-  M open_;  ///< Asked lanes that can still be vouched for.
+  M open_;  ///< Lanes of asked_ that are still certified.
   M fallback_;
   LanePoints normals_;
 };

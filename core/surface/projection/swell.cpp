@@ -1,14 +1,12 @@
-// core/surface/projection/swell.cpp: a field of the skin itself, summed with the muscles'.
+// core/surface/projection/swell.cpp: the sum of the muscles' fields and a field of the skin itself, vertex by vertex.
 #include "core/surface/projection/swell.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include "core/geometry/at.h"
 #include "core/geometry/potential.h"
-#include "core/surface/projection/overhang.h"
-#include "core/surface/projection/rise_limits.h"
-#include "core/surface/roots/root_finding.h"
+#include "core/surface/projection/rise.h"
+#include "core/surface/roots/ray_field.h"
 
 namespace sinew {
 namespace {
@@ -24,7 +22,7 @@ struct SkinField {
 
   double plateau() const { return isoRadius * width; }
 
-  /// As a term of a ray that starts on the skin; outward: along the normal.
+  /// A term for a ray from the skin. @param outward  along the normal
   RayTerm term(bool outward) const {
     RayTerm skin;
     skin.a = 1.0 / (width * width);
@@ -45,16 +43,15 @@ struct SkinField {
 /// Signed along the direction.
 struct Root {
   float s;
-  float below;  ///< s, or less below what hangs over the skin.
+  float below;  ///< s, or less below an overhang.
 };
 
-/// Of the muscles at a point of the skin, by their shares of the field.
+/// Means over the muscles at a point of the skin, weighted by their parts of the field.
 struct MeanSizes {
   double blendWidth;  ///< h
   double radius;
 };
 
-/// Projects vertex after vertex.
 class Sweller {
  public:
   Sweller(const FieldView& field, const SwellSettings& settings, const RiseView& rise, Surface& surface,
@@ -67,7 +64,7 @@ class Sweller {
         isoRadius_(isoRadius(static_cast<double>(settings.iso))) {}
 
   void move(const CarriedVertex& vertex, std::span<const CarrierCandidate> near) {
-    gatherCandidates(vertex, near);
+    gatherCandidates(vertex, near, scratch_);
     if (scratch_.candidates.empty()) return;
     const auto index = static_cast<std::size_t>(vertex.index);
     const glm::vec3 p = surface_.positions[index];
@@ -83,17 +80,9 @@ class Sweller {
   }
 
  private:
-  void gatherCandidates(const CarriedVertex& vertex, std::span<const CarrierCandidate> near) {
-    scratch_.candidates.clear();
-    for (const CarrierCandidate& candidate : near) {
-      const float weight = candidate.weightAt(vertex.barycentric);
-      if (weight > 0.0f) scratch_.candidates.push_back({candidate.primitive, weight, candidate.slot});
-    }
-  }
-
-  /// h at a point of the skin: the mean over the muscles there, each by its share of the field, of the lesser of the
-  /// rig's blend width and the muscle's mean radius. Skin that fades over more than that rises as a whole and falls
-  /// off a cliff where the muscle's influence ends.
+  /// h at a point of the skin: the mean over its muscles, weighted by their parts of the field, of the lesser of the
+  /// rig's blend width and the muscle's mean radius. With a larger h the skin would rise as a whole and drop off a
+  /// cliff at the end of the muscle's influence.
   MeanSizes meanSizesAt(const glm::vec3& p) const {
     double sum = 0.0;
     double radii = 0.0;
@@ -122,12 +111,12 @@ class Sweller {
                                 direction);
     }
     const double end = outward ? scratch_.ray.lastLeave() : skin.plateau();
-    // The direction and the sign of phi must be one decision: where F is all but 0, rounding may see it otherwise along
-    // the ray, and a search for the wrong change would run to its end.
+    // `outward` decides both the direction and the sign of phi: where F is nearly 0, rounding may give phi the other
+    // sign along the ray, and a search for the wrong change of sign would run to its end.
     const std::optional<double> found =
         firstChange(scratch_.ray, 0.0, end, outward, settings_.projection, settings_.tolerance, scratch_.roots);
-    // Outwards only -T is left beyond the last term, so `end` is a root there; inwards a carve deeper than the skin's
-    // own field stops at the plateau, continuously.
+    // Outwards, phi is -T beyond the last term, so `end` is a root; inwards, a carve deeper than the skin's own field
+    // stops at the plateau, continuously.
     const double t = found.value_or(end);
     if (found)
       scratch_.counts.residualMax =
@@ -135,12 +124,12 @@ class Sweller {
     return outward ? t : -t;
   }
 
-  /// The root, or less where psi falls slowly on the way to it.
+  /// The root, or less if psi falls slowly before it.
   float belowOverhangs(const SkinField& skin, double s, double radius) {
     const double sign = s > 0.0 ? 1.0 : -1.0;
     const auto psi = [&](double t) {
-      const RaySample sample = scratch_.ray.sample(t, scratch_.roots);
-      return RaySample{sign * sample.value, sign * sample.slope};
+      const ValueAndSlope sample = scratch_.ray.sample(t, scratch_.roots);
+      return ValueAndSlope{sign * sample.value, sign * sample.slope};
     };
     const double t = std::abs(s);
     const double sigma = -static_cast<double>(Overhang::kSlope) * skin.slope(0.0) * skin.blendWidth / radius;
@@ -148,7 +137,7 @@ class Sweller {
         sign * heightBelowOverhangs(t, sigma, static_cast<double>(Overhang::kPart) * skin.blendWidth, psi));
   }
 
-  /// A height as other skin and what is only touched let it stand.
+  /// A height within the limits of other skin and of muscles that are only touched.
   float limitedHeight(const SkinField& skin, float onSkin, std::size_t index, float s) const {
     const float touch = inverseTouchLimit(onSkin, settings_.iso, static_cast<float>(skin.width));
     return s > 0.0f ? limitedRise(s, std::max(rise_.inverseLimits[index], touch)) : -limitedRise(-s, touch);
@@ -161,12 +150,12 @@ class Sweller {
     const glm::vec3 p = surface_.positions[index];
     const glm::vec3 gradient =
         sampleField(field_.primitives, scratch_.candidates, cliques, p + s * d, scratch_.field).gradient;
-    // s grows by 1 along d and not at all along the skin: its gradient is n / (n.d).
+    // s grows by 1 along d and is constant along the skin: its gradient is n / (n.d).
     const float slope = static_cast<float>(skin.slope(static_cast<double>(s))) / std::max(glm::dot(n, d), kLeastAlong);
     const float height = limitedHeight(skin, onSkin, index, root.below);
     surface_.positions[index] = p + height * d;
     const glm::vec3 ofField = normalizeOr(-(slope * n + gradient), n);
-    // A limit flattens what stands below it.
+    // A limit flattens the skin below it.
     surface_.normals[index] = height == s ? ofField : normalizeOr(n + (height / s) * (ofField - n), n);
     surface_.displacement[index] = height;
   }
@@ -193,7 +182,7 @@ void swell(const ControlMesh& mesh, const FieldView& field, const SwellSettings&
   forEachReachable(
       mesh, *surface.refinement, field, surface.positions, Reach::kOverlapping, {}, scratch.walk,
       [&](const CarriedVertex& vertex, std::span<const CarrierCandidate> near) { sweller.move(vertex, near); });
-  tell(scratch, surface.report);
+  addToReport(scratch.counts, surface.report);
 }
 
 }  // namespace sinew

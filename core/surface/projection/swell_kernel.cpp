@@ -1,5 +1,5 @@
 // core/surface/projection/swell_kernel.cpp: `swell` on tiles of 16 lanes, compiled once per instruction set.
-#include "core/surface/projection/swell_kernel.h"
+#include "core/surface/projection/tile_projection.h"
 
 #include <cmath>
 
@@ -10,13 +10,69 @@
 #define HWY_TARGET_INCLUDE "core/surface/projection/swell_kernel.cpp"
 #include "hwy/foreach_target.h"
 //
-#include "core/surface/projection/overhang_lanes.h"
 #include "core/surface/projection/tile_field.h"
-#include "core/surface/roots/root_lanes.h"
 #include "hwy/highway.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace sinew::HWY_NAMESPACE {
+
+// heightBelowOverhangs() in lanes.
+
+using LaneEnd = PartEnd<V>;
+
+/// s + psi(s) / sigma along the rays.
+struct SlowFall {
+  const RayLanes& rays;
+  V inverseSigma;
+
+  HWY_INLINE LaneEnd endAt(V s) const {
+    const LaneSample here = rays.sample(s);
+    return {s, s + here.value * inverseSigma, all(1.0f) + here.slope * inverseSigma};
+  }
+};
+
+HWY_INLINE V lowestBetween(const LaneEnd& low, const LaneEnd& high, int step) {
+  const V length = high.at - low.at;
+  if (step % 2 != 0 && step + 1 < Overhang::kNarrowings) return low.at + all(0.5f) * length;
+  const V turns = high.slope - low.slope;
+  const V to =
+      step % 2 == 0 ? (high.slope * length + (low.sum - high.sum)) / turns : zero() - low.slope * length / turns;
+  return low.at + hn::Min(hn::Max(zero(), to), length);
+}
+
+HWY_INLINE LaneEnd select(M mask, const LaneEnd& yes, const LaneEnd& no) {
+  return {select(mask, yes.at, no.at), select(mask, yes.sum, no.sum), select(mask, yes.slope, no.slope)};
+}
+
+/// The least of s + psi(s) / sigma inside a part at whose ends it falls and rises. @param height  in and out
+HWY_INLINE void lowerInside(const SlowFall& fall, LaneEnd low, LaneEnd high, M asked, V& height) {
+  const auto dips = [&]() HWY_ATTR { return both(asked, both(hn::Lt(low.slope, zero()), hn::Gt(high.slope, zero()))); };
+  asked = dips();
+  for (int k = 0; k < Overhang::kNarrowings && any(asked); ++k) {
+    const LaneEnd inside = fall.endAt(lowestBetween(low, high, k));
+    height = select(asked, hn::Min(height, inside.sum), height);
+    const M fallsOn = hn::Lt(inside.slope, zero());
+    low = select(fallsOn, inside, low);
+    high = select(fallsOn, high, inside);
+    asked = dips();
+  }
+}
+
+/// heightBelowOverhangs(). @param t  roots.  @param asked  lanes; others keep t.
+HWY_NOINLINE inline V heightBelowOverhangs(const RayLanes& rays, V t, V sigma, V part, M asked) {
+  const SlowFall fall{rays, all(1.0f) / sigma};
+  LaneEnd from = fall.endAt(zero());
+  V height = select(asked, hn::Min(t, from.sum), t);
+  for (int i = 0; i < Overhang::kMostParts; ++i) {
+    asked = both(asked, hn::Lt(all(static_cast<float>(i)) * part, t));
+    if (!any(asked)) break;
+    const LaneEnd to = fall.endAt(hn::Min(all(static_cast<float>(i + 1)) * part, t));
+    height = select(both(asked, hn::Lt(to.at, t)), hn::Min(height, to.sum), height);
+    lowerInside(fall, from, to, asked, height);
+    from = to;
+  }
+  return hn::Max(height, zero());
+}
 
 /// F on the skin, the blend width and the muscles' mean radius there.
 struct OnSkin {
@@ -25,13 +81,13 @@ struct OnSkin {
   V radius;
 };
 
-/// Where the rays end.
+/// Ends of the rays.
 struct Found {
   V t;
   M rootless;
   M known;
-  V risesFrom;  ///< Before this F only falls.
-  V radius;     ///< The muscles' mean.
+  V risesFrom;  ///< F only falls before this.
+  V radius;     ///< Mean of the muscles' radii.
 };
 
 class TileSweller : TileField {
@@ -50,7 +106,7 @@ class TileSweller : TileField {
   }
 
  private:
-  /// The tile's primitives that its rays can meet, as in forEachReachable(). False if there are none.
+  /// Finds the tile's primitives that its rays can meet, as in forEachReachable(). False if there are none.
   bool gatherNear() {
     const Bounds box = boundsOfTile();
     const std::size_t count = static_cast<std::size_t>(tile_->candidateCount);
@@ -133,8 +189,8 @@ class TileSweller : TileField {
     return {together + carved, select(seen, widths / shares, most), select(seen, radii / shares, most)};
   }
 
-  /// Terms in the search's direction and sign: those that some active lane's ray meets ahead. A term that a ray does
-  /// not meet adds 0 to it, so that no lane depends on what its neighbors meet.
+  /// Terms, in the search's direction and sign, that some active lane's ray meets ahead. A term adds 0 to the rays that
+  /// do not meet it, so that no lane depends on its neighbors.
   void fillTerms(const V3& p, const V3& along, const LaneSkin& skin, M active) {
     LaneScratch& lanes = scratch_.lanes;
     clearTerms();
@@ -159,7 +215,7 @@ class TileSweller : TileField {
             zero()};
   }
 
-  /// Where terms may rise: before its middle one that adds, after it one that takes away; a shape's anywhere in it.
+  /// Where terms may rise: a positive one before its middle, a negative one after it; a shape anywhere in its box.
   LaneRise riseOf(const RayLanes& rays, const OnSkin& onSkin) const {
     const LaneSkin& skin = rays.skin();
     const M outward = hn::Gt(skin.sign, zero());
@@ -186,7 +242,7 @@ class TileSweller : TileField {
     return rise;
   }
 
-  /// inverseTouchLimit() of rise_limits.h.
+  /// inverseTouchLimit() of rise.h.
   V touchLimit(const OnSkin& onSkin, const LaneSkin& skin) const {
     const float iso = inputs_.settings.iso;
     const V left = hn::Sqrt(hn::Min(hn::Max(zero(), all(iso) - onSkin.field), all(1.0f)));
@@ -196,8 +252,8 @@ class TileSweller : TileField {
     return share * roots * skin.inverseWidth / (all(2.0f) * hn::Abs(onSkin.field));
   }
 
-  /// The root, or less where psi falls slowly on the way to it. Outwards the skin's own field is steep enough up to h/2
-  /// for as long as F does not rise; bounds of the slope prove the rest of most ways.
+  /// The root, or less if psi falls slowly before it. Outwards, the skin's own field is steep enough up to h/2 while F
+  /// does not rise; bounds of the derivative usually prove the rest.
   V belowOverhangs(const RayLanes& rays, const Found& found, M moved) const {
     const LaneSkin& skin = rays.skin();
     const V blendWidth = all(1.0f - isoRadius_) / skin.inverseWidth;
@@ -210,7 +266,7 @@ class TileSweller : TileField {
     return heightBelowOverhangs(rays, found.t, sigma, all(Overhang::kPart) * blendWidth, asked);
   }
 
-  /// @param inverseLimit  1/L beside that of other skin.
+  /// @param inverseLimit  1/L, in addition to that of other skin.
   void place(const V3& p, const V3& d, const RayLanes& rays, V inverseLimit, const Found& found) {
     const LaneSkin& skin = rays.skin();
     const V t = found.t;
@@ -256,7 +312,7 @@ class TileSweller : TileField {
   }
 
   SwellInputs& inputs_;
-  float tolerance_;  ///< Of roots, world units.
+  float tolerance_;  ///< For roots, world units.
   float isoRoot_;
   float isoRadius_;
   LanePoints directions_;

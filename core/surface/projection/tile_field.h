@@ -15,13 +15,12 @@
 HWY_BEFORE_NAMESPACE();
 namespace sinew::HWY_NAMESPACE {
 
-/// One tile at a time: its vertices' places, the muscles near it and what a mode's kernel reads of them.
+/// One tile at a time: its vertices, the muscles near it, and what the kernels of both modes read of them.
 class TileField {
  protected:
   TileField(const VertexTiles& tiles, const FieldView& field, TileScratch& scratch)
       : tiles_(tiles), field_(field), scratch_(scratch) {}
 
-  /// A tile's turn begins.
   void start(const VertexTile& tile, std::span<const glm::vec3> positions) {
     tile_ = &tile;
     for (std::size_t first = 0; first < kLanes; first += width()) points_.gather(positions, tile.vertices, first);
@@ -65,7 +64,7 @@ class TileField {
     return all(muscle.strength) * hn::Load(kTag, weights.at(first_));
   }
 
-  /// y = inBall(ball, x - center) is in the unit space but for scale: r^2 of an ellipsoid is scale |y|^2.
+  /// y = inBall(ball, x - center) is in unit space up to a scale: r^2 of an ellipsoid is scale |y|^2.
   static HWY_INLINE V scaleOf(const UnitBallMap& ball) {
     return all(ball.inverseRadius > 0.0f ? ball.inverseRadius * ball.inverseRadius : 1.0f);
   }
@@ -79,7 +78,6 @@ class TileField {
     return ball.isPlain() ? scaleOf(ball) * dot(y, y) : ShapePoint(ball.shape, y).rSquared();
   }
 
-  /// Forgets all terms of scratch_.lanes.
   void clearTerms() { scratch_.lanes.termCount = scratch_.lanes.shapeCount = 0; }
 
   /// The candidate's potential along lines p + t d: a shape goes to scratch_.lanes.
@@ -121,7 +119,7 @@ class TileField {
     return true;
   }
 
-  /// Hands vertices over to the scalar path.
+  /// Leaves vertices to the scalar path.
   void giveUp(M mask) {
     if (!any(mask)) return;
     forEach(mask, first_, [&](std::size_t lane) { scratch_.uncertified.push_back(tile_->vertices[lane]); });
@@ -203,13 +201,13 @@ class TileField {
   TileScratch& scratch_;
   const VertexTile* tile_ = nullptr;
   std::size_t nearCount_ = 0;  ///< Used part of scratch_.near: indices of the tile's candidates.
-  std::size_t first_ = 0;      ///< Lanes from here on have their turn.
+  std::size_t first_ = 0;      ///< First of the current lanes.
   LaneCliques cliques_;
   LanePoints points_;
 
  private:
-  /// Whether lines may meet a ball; rounding never says no where they do.
-  /// @param fromCenter  the line's origin less the ball's center.  @param d  unit.
+  /// Whether lines may meet a ball; never false by rounding.
+  /// @param fromCenter  the line's origin minus the ball's center.  @param d  unit.
   static HWY_INLINE M mayMeet(const V3& fromCenter, const V3& d, float radius, bool ahead) {
     const V squared = dot(fromCenter, fromCenter);
     const V along = dot(fromCenter, d);

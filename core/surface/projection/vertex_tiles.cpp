@@ -1,4 +1,4 @@
-// core/surface/projection/vertex_tiles.cpp: carriers in order along a space-filling curve, packed.
+// core/surface/projection/vertex_tiles.cpp: tiles packed from carriers along a space-filling curve.
 #include "core/surface/projection/vertex_tiles.h"
 
 #include <algorithm>
@@ -10,7 +10,7 @@
 namespace sinew {
 namespace {
 
-/// Every third bit of the result is one of x.
+/// Spreads the bits of x to every third bit.
 std::uint32_t spread(std::uint32_t x) {
   x &= 0x3ff;
   x = (x | (x << 16)) & 0x030000ff;
@@ -19,7 +19,7 @@ std::uint32_t spread(std::uint32_t x) {
   return (x | (x << 2)) & 0x09249249;
 }
 
-/// Control triangles along a Morton curve through the bind pose: neighbors in the list are neighbors in space.
+/// Control triangles along a Morton curve through the bind pose, so that neighbors in the list are neighbors in space.
 std::vector<int> alongCurve(const ControlMesh& mesh) {
   const Bounds box = boundsOf(mesh.positions);
   const float longest = std::max({box.extent().x, box.extent().y, box.extent().z, 1e-30f});
@@ -38,10 +38,8 @@ std::vector<int> alongCurve(const ControlMesh& mesh) {
   return order;
 }
 
-/// Packs refined vertices, carrier by carrier along the curve, into tiles of as many as there are lanes. The vertices
-/// of a tile lie near each other, so they see nearly the same muscles: one list of candidates serves all of them, with
-/// a weight of 0 for a lane that does not see a muscle. Clique sets number their groups differently, so each has a tile
-/// of its own open. The order is that of the bind pose and serves every pose.
+/// Packs refined vertices, carrier by carrier, into tiles. The vertices of a tile lie close together and see nearly the
+/// same muscles, so one list of candidates serves all of them, with weight 0 for lanes that do not see a muscle.
 class Packer {
  public:
   Packer(const CandidateLists& lists, VertexTiles& out) : lists_(lists), out_(out), open_(lists.cliqueSets.size()) {}
@@ -78,7 +76,7 @@ class Packer {
     tile = {};
   }
 
-  /// Those of all lanes, ascending. Neighbors see nearly the same ones.
+  /// Merges the candidates of all lanes, ascending.
   void gatherCandidates(const VertexTile& tile) {
     gathered_.clear();
     for (int lane = 0; lane < tile.used; ++lane) {
@@ -94,45 +92,30 @@ class Packer {
 
   const CandidateLists& lists_;
   VertexTiles& out_;
-  std::vector<VertexTile> open_;         ///< One per clique set: equal sets number their groups equally.
-  std::vector<TileCandidate> gathered_;  ///< Of the tile that is being closed.
+  std::vector<VertexTile> open_;         ///< One per clique set, since each numbers its groups in its own way.
+  std::vector<TileCandidate> gathered_;  ///< Candidates of the tile being closed.
 };
 
-/// The weights of a tile's candidates at its lanes.
-class WeightFiller {
- public:
-  WeightFiller(const ControlMesh& mesh, const Refinement& refinement, const CandidateLists& lists, VertexTiles& out)
-      : mesh_(mesh), refinement_(refinement), lists_(lists), out_(out) {}
+CarriedVertex carriedBy(int carrier, int vertex, const ControlMesh& mesh, const Refinement& refinement) {
+  const int edge = carrier - refinement.controlVertices;
+  const int triangle = edge - refinement.controlEdges;
+  if (edge < 0) return controlCarried(vertex);
+  if (triangle < 0) return edgeCarried(mesh, refinement, edge, vertex);
+  return insideCarried(mesh, refinement, triangle, vertex);
+}
 
-  void fill(const VertexTile& tile) {
-    const auto first = toIndex(tile.firstCandidate);
-    const auto count = toIndex(tile.candidateCount);
-    const std::span own = std::span(out_.candidates).subspan(first, count);
-    const std::span weights = std::span(out_.weights).subspan(first, count);
-    for (int lane = 0; lane < tile.used; ++lane) {
-      const CarriedVertex vertex = carried(at(tile.carriers, lane), at(tile.vertices, lane));
-      std::size_t place = 0;
-      for (const CarrierCandidate& candidate : lists_.of(vertex.carrier)) {
-        while (own[place].primitive < candidate.primitive) ++place;
-        at(weights[place].lane, lane) = candidate.weightAt(vertex.barycentric);
-      }
+/// Weights of a tile's candidates at its lanes.
+void fillWeights(const VertexTile& tile, const ControlMesh& mesh, const Refinement& refinement,
+                 const CandidateLists& lists, VertexTiles& out) {
+  for (int lane = 0; lane < tile.used; ++lane) {
+    const CarriedVertex vertex = carriedBy(at(tile.carriers, lane), at(tile.vertices, lane), mesh, refinement);
+    std::size_t place = toIndex(tile.firstCandidate);
+    for (const CarrierCandidate& candidate : lists.of(vertex.carrier)) {
+      while (out.candidates[place].primitive < candidate.primitive) ++place;
+      at(out.weights[place].lane, lane) = candidate.weightAt(vertex.barycentric);
     }
   }
-
- private:
-  [[nodiscard]] CarriedVertex carried(int carrier, int vertex) const {
-    const int edge = carrier - refinement_.controlVertices;
-    const int triangle = edge - refinement_.controlEdges;
-    if (edge < 0) return carriedVertex(mesh_, refinement_, vertex);
-    if (triangle < 0) return edgeCarried(mesh_, refinement_, edge, vertex);
-    return insideCarried(mesh_, refinement_, triangle, vertex);
-  }
-
-  const ControlMesh& mesh_;
-  const Refinement& refinement_;
-  const CandidateLists& lists_;
-  VertexTiles& out_;
-};
+}
 
 void flattenCliques(const CandidateLists& lists, VertexTiles& out) {
   for (const CliqueLists& cliques : lists.cliqueSets) {
@@ -171,7 +154,7 @@ CarriedVertex carriedVertex(const ControlMesh& mesh, const Refinement& refinemen
   const auto pieceOf = [&](std::span<const int> begin) {
     return static_cast<int>(std::ranges::upper_bound(begin, vertex) - begin.begin()) - 1;
   };
-  if (vertex < refinement.controlVertices) return {vertex, vertex, {vertex, vertex, vertex}, {1.0f, 0.0f, 0.0f}};
+  if (vertex < refinement.controlVertices) return controlCarried(vertex);
   if (vertex < refinement.insideBegin.front()) {
     return edgeCarried(mesh, refinement, pieceOf(refinement.edgeBegin), vertex);
   }
@@ -188,32 +171,26 @@ VertexTiles makeVertexTiles(const ControlMesh& mesh, const Refinement& refinemen
     known[toIndex(carrier)] = true;
     return true;
   };
+  const auto addVertex = [&](int v) {
+    if (once(v)) packer.addCarrier(v, v, 1);
+  };
+  const auto addEdge = [&](int e) {
+    const int carrier = refinement.controlVertices + e;
+    if (once(carrier)) packer.addCarrier(carrier, refinement.edgeVertex(e, 1), refinement.edgeVertices(e));
+  };
   for (const int t : alongCurve(mesh)) {
     const ControlTriangle& triangle = at(mesh.triangles, t);
-    for (const int v : triangle.vertices) {
-      if (once(v)) packer.addCarrier(v, v, 1);
-    }
-    for (const int e : triangle.edges) {
-      const int carrier = refinement.controlVertices + e;
-      if (once(carrier)) packer.addCarrier(carrier, refinement.edgeVertex(e, 1), refinement.edgeVertices(e));
-    }
+    std::ranges::for_each(triangle.vertices, addVertex);
+    std::ranges::for_each(triangle.edges, addEdge);
     packer.addCarrier(refinement.controlVertices + refinement.controlEdges + t, at(refinement.insideBegin, t),
                       refinement.insideVertices(t));
   }
-  // What belongs to no triangle is projected all the same.
-  for (int e = 0; e < refinement.controlEdges; ++e) {
-    const int carrier = refinement.controlVertices + e;
-    if (once(carrier)) packer.addCarrier(carrier, refinement.edgeVertex(e, 1), refinement.edgeVertices(e));
-  }
-  for (int v = 0; v < refinement.controlVertices; ++v) {
-    if (once(v)) packer.addCarrier(v, v, 1);
-  }
+  // Edges and vertices without triangles are projected as well.
+  for (int e = 0; e < refinement.controlEdges; ++e) addEdge(e);
+  for (int v = 0; v < refinement.controlVertices; ++v) addVertex(v);
   packer.closeAll();
   out.weights.resize(out.candidates.size());
-  WeightFiller filler(mesh, refinement, lists, out);
-  forRanges(out.tiles.size(), 64, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) filler.fill(out.tiles[i]);
-  });
+  forEachIndex(out.tiles.size(), 64, [&](std::size_t i) { fillWeights(out.tiles[i], mesh, refinement, lists, out); });
   return out;
 }
 

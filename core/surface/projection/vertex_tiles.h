@@ -1,12 +1,11 @@
-// core/surface/projection/vertex_tiles.h: refined vertices in packs of 16 neighbors that share one list of muscles.
-// Made once per edit.
+// core/surface/projection/vertex_tiles.h: refined vertices in tiles of 16 neighbors with one list of muscles, made once
+// per edit.
 #pragma once
 
 #include <array>
 #include <vector>
 
 #include "core/surface/projection/candidates.h"
-#include "core/surface/projection/carrier_walk.h"
 #include "core/surface/roots/lane_terms.h"
 #include "sinew/geometry/control_mesh.h"
 #include "sinew/surface/refinement.h"
@@ -15,7 +14,7 @@ namespace sinew {
 
 /// Up to 16 refined vertices of neighboring carriers with the same cliques.
 struct VertexTile {
-  std::array<int, kLanes> vertices{};  ///< Lanes beyond `used` repeat the first and see nothing.
+  std::array<int, kLanes> vertices{};  ///< Lanes beyond `used` repeat the first, with weights 0.
   std::array<int, kLanes> carriers{};
   int used = 0;
   int firstCandidate = 0;
@@ -30,8 +29,8 @@ struct TileCandidate {
 
 struct VertexTiles {
   std::vector<VertexTile> tiles;
-  std::vector<TileCandidate> candidates;  ///< Candidates of tile after tile, ascending by primitive.
-  std::vector<LaneFloats> weights;        ///< m_i of each candidate at each lane; 0 where the carrier does not see it.
+  std::vector<TileCandidate> candidates;  ///< Tile by tile, ascending by primitive.
+  std::vector<LaneFloats> weights;        ///< m_i of each candidate at each lane; 0 if the carrier does not see it.
   std::vector<std::vector<int>> cliqueBegins;  ///< Begins of each clique set; see LaneCliques.
   std::vector<std::vector<int>> cliqueSlots;
   std::vector<std::size_t> slotCounts;

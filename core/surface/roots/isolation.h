@@ -7,12 +7,12 @@
 #include <cstddef>
 #include <optional>
 
-#include "core/surface/roots/quartic.h"
+#include "core/surface/roots/polynomial.h"
 
 namespace sinew::isolation {
 
-inline constexpr int kMostHalvings = 40;     ///< Below 1e-12 of the interval two roots are one touch.
-inline constexpr int kMostNewtonSteps = 60;  ///< Bisection alone would need 50.
+inline constexpr int kMostHalvings = 40;     ///< Two roots closer than 1e-12 of the interval are one touch.
+inline constexpr int kMostNewtonSteps = 60;  ///< Bisection would need 50.
 inline constexpr int kBisectionHalvings = 8;
 
 template <class Polynomial>
@@ -45,7 +45,7 @@ double bracketedNewton(const Polynomial& q, double tolerance) {
   return u;
 }
 
-/// The same by halving.
+/// The same by bisection.
 template <class Polynomial>
 double bracketedBisection(const Polynomial& q) {
   double low = 0.0;
@@ -61,7 +61,6 @@ double bracketedBisection(const Polynomial& q) {
   return low + (high - low) * valueLow / (valueLow - valueHigh);
 }
 
-/// What isolation is after.
 struct Wanted {
   double tolerance;
   BracketSolver solver;
@@ -87,7 +86,7 @@ std::optional<double> isolate(const Polynomial& q, double low, double high, cons
   return isolate(right, middle, high, wanted, halvingsLeft - 1);
 }
 
-/// See firstFallIsolated (quartic.h), of which this is the scheme for any degree.
+/// firstFallIsolated() (polynomial.h) for any degree.
 template <class Polynomial>
 std::optional<double> firstFall(const Polynomial& q, double from, double tolerance, BracketSolver solver) {
   const Wanted wanted{tolerance, solver};
@@ -99,14 +98,14 @@ std::optional<double> firstFall(const Polynomial& q, double from, double toleran
   return isolate(right, from, 1.0, wanted, kMostHalvings);
 }
 
-/// Where a polynomial of a low degree changes its sign, ascending.
+/// Changes of sign of a polynomial of low degree, ascending.
 struct Roots {
   std::array<double, 8> at{};
   std::size_t count = 0;
 };
 
-/// Adds the changes of sign of q, whose [0, 1] is [low, high]. Two that are closer than 2^-halvingsLeft are a touch,
-/// and left out.
+/// Adds the changes of sign of q, whose [0, 1] is [low, high]. Two closer than 2^-halvingsLeft count as a touch, and
+/// are left out.
 template <class Polynomial>
 void allRoots(const Polynomial& q, double low, double high, double tolerance, Roots& roots, int halvingsLeft = 26) {
   const int changes = signChanges(q);

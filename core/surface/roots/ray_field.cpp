@@ -1,15 +1,16 @@
-// core/surface/roots/ray_field.cpp: terms along a ray, their sums and breakpoints.
+// core/surface/roots/ray_field.cpp: terms along a ray, their sums, and a search from breakpoint to breakpoint.
 #include "core/surface/roots/ray_field.h"
 
 #include <algorithm>
 #include <cmath>
+#include <type_traits>
 
 #include "core/geometry/at.h"
 
 namespace sinew {
 namespace {
 
-void add(RaySample& sum, const RaySample& part) {
+void add(ValueAndSlope& sum, const ValueAndSlope& part) {
   sum.value += part.value;
   sum.slope += part.slope;
 }
@@ -69,7 +70,7 @@ void RayField::addShaped(const PosedPrimitive& primitive, float weight, int slot
   if (!isQuadratic && !stretches.items().empty()) shaped_.push_back(ray);
 }
 
-RaySample RayField::sampleShaped(const RayTerm& term, double t) const {
+ValueAndSlope RayField::sampleShaped(const RayTerm& term, double t) const {
   const ShapedRay& ray = at(shaped_, term.shaped);
   const glm::dvec3 p = ray.at(t);
   const double w = 1.0 - ray.shape.rSquared(p);
@@ -77,21 +78,20 @@ RaySample RayField::sampleShaped(const RayTerm& term, double t) const {
   return {term.factor * w * w, -2.0 * term.factor * w * glm::dot(ray.shape.rSquaredSlope(p), ray.along)};
 }
 
-inline RaySample RayField::sampleTerm(const RayTerm& term, double t) const {
+inline ValueAndSlope RayField::sampleTerm(const RayTerm& term, double t) const {
   if (term.shaped >= 0) return sampleShaped(term, t);
   const double w = 1.0 - term.rSquared(t);
   if (w <= 0.0 || t < term.enter || t > term.leave || (t == term.leave && term.goesOn)) return {};
   return {term.factor * w * w, -4.0 * term.factor * w * (term.a * t + term.b)};
 }
 
-RaySample RayField::sample(double t, RayScratch& scratch) const {
-  RaySample everywhere{-iso_, 0.0};
+ValueAndSlope RayField::sample(double t, RayScratch& scratch) const {
+  ValueAndSlope everywhere{-iso_, 0.0};
   if (cliques_->empty()) {
     for (const RayTerm& term : terms_) add(everywhere, sampleTerm(term, t));
-    // Without cliques all positive terms form one sum: nothing to take the maximum of.
     return everywhere;
   }
-  std::vector<RaySample>& ofSlot = scratch.ofSlot;
+  std::vector<ValueAndSlope>& ofSlot = scratch.ofSlot;
   ofSlot.clear();
   for (const RayTerm& term : terms_) {
     if (term.slot == RayTerm::kEverySum) {
@@ -102,9 +102,9 @@ RaySample RayField::sample(double t, RayScratch& scratch) const {
     if (ofSlot.size() <= slot) ofSlot.resize(slot + 1);
     add(ofSlot[slot], sampleTerm(term, t));
   }
-  RaySample best;
+  ValueAndSlope best;
   for (const std::vector<int>& clique : *cliques_) {
-    RaySample sum;
+    ValueAndSlope sum;
     for (const int slot : clique) {
       if (static_cast<std::size_t>(slot) < ofSlot.size()) add(sum, at(ofSlot, slot));
     }
@@ -131,6 +131,156 @@ double RayField::lastLeave() const {
   double last = 0.0;
   for (const RayTerm& term : terms_) last = std::max(last, term.leave);
   return last;
+}
+
+namespace {
+
+Quartic quarticOf(const RayTerm& term, double begin, double end) {
+  // Blossom of 1 - r^2 at (begin, begin), (begin, end), (end, end).
+  const double w0 = 1.0 - term.rSquared(begin);
+  const double w1 = 1.0 - (term.a * begin * end + term.b * (begin + end) + term.c);
+  const double w2 = 1.0 - term.rSquared(end);
+  return squareOfQuadratic(w0, w1, w2);
+}
+
+/// (1 - r^2)^2 of one term on an interval.
+template <class Polynomial>
+Polynomial polynomialOf(const RayField& field, const RayTerm& term, double begin, double end) {
+  if constexpr (std::is_same_v<Polynomial, Bernstein>) {
+    if (term.shaped >= 0) {
+      const Bernstein w = at(field.shaped(), term.shaped).insideness(begin, end);
+      return w * w;
+    }
+  }
+  return Polynomial(quarticOf(term, begin, end));
+}
+
+bool isActive(const RayTerm& term, double t) { return t > term.enter && t < term.leave; }
+
+/// out.sums: phi on one interval as polynomials, one per clique, all multiplied by the sign of phi at the ray's start.
+template <class Polynomial>
+void fillSums(const RayField& field, double begin, double end, double sign, PolynomialSums<Polynomial>& out) {
+  std::vector<Polynomial>& ofSlot = out.ofSlot;
+  const double middle = 0.5 * (begin + end);
+  Polynomial everywhere;
+  everywhere.addConstant(-field.iso());
+  const bool oneSum = field.cliques().empty();
+  ofSlot.clear();
+  for (const RayTerm& term : field.terms()) {
+    if (!isActive(term, middle)) continue;
+    const Polynomial part = polynomialOf<Polynomial>(field, term, begin, end);
+    if (oneSum || term.slot == RayTerm::kEverySum) {
+      everywhere.addScaled(part, term.factor);
+      continue;
+    }
+    const auto slot = static_cast<std::size_t>(term.slot);
+    if (ofSlot.size() <= slot) ofSlot.resize(slot + 1);
+    ofSlot[slot].addScaled(part, term.factor);
+  }
+  out.sums.clear();
+  for (const std::vector<int>& clique : field.cliques()) {
+    Polynomial sum = everywhere;
+    for (const int slot : clique) {
+      if (static_cast<std::size_t>(slot) < ofSlot.size()) {
+        sum.addScaled(at(ofSlot, slot), 1.0);
+      }
+    }
+    out.sums.push_back(sum);
+  }
+  if (oneSum) out.sums.push_back(everywhere);
+  for (Polynomial& sum : out.sums) {
+    for (double& coefficient : sum.b) coefficient *= sign;
+  }
+}
+
+struct Search {
+  ProjectionKind method;
+  double tolerance;
+};
+
+/// Above degree 4 there is no closed form: `analytic` isolates the root and takes Newton steps.
+template <class Polynomial>
+std::optional<double> firstFall(const Polynomial& q, double from, const Search& search) {
+  if constexpr (std::is_same_v<Polynomial, Quartic>) {
+    if (search.method == ProjectionKind::kAnalytic) return firstFallClosedForm(q, from, search.tolerance);
+  }
+  const bool halves = search.method == ProjectionKind::kBisection;
+  return firstFallIsolated(q, from, search.tolerance, halves ? BracketSolver::kBisection : BracketSolver::kNewton);
+}
+
+/// Where the largest of the sums falls to 0: follows one clique until it falls, then one that is still positive.
+template <class Polynomial>
+std::optional<double> firstFallOfMaximum(const std::vector<Polynomial>& sums, const Search& search) {
+  double u = 0.0;
+  const std::size_t mostChanges = 4 * sums.size() + 1;
+  for (std::size_t change = 0; change < mostChanges; ++change) {
+    const auto highest = std::ranges::max_element(sums, {}, [u](const Polynomial& q) { return q.at(u); });
+    if (highest->at(u) <= 1e-15) return u;
+    const std::optional<double> fall = firstFall(*highest, u, search);
+    if (!fall) return std::nullopt;
+    u = std::max(*fall, u);
+    const bool anotherIsPositive =
+        std::ranges::any_of(sums, [&](const Polynomial& q) { return &q != &*highest && q.at(u) > 1e-12; });
+    if (!anotherIsPositive) return u;
+  }
+  return u;
+}
+
+/// For phi < 0 at the start: where the first of the negated sums reaches 0.
+template <class Polynomial>
+std::optional<double> firstFallOfAny(const std::vector<Polynomial>& sums, const Search& search) {
+  std::optional<double> first;
+  for (const Polynomial& q : sums) {
+    const std::optional<double> fall = firstFall(q, 0.0, search);
+    if (fall && (!first || *fall < *first)) first = fall;
+  }
+  return first;
+}
+
+/// firstChange() on one interval, mapped to [0, 1].
+template <class Polynomial>
+std::optional<double> changeWithin(const RayField& field, double begin, double end, bool fromPositive,
+                                   const Search& search, PolynomialSums<Polynomial>& memory) {
+  fillSums(field, begin, end, fromPositive ? 1.0 : -1.0, memory);
+  return fromPositive ? firstFallOfMaximum(memory.sums, search) : firstFallOfAny(memory.sums, search);
+}
+
+bool isQuarticOn(const RayField& field, double begin, double end) {
+  if (field.shaped().empty()) return true;
+  const double middle = 0.5 * (begin + end);
+  return std::ranges::none_of(field.terms(),
+                              [&](const RayTerm& term) { return term.shaped >= 0 && isActive(term, middle); });
+}
+
+}  // namespace
+
+const char* nameOf(ProjectionKind projection) {
+  if (projection == ProjectionKind::kNewton) return "newton";
+  return projection == ProjectionKind::kBisection ? "bisection" : "analytic";
+}
+
+std::optional<ProjectionKind> projectionKindNamed(const std::string& name) {
+  for (const auto kind : {ProjectionKind::kNewton, ProjectionKind::kBisection, ProjectionKind::kAnalytic}) {
+    if (name == nameOf(kind)) return kind;
+  }
+  return std::nullopt;
+}
+
+std::optional<double> firstChange(const RayField& field, double begin, double end, bool fromPositive,
+                                  ProjectionKind method, double tolerance, RayScratch& scratch) {
+  const std::span<const double> breaks = field.breakpoints(begin, end, scratch);
+  for (std::size_t i = 0; i + 1 < breaks.size(); ++i) {
+    const double length = breaks[i + 1] - breaks[i];
+    if (!(length > 0.0)) continue;
+    const Search search{method, tolerance / length};
+    const double from = breaks[i];
+    const double to = breaks[i + 1];
+    const auto root = isQuarticOn(field, from, to)
+                          ? changeWithin(field, from, to, fromPositive, search, scratch.quartics)
+                          : changeWithin(field, from, to, fromPositive, search, scratch.polynomials);
+    if (root) return breaks[i] + *root * length;
+  }
+  return std::nullopt;
 }
 
 }  // namespace sinew

@@ -1,19 +1,20 @@
-// core/surface/roots/ray_field.h: the field along a ray: each ellipsoid a quadratic in t (paper 4.1), each shaped
-// primitive a few polynomials.
+// core/surface/roots/ray_field.h: the field along a ray and its first root. An ellipsoid is a quadratic in t (paper
+// 4.1), a shaped primitive a few polynomials.
 #pragma once
 
 #include <array>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "core/rig/field.h"
-#include "core/surface/roots/bernstein.h"
-#include "core/surface/roots/quartic.h"
+#include "core/surface/roots/polynomial.h"
 #include "core/surface/roots/shaped_ray.h"
+#include "sinew/surface/projection_kind.h"
 
 namespace sinew {
 
-/// One potential along a ray: r^2(t) = a t^2 + 2 b t + c, f(t) = factor (1 - r^2)^2 for enter < t < leave, else 0.
+/// One potential along a ray: r^2(t) = a t^2 + 2 b t + c; f(t) = factor (1 - r^2)^2 for enter < t < leave, else 0.
 struct RayTerm {
   double a = 0.0;
   double b = 0.0;
@@ -21,44 +22,38 @@ struct RayTerm {
   double factor = 0.0;  ///< sign * s_i * m_i
   double enter = 0.0;
   double leave = 0.0;
-  int slot = kEverySum;  ///< Group slot, or kEverySum: counts in every clique (the skin, carves).
-  bool goesOn = false;   ///< Another term of the same primitive begins at `leave` and owns that place.
-  int shaped = -1;       ///< Index into RayField::shaped(), whose r^2 is meant instead of a, b, c; or -1.
+  int slot = kEverySum;  ///< Group slot, or kEverySum: part of every clique's sum (the skin, carves).
+  bool goesOn = false;   ///< Another term of the same primitive begins at `leave`, which belongs to it.
+  int shaped = -1;       ///< Index into RayField::shaped(), whose r^2 replaces a, b, c; or -1.
 
   static constexpr int kEverySum = -1;
 
   [[nodiscard]] double rSquared(double t) const { return (a * t + 2.0 * b) * t + c; }
 };
 
-/// Value and derivative at one t.
-struct RaySample {
-  double value = 0.0;
-  double slope = 0.0;
-};
-
-/// phi on one stretch of a ray.
+/// phi on one interval of a ray.
 template <class Polynomial>
 struct PolynomialSums {
   std::vector<Polynomial> ofSlot;
   std::vector<Polynomial> sums;  ///< One per clique.
 };
 
-/// Memory that is reused from ray to ray, so that nothing is allocated. Its contents carry nothing from one call to the
-/// next. One a thread.
+/// Memory reused from ray to ray, so that nothing is allocated. Its contents mean nothing to the next call. One per
+/// thread.
 struct RayScratch {
-  std::vector<RaySample> ofSlot;
+  std::vector<ValueAndSlope> ofSlot;
   std::vector<double> breakpoints;
   PolynomialSums<Quartic> quartics;
-  PolynomialSums<Bernstein> polynomials;  ///< On stretches with a term of higher degree.
+  PolynomialSums<Bernstein> polynomials;  ///< On intervals with a term of higher degree.
 };
 
-/// phi(t) = skin(t) + F(p + t d) - T. Kept and refilled from ray to ray, so that nothing is allocated.
+/// phi(t) = skin(t) + F(p + t d) - T. Refilled from ray to ray, so that nothing is allocated.
 class RayField {
  public:
-  /// Forgets all terms. @param cliques must outlive the use.
+  /// Removes all terms. @param cliques  must outlive the use.
   void reset(double iso, const CliqueLists& cliques);
-  /// Adds a primitive if the ray meets its influence at some t > 0 (or >= 0 inside). weight = m_i.
-  /// Distances along the ray in world units; direction unit.
+  /// Adds a primitive if the ray meets its influence at some t > 0 (or >= 0 inside). Distances along the ray are in
+  /// world units. @param weight  m_i.  @param direction  unit.
   void addPrimitive(const PosedPrimitive& primitive, float weight, int slot, const glm::vec3& origin,
                     const glm::vec3& direction);
   void addTerm(const RayTerm& term) { terms_.push_back(term); }
@@ -69,23 +64,36 @@ class RayField {
   [[nodiscard]] const CliqueLists& cliques() const { return *cliques_; }
   [[nodiscard]] double iso() const { return iso_; }
 
-  /// phi and its derivative (of the winning clique).
-  [[nodiscard]] RaySample sample(double t, RayScratch& scratch) const;
-  /// Where phi changes its formula within (begin, end), sorted, with begin and end. In scratch.breakpoints.
+  /// phi and its derivative, of the clique with the largest sum.
+  [[nodiscard]] ValueAndSlope sample(double t, RayScratch& scratch) const;
+  /// Where phi changes its formula in (begin, end), sorted, with begin and end. Stored in scratch.breakpoints.
   [[nodiscard]] std::span<const double> breakpoints(double begin, double end, RayScratch& scratch) const;
-  /// Beyond this t only -T is left.
+  /// phi is -T beyond this t.
   [[nodiscard]] double lastLeave() const;
 
  private:
   void addShaped(const PosedPrimitive& primitive, float weight, int slot, const glm::vec3& origin,
                  const glm::vec3& direction);
-  [[nodiscard]] RaySample sampleTerm(const RayTerm& term, double t) const;
-  [[nodiscard]] RaySample sampleShaped(const RayTerm& term, double t) const;
+  [[nodiscard]] ValueAndSlope sampleTerm(const RayTerm& term, double t) const;
+  [[nodiscard]] ValueAndSlope sampleShaped(const RayTerm& term, double t) const;
 
   std::vector<RayTerm> terms_;
   std::vector<ShapedRay> shaped_;
   const CliqueLists* cliques_ = nullptr;
   double iso_ = 0.25;
 };
+
+/// First t in [begin, end] where phi, positive at `begin` or not as `fromPositive` has it, changes its sign. A touch
+/// does not count; phi(begin) = 0 gives `begin`; nullopt: no change. Methods agree to `tolerance` where the root is
+/// unique (docs/design.md, Projection; paper 4):
+/// - newton: phi is a quartic in Bernstein form between breakpoints, or of degree 6, 8 or 10 with shaped primitives;
+///   roots are isolated by its sign changes (Descartes' rule), then found by Newton steps kept inside the bracket;
+/// - analytic (paper 4.1): the first root of the same quartics in closed form (Ferrari); above degree 4 as newton;
+/// - bisection (paper 4.2): the same brackets, each around one root, then 8 halvings and one secant step.
+///   The paper halves [anchor, vertex] itself; in a tangle that misses the first root, or a close pair of roots.
+/// The caller knows the sign at `begin`: where phi is nearly 0, rounding could decide it differently here.
+/// @param tolerance world units, > 0.
+[[nodiscard]] std::optional<double> firstChange(const RayField& field, double begin, double end, bool fromPositive,
+                                                ProjectionKind method, double tolerance, RayScratch& scratch);
 
 }  // namespace sinew

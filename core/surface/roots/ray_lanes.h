@@ -1,5 +1,5 @@
-// core/surface/roots/ray_lanes.h: the field along many rays at once, and brackets around its first changes of sign.
-// Included once per instruction set. docs/performance.md proves what is claimed here.
+// core/surface/roots/ray_lanes.h: the field along many rays at once, brackets around its first changes of sign, and the
+// roots in them. Included once per instruction set. docs/performance.md has the proofs.
 #if defined(SINEW_RAY_LANES_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef SINEW_RAY_LANES_H
 #undef SINEW_RAY_LANES_H
@@ -18,17 +18,17 @@
 HWY_BEFORE_NAMESPACE();
 namespace sinew::HWY_NAMESPACE {
 
-/// The skin's own field less T, times the direction's sign: falls from 0 at t = 0.
+/// The skin's own field minus T, times the direction's sign: falls from 0 at t = 0.
 struct LaneSkin {
-  bool falls;      ///< Otherwise there is no field of the skin, and `sign` and `offset` are all.
+  bool falls;      ///< False: the skin has no field; only `sign` and `offset` count.
   V sign;          ///< 1: outwards, -1: inwards.
   V inverseWidth;  ///< 1 / W
   V isoRadius;     ///< r_T
   V isoRoot;       ///< sqrt T
-  V maxFall;       ///< Upper bound of fall(): outwards the skin's own field ends.
+  V maxFall;       ///< Upper bound of fall(): the skin's own field ends outwards.
   V offset;        ///< Added everywhere.
 
-  // w^2 - T = (w - sqrt T)(w + sqrt T): exact in the last place where t, and so the rise, is tiny.
+  // w^2 - T = (w - sqrt T)(w + sqrt T) is exact to the last place for tiny t, and so for tiny rises.
   HWY_INLINE V fall(V t) const {
     const V u = t * inverseWidth;
     return hn::Min(u * (isoRadius + isoRadius + sign * u), maxFall);
@@ -43,38 +43,38 @@ struct LaneSkin {
   HWY_INLINE V slope(V t) const { return falls ? all(-4.0f) * inverseWidth * (radius(t) * root(t)) : zero(); }
 };
 
-/// psi(t) = sign (skin(t) + F(t) - T) and its slope.
+/// psi(t) = sign (skin(t) + F(t) - T) and its derivative.
 struct LaneSample {
   V value;
   V slope;
 };
 
-/// What holds on a whole stretch of every ray.
+/// Bounds on a whole interval of every ray.
 struct LaneBounds {
-  V value;     ///< psi is nowhere less ...
-  V maxSlope;  ///< ... and its slope nowhere more ...
-  V minSlope;  ///< ... and nowhere less.
-  V values;    ///< Sums of the magnitudes that went into the three: what rounding is measured by.
+  V value;  ///< Least value of psi.
+  V maxSlope;
+  V minSlope;
+  V values;  ///< Sum of the magnitudes in `value`, and in the slopes: they bound rounding.
   V slopes;
-  V atEnd;  ///< psi at the stretch's end.
+  V atEnd;  ///< psi at the interval's end.
 };
 
-/// How far the search of every ray has come.
+/// State of every ray's search.
 struct LaneSearch {
-  V low;   ///< psi > 0 up to here, ...
-  V high;  ///< ... and a root lies before this, in a stretch where psi only falls: of the bracketed.
+  V low;   ///< psi > 0 up to here.
+  V high;  ///< If bracketed, a root lies between these two, and psi only falls there.
   M bracketed;
   M rootless;  ///< psi > 0 up to the end.
 };
 
 /// Where along each ray psi might rise.
 struct LaneRise {
-  V from;  ///< Before this psi falls ...
-  V to;    ///< ... and after this again.
+  V from;  ///< psi falls before this,
+  V to;    ///< and after this.
   V end;   ///< End of the search.
 };
 
-/// Whether a term is above 0 anywhere at t >= 0: at its middle, or at 0 by sample()'s own operations.
+/// Whether a term is positive at some t >= 0: at its middle, or at 0 by the same operations as in sample().
 HWY_INLINE M liesAhead(V a, V middle, V peak) {
   const V atStart = peak - a * middle * middle;
   return both(hn::Gt(peak, zero()), hn::Or(hn::Gt(middle, zero()), hn::Gt(atStart, zero())));
@@ -92,7 +92,7 @@ class RayLanes {
   HWY_INLINE const LaneSkin& skin() const { return skin_; }
 
   LaneSample sample(V t) const {
-    LaneSample sum{zero(), zero()};  // The slope's over -4.
+    LaneSample sum{zero(), zero()};  // The derivative is divided by -4.
     clearSums();
     for (const LaneTerm& term : terms()) {
       const V d = t - load(term.middle);
@@ -100,13 +100,13 @@ class RayLanes {
       const V w = hn::Max(zero(), load(term.peak) - ad * d);
       addSample(term.slot, load(term.factor) * w, w, ad, sum);
     }
-    // By value: what has an address is kept in memory by the loop above.
+    // Passed by value: a sum with an address would be kept in memory by the loop above.
     if (HWY_UNLIKELY(!shapes().empty())) sum = withShapes(sum, t);
     if (!cliques_.empty()) sum = withWinner(sum);
     return {skin_.value(t) + sum.value, skin_.slope(t) - all(4.0f) * sum.slope};
   }
 
-  /// Bounds of psi and its slope on [t0, t1], by lane: those of the terms are summed, and the skin's.
+  /// Bounds of psi and its derivative on [t0, t1], by lane: the sum of those of the terms and of the skin.
   LaneBounds bounds(V t0, V t1) const {
     LaneBounds sum{zero(), zero(), zero(), zero(), zero(), zero()};
     clearSums();
@@ -119,7 +119,7 @@ class RayLanes {
     LaneBounds psi{skin + sum.value,           sum.maxSlope, sum.minSlope,
                    sum.values + hn::Abs(skin), sum.slopes,   skin + sum.atEnd};
     if (skin_.falls) {
-      // The factors of the skin's slope rise or fall all along: their least and largest values are at the ends.
+      // The factors of the skin's derivative are monotone: their least and largest values are at the ends.
       const Range radius = rangeOf(skin_.radius(t0), skin_.radius(t1));
       const Range root = rangeOf(skin_.root(t0), skin_.root(t1));
       const V fall = skin_.inverseWidth * radius.high * root.high;
@@ -134,9 +134,8 @@ class RayLanes {
     return psi;
   }
 
-  /// Brackets the first change of sign of the active lanes' rays that start on the skin; psi > 0 at 0. Lanes that end
-  /// up neither bracketed nor rootless have no certificate. Each lane goes its own way: none sees what its neighbors
-  /// are.
+  /// Brackets the first change of sign of the active lanes' rays, which start on the skin with psi > 0. Lanes that end
+  /// up neither bracketed nor rootless have no certificate. No lane depends on its neighbors.
   LaneSearch bracketFromSkin(const LaneRise& rise, M active) const {
     const M outward = hn::Gt(skin_.sign, zero());
     const M falls = hn::Ge(rise.from, rise.end);
@@ -153,13 +152,13 @@ class RayLanes {
     const V to = hn::Min(rise.to, rise.end);
     search.low = select(open, from, search.low);
     search.high = select(open, to, search.high);
-    // Outwards only -T is left at the end.
+    // Outwards, psi is -T at the end.
     march(to, rise.end, outward, 20, open, search);
     return search;
   }
 
-  /// The same between `begin` and `end` of rays that have no skin of their own, along which psi may rise and fall
-  /// anywhere. A lane whose psi is not above 0 at `begin` has its root there.
+  /// The same between `begin` and `end` for rays without skin, along which psi may rise and fall anywhere. A lane with
+  /// psi <= 0 at `begin` has its root there.
   LaneSearch bracketBetween(V begin, V end, M active) const {
     LaneSearch search{begin, end, none(), andNot(active, hn::Lt(begin, end))};
     M open = andNot(active, search.rootless);
@@ -173,7 +172,7 @@ class RayLanes {
 
   HWY_INLINE V load(const LaneFloats& floats) const { return hn::Load(kTag, floats.at(first_)); }
 
-  // Sums of terms by their groups' slots, for those that are not in every sum.
+  // Sums of terms by group slot, for terms that are not in every sum.
   HWY_INLINE bool isEverywhere(int slot) const { return cliques_.empty() || slot == LaneTerm::kEverySum; }
   void clearSums() const {
     if (cliques_.empty()) return;
@@ -240,7 +239,7 @@ class RayLanes {
     const M adds = hn::Ge(factor, zero());
     const V atLow = factor * of.w.low * of.w.low;
     const V atHigh = factor * of.w.high * of.w.high;
-    // The slope is -4 factor rate slope w.
+    // The derivative is -4 factor rate slope w.
     const V rate = factor * of.rate;
     const V minDw = rate * (hn::Min(of.slope.low, zero()) * of.w.high + hn::Max(of.slope.low, zero()) * of.w.low);
     const V maxDw = rate * (hn::Max(of.slope.high, zero()) * of.w.high + hn::Min(of.slope.high, zero()) * of.w.low);
@@ -264,7 +263,7 @@ class RayLanes {
     }
   }
 
-  /// An ellipsoid's w is concave: its least value is at an end, its largest at an end or at its peak.
+  /// The w of an ellipsoid is concave: least at an end, largest at an end or at its peak.
   HWY_INLINE PotentialBounds ellipsoidBounds(const LaneTerm& term, V t0, V t1) const {
     const V a = load(term.a);
     const V peak = load(term.peak);
@@ -276,10 +275,10 @@ class RayLanes {
     return {{hn::Min(w0, w1), select(peaks, hn::Max(zero(), peak), hn::Max(w0, w1))}, {d0, d1}, a, w1};
   }
 
-  /// From search.low to `end`, stretch after stretch, the first up to search.high: one is passed if its bounds prove
-  /// that psi stays positive or only rises, and holds the root if psi proves to fall through 0 in it; else it is
-  /// halved.
-  /// @param to  psi only falls from here to `end`.  @param endsBelow  lanes where psi is known to be below 0 at `end`.
+  /// Goes interval by interval from search.low to `end`; the first ends at search.high. It passes an interval if bounds
+  /// prove that psi stays positive or only rises there, finds the root in it if they prove that psi falls through 0,
+  /// and halves it otherwise.
+  /// @param to  psi only falls from here to `end`.  @param endsBelow  lanes where psi is known to be negative at `end`.
   void march(V to, V end, M endsBelow, int maxStretches, M open, LaneSearch& search) const {
     V low = search.low;
     V high = search.high;
@@ -309,7 +308,7 @@ class RayLanes {
     search.high = high;
   }
 
-  /// Sum of the clique whose F is the maximum; psi's sign turns it into the minimum.
+  /// Sum of the clique with the largest F; where psi's sign is negative, with the least psi.
   HWY_INLINE LaneSample withWinner(const LaneSample& sum) const {
     V best = zero();
     V bestSlope = zero();
@@ -322,13 +321,13 @@ class RayLanes {
     return {sum.value + best, sum.slope + bestSlope};
   }
 
-  /// F's sum is the largest: only cliques that may be it somewhere on the stretch have a say about slopes.
+  /// F is the largest of the cliques' sums: only those that may be the largest somewhere bound the derivative.
   HWY_INLINE LaneBounds withWinners(LaneBounds sum) const {
     constexpr float kInfinity = std::numeric_limits<float>::infinity();
     const V sign = skin_.sign;
     const M outward = hn::Gt(sign, zero());
-    V surely = all(-kInfinity);  // F's sum is nowhere less.
-    V min = surely;              // Times the sign, as is atEnd.
+    V surely = all(-kInfinity);  // F is nowhere less.
+    V min = surely;              // Times the sign, like atEnd.
     V atEnd = surely;
     for (std::size_t k = 0; k < cliques_.count(); ++k) {
       const V low = sumOf(k, kMin);
@@ -356,6 +355,36 @@ class RayLanes {
   const LaneSkin& skin_;
   std::size_t first_;
 };
+
+struct LaneRoots {
+  V t;
+  M solved;  ///< Lanes whose root rounding cannot have moved.
+};
+
+/// Newton steps from the start of each lane's bracket, kept inside it. @param tolerance  world units.
+inline LaneRoots rootsIn(const RayLanes& rays, const LaneSearch& search, float tolerance) {
+  constexpr int kMaxSteps = 24;
+  const float minSlope = 5e-8f / tolerance;  // If psi falls more slowly, rounding can move the root.
+  V low = search.low;
+  V high = search.high;
+  LaneRoots roots{search.low, none()};
+  M open = search.bracketed;
+  for (int step = 0; step < kMaxSteps && any(open); ++step) {
+    const LaneSample at = rays.sample(roots.t);
+    const M above = hn::Gt(at.value, zero());
+    low = select(above, roots.t, low);
+    high = select(above, high, roots.t);
+    const V newton = roots.t - at.value / at.slope;
+    const M inside = both(hn::Ge(newton, low), hn::Le(newton, high));
+    const V next = select(inside, newton, all(0.5f) * (low + high));
+    const M still = hn::Le(hn::Abs(next - roots.t), all(tolerance));
+    const M done = both(open, still);
+    roots.solved = hn::Or(roots.solved, both(done, hn::Le(at.slope, all(-minSlope))));
+    roots.t = select(open, next, roots.t);
+    open = andNot(open, done);
+  }
+  return roots;
+}
 
 }  // namespace sinew::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

@@ -1,5 +1,5 @@
-// core/surface/roots/shape_lanes.h: r^2 of capsules, eggs and bent spindles, a lane each: at points, along lines and
-// within bounds on stretches of lines. Included once per instruction set.
+// core/surface/roots/shape_lanes.h: r^2 of capsules, eggs and bent spindles in lanes: at points, along lines, and its
+// bounds on intervals of lines. Included once per instruction set.
 #if defined(SINEW_SHAPE_LANES_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef SINEW_SHAPE_LANES_H
 #undef SINEW_SHAPE_LANES_H
@@ -14,7 +14,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace sinew::HWY_NAMESPACE {
 
-/// Numbers between which a value stays, by lane.
+/// Bounds of a value, by lane.
 struct Range {
   V low;
   V high;
@@ -38,14 +38,14 @@ HWY_INLINE Range squareOf(const Range& r) {
 }
 HWY_INLINE V clamped(V x, V low, V high) { return hn::Min(hn::Max(x, low), high); }
 
-/// UnitShape's formula at one point: its parts, from which r^2 and its slope are put together.
+/// Parts of UnitShape's formula at one point, for r^2 and its derivative.
 struct ShapePoint {
   const UnitShape& unit;
   V y;
-  V x;      ///< From the axis, ...
-  V z;      ///< ... which may be bent.
+  V x;  ///< From the axis, which may be bent.
+  V z;
   V girth;  ///< nu S(y)
-  V end;    ///< Beyond the core, over the end's length, signed like y.
+  V end;    ///< Distance beyond the core over the end's length, signed like y.
 
   HWY_INLINE ShapePoint(const UnitShape& shape, const V3& p)
       : unit(shape),
@@ -70,13 +70,13 @@ struct ShapePoint {
   }
 };
 
-/// What holds for w = max(0, 1 - r^2) on a whole stretch of every ray. r^2 changes at 2 rate times a number from
+/// Bounds of w = max(0, 1 - r^2) on an interval of every ray. The derivative of r^2 is 2 rate times a number in
 /// `slope`.
 struct PotentialBounds {
   Range w;
   Range slope;
   V rate;
-  V atEnd;  ///< w at the stretch's end.
+  V atEnd;  ///< w at the interval's end.
 };
 
 /// A shaped primitive along the rays of the lanes from `first` on.
@@ -86,15 +86,15 @@ class ShapeOnRays {
 
   HWY_INLINE V factor() const { return all(shape_.sense) * load(shape_.factor); }
 
-  /// From where to where the rays are in the shape's box.
+  /// Where the rays are in the shape's box.
   HWY_INLINE Range box() const { return way() * Range{fromMiddle(shape_.enter), fromMiddle(shape_.leave)}; }
 
-  /// The point at t, held to the box: beyond it r^2 is at least 1, as it is on its faces.
+  /// The point at t, clamped to the box: r^2 is at least 1 on its faces and beyond.
   HWY_INLINE ShapePoint at(V t) const { return pointAt(lineAt(t), along()); }
 
   struct Sample {
     V w;
-    V halfSlope;  ///< Half the slope of r^2.
+    V halfSlope;  ///< Half the derivative of r^2.
   };
 
   Sample sample(V t) const {
@@ -103,8 +103,8 @@ class ShapeOnRays {
     return {hn::Max(zero(), all(1.0f) - p.rSquared()), way() * dot(p.halfSlope(), d)};
   }
 
-  /// Interval arithmetic on the formula's slope; r^2 then stays between the lines of least and of greatest slope
-  /// through its values at both ends, which is closer than intervals of its own by an order of the stretch's length.
+  /// Interval arithmetic bounds the derivative; r^2 then stays between the lines of least and of greatest slope through
+  /// its values at both ends. Interval arithmetic on r^2 itself would be looser by an order of the interval's length.
   PotentialBounds bounds(V from, V to) const {
     const bool runsAlong = shape_.way > 0.0f;
     const V s0 = held(lineAt(runsAlong ? from : to));
@@ -144,7 +144,7 @@ class ShapeOnRays {
     return {*shape_.unit, point + held(s) * d};
   }
 
-  /// Half the slope of r^2 = S(y) (x^2 + z^2) + end^2 on [s0, s1].
+  /// Half the derivative of r^2 = S(y) (x^2 + z^2) + end^2 on [s0, s1].
   Range slopes(V s0, V s1, const ShapePoint& p0, const ShapePoint& p1, const V3& d) const {
     const UnitShape& unit = *shape_.unit;
     // end grows with y: end dend/ds with s.
@@ -157,7 +157,7 @@ class ShapeOnRays {
     }
     Range x = rangeOf(p0.x, p1.x);
     Range z = rangeOf(p0.z, p1.z);
-    Range outward = rangeOf(p0.x * d.x + p0.z * d.z, p1.x * d.x + p1.z * d.z);  // Half the slope of x^2 + z^2.
+    Range outward = rangeOf(p0.x * d.x + p0.z * d.z, p1.x * d.x + p1.z * d.z);  // Half the derivative of x^2 + z^2.
     if (bent) {
       const V atX = pointAt(clamped(load(shape_.turnX), s0, s1), d).x;
       const V atZ = pointAt(clamped(load(shape_.turnZ), s0, s1), d).z;
@@ -178,9 +178,9 @@ class ShapeOnRays {
   std::size_t first_;
 };
 
-/// Lays lines p + t d through a shape.
-/// @param y, yd  p less the shape's center and d, in its unit space.
-/// @return lanes whose line meets the shape's box; all but factor, primitive and slot are filled in.
+/// Intersects lines p + t d with a shape. Fills in all but factor, primitive and slot.
+/// @param y, yd  p minus the shape's center, and d, in its unit space.
+/// @return lanes whose line meets the shape's box.
 inline M fillShape(const UnitShape& unit, const V3& y, const V3& yd, std::size_t first, LaneShape& out) {
   const V middle = zero() - dot(y, yd) / dot(yd, yd);
   const V3 point = y + middle * yd;

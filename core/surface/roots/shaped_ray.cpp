@@ -1,4 +1,4 @@
-// core/surface/roots/shaped_ray.cpp: clipped to the shape's box, cut at the ends of its core, then roots isolated.
+// core/surface/roots/shaped_ray.cpp: a ray clipped to the shape's box and cut at the ends of its core; then its roots.
 #include "core/surface/roots/shaped_ray.h"
 
 #include <algorithm>
@@ -12,7 +12,6 @@ namespace {
 
 constexpr double kShapedRayRootTolerance = 1e-12;  ///< Fraction of a part's length: f is flat where an influence ends.
 
-/// An interval of t.
 struct Interval {
   double begin = 0.0;
   double end = std::numeric_limits<double>::infinity();
@@ -37,7 +36,7 @@ Interval inBox(const ShapedRay& ray) {
   return inside;
 }
 
-/// The places where the ray crosses the ends of the core within an interval, between the interval's ends.
+/// The ends of an interval, and where the ray crosses the ends of the core between them.
 struct Cuts {
   std::array<double, 4> at{};
   std::size_t count = 0;
@@ -57,13 +56,13 @@ Cuts cutsOf(const ShapedRay& ray, const Interval& whole) {
   return cuts;
 }
 
-/// Which end of the core y is beyond: -1, 1, or 0 beside the core; without a core either end will do.
+/// The end of the core that y is beyond: -1, 1, or 0 beside the core. Without a core it does not matter.
 double sideOf(const UnitShape& shape, double y) {
   if (shape.core > 0.0f && std::abs(y) <= static_cast<double>(shape.core)) return 0.0;
   return y < 0.0 ? -1.0 : 1.0;
 }
 
-/// Adds the stretches of one part, on which 1 - r^2 is `w`.
+/// Adds the intervals of one part, on which 1 - r^2 is `w`.
 void addWherePositive(const Bernstein& w, const Interval& part, ShapedStretches& out) {
   isolation::Roots roots;
   isolation::allRoots(w, 0.0, 1.0, kShapedRayRootTolerance, roots);

@@ -6,19 +6,19 @@
 #include <cstddef>
 #include <span>
 
-#include "core/surface/roots/bernstein.h"
+#include "core/surface/roots/polynomial.h"
 #include "sinew/geometry/ellipsoid.h"
 
 namespace sinew {
 
-/// A stretch of a ray inside an influence, on one side of each end of the core: r^2 is one polynomial there.
+/// An interval of a ray inside an influence, on one side of each end of the core: r^2 is one polynomial there.
 struct ShapedStretch {
   double enter = 0.0;
   double leave = 0.0;
-  bool goesOn = false;  ///< Another stretch begins where this one ends, and owns that place.
+  bool goesOn = false;  ///< Another interval begins where this one ends; the common point belongs to it.
 };
 
-/// The stretches of one ray with t >= 0, ascending: at most three from each of three parts.
+/// The intervals of one ray with t >= 0, ascending: at most three from each of three parts.
 class ShapedStretches {
  public:
   void add(const ShapedStretch& stretch) {
@@ -44,11 +44,11 @@ struct ShapedRay {
   ShapedRay(const UnitBallMap& influence, const glm::vec3& origin, const glm::vec3& direction);
 
   [[nodiscard]] glm::dvec3 at(double t) const { return start + t * along; }
-  /// r^2 is a quadratic on every stretch.
+  /// Whether r^2 is a quadratic on every interval.
   [[nodiscard]] bool isQuadratic() const;
-  /// On the stretch around t. isQuadratic().
+  /// r^2 on the interval around t, if isQuadratic().
   [[nodiscard]] RayQuadratic quadraticAround(double t) const;
-  /// 1 - r^2 from `begin` to `end`, within one stretch.
+  /// 1 - r^2 from `begin` to `end`, within one interval.
   [[nodiscard]] Bernstein insideness(double begin, double end) const;
   [[nodiscard]] ShapedStretches stretches() const;
 };

@@ -1,8 +1,8 @@
-// tests/support/surface/scalar_patches.h: the reference of patch_kernel.h: its operations in the same order, without
+// tests/support/surface/scalar_patches.h: the reference of patch_kernel.cpp: its operations in the same order, without
 // vectors.
 #pragma once
 
-#include "core/surface/patches/patch_kernel.h"
+#include "core/surface/patches/patch.h"
 
 namespace sinew::test {
 

@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "core/surface/finish/border_vertices.h"
 #include "core/surface/finish/fold_spread.h"
+#include "core/surface/finish/vertex_rings.h"
 #include "tests/support/surface/lifted_sheet.h"
 
 namespace sinew::test {

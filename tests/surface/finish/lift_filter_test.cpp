@@ -1,6 +1,6 @@
 // tests/surface/finish/lift_filter_test.cpp: heights that edges cannot follow are evened out; all others stay.
 
-#include "core/surface/finish/lift_filter.h"
+#include "core/surface/finish/lifted_heights.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 // tests/surface/finish/slope_bound_test.cpp: heights fall to what the slope allows, and no further.
 
-#include "core/surface/finish/slope_bound.h"
+#include "core/surface/finish/lifted_heights.h"
 
 #include <algorithm>
 #include <cmath>

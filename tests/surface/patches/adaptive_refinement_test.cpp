@@ -8,8 +8,7 @@
 #include <random>
 
 #include "core/geometry/topology.h"
-#include "core/surface/patches/level_fit.h"
-#include "core/surface/patches/level_grading.h"
+#include "core/surface/patches/levels.h"
 #include "core/surface/patches/sample_points.h"
 #include "core/surface/patches/split_triangle.h"
 #include "sinew/surface/refinement.h"

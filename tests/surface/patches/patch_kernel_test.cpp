@@ -1,6 +1,6 @@
 // tests/surface/patches/patch_kernel_test.cpp: patches and directions in lanes: bit for bit those of one vertex after
 // the other.
-#include "core/surface/patches/patch_kernel.h"
+#include "core/surface/patches/patch.h"
 
 #include <algorithm>
 #include <limits>

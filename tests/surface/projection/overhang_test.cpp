@@ -1,6 +1,6 @@
 // tests/surface/projection/overhang_test.cpp: heights move no faster than psi changes, also where its root leaps.
 
-#include "core/surface/projection/overhang.h"
+#include "core/surface/projection/swell.h"
 
 #include <algorithm>
 #include <cmath>

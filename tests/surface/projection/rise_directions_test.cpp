@@ -1,7 +1,7 @@
 // tests/surface/projection/rise_directions_test.cpp: directions spread where normals converge, and are the normals
 // elsewhere.
 
-#include "core/surface/projection/rise_directions.h"
+#include "core/surface/projection/rise.h"
 
 #include <algorithm>
 #include <cmath>

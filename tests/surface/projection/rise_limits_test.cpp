@@ -1,6 +1,6 @@
 // tests/surface/projection/rise_limits_test.cpp: facing skin shares the gap between it, and nothing else is limited.
 
-#include "core/surface/projection/rise_limits.h"
+#include "core/surface/projection/rise.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // tests/surface/roots/quartic_test.cpp: first roots of random quartics against dense sampling.
-#include "core/surface/roots/quartic.h"
+#include "core/surface/roots/polynomial.h"
 
 #include <algorithm>
 #include <cmath>

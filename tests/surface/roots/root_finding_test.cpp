@@ -1,5 +1,5 @@
 // tests/surface/roots/root_finding_test.cpp: the three methods on random rays, against dense marching.
-#include "core/surface/roots/root_finding.h"
+#include "core/surface/roots/ray_field.h"
 
 #include <cmath>
 #include <random>
@@ -92,7 +92,7 @@ TEST(RayField, SampleIsTheFieldAlongTheRayAndItsSlope) {
     for (double t = 0.01; t < 1.5; t += 0.1) {
       const double numeric =
           (scene.field.sample(t + 1e-6, scratch).value - scene.field.sample(t - 1e-6, scratch).value) / 2e-6;
-      const RaySample here = scene.field.sample(t, scratch);
+      const ValueAndSlope here = scene.field.sample(t, scratch);
       const double other =
           (scene.field.sample(t + 1e-6, scratch).slope + scene.field.sample(t - 1e-6, scratch).slope) / 2.0;
       if (std::abs(other - here.slope) > 1e-3) continue;  // another clique takes over here

@@ -10,7 +10,7 @@
 
 #include "core/geometry/potential.h"
 #include "core/surface/roots/isolation.h"
-#include "core/surface/roots/root_finding.h"
+#include "core/surface/roots/ray_field.h"
 #include "tests/support/rigs/random_rigs.h"
 #include "tests/support/surface/marched_rays.h"
 
@@ -119,9 +119,9 @@ TEST(ShapedRay, FieldIsContinuouslyDifferentiableWherePartsMeet) {
     for (const RayTerm& term : field.terms()) {
       for (const double t : {term.enter, term.leave}) {
         if (t <= 0.0) continue;
-        const RaySample before = field.sample(t - 1e-10, scratch);
-        const RaySample here = field.sample(t, scratch);
-        const RaySample after = field.sample(t + 1e-10, scratch);
+        const ValueAndSlope before = field.sample(t - 1e-10, scratch);
+        const ValueAndSlope here = field.sample(t, scratch);
+        const ValueAndSlope after = field.sample(t + 1e-10, scratch);
         const double scale = 1.0 + std::abs(here.slope);
         EXPECT_NEAR(before.value, after.value, 1e-6 * scale) << i;
         EXPECT_NEAR(here.value, after.value, 1e-6 * scale) << "two parts own one place, " << i;
@@ -152,7 +152,7 @@ TEST(ShapedRay, SamplesAreTheFieldInSpace) {
     for (double t = 0.01; t < 2.0; t += 0.2) {
       const glm::vec3 p = origin + static_cast<float>(t) * direction;
       const FieldSample inSpace = sampleField(primitives, candidates, oneSum, p);
-      const RaySample onRay = field.sample(t, scratch);
+      const ValueAndSlope onRay = field.sample(t, scratch);
       EXPECT_NEAR(onRay.value + 0.25, static_cast<double>(inSpace.value), 2e-4);
       const auto slope = static_cast<double>(glm::dot(inSpace.gradient, direction));
       EXPECT_NEAR(onRay.slope, slope, 2e-3 * (1.0 + std::abs(slope)));

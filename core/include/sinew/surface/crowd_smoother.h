@@ -10,9 +10,9 @@
 
 namespace sinew {
 
-/// As a Smoother, for many poses: instances of a crowd, or moments of a clip. What is prepared exists once for each
-/// thread, not for each pose. Surfaces share one Refinement, and are bit for bit what a Smoother makes, whatever the
-/// number of threads (sinew/geometry/threads.h).
+/// A Smoother for many poses: instances of a crowd, or frames of a clip. Needs memory per thread, not per pose.
+/// Surfaces share one Refinement and are, to the bit, those of a Smoother, for any number of threads
+/// (sinew/geometry/threads.h).
 class CrowdSmoother {
  public:
   explicit CrowdSmoother(std::shared_ptr<const Character> character);
@@ -25,7 +25,7 @@ class CrowdSmoother {
 
   /// Fills out[i] for poses[i]. prepare() must have succeeded once. Reuses the output's memory. Several threads may
   /// call it at once, each with its own output; none while prepare() runs.
-  /// False: some poses are refused (sinew/character/pose_check.h says which and why); their surfaces stay as they are.
+  /// False: some poses are refused (see sinew/character/pose_check.h); their surfaces stay as they are.
   /// @param out  as many as poses
   bool smooth(std::span<const Pose> poses, std::span<Surface> out);
 

@@ -10,16 +10,15 @@
 
 namespace sinew {
 
-/// Refined vertices along a control edge as drawn between two wedges at its ends: level-1 drawn vertices from `first`
-/// on.
+/// Drawn vertices along a control edge between two wedges at its ends: level-1 of them, from `first` on.
 struct DrawnRun {
   int edge = 0;
   std::array<int, 2> wedges{};  ///< At the edge's smaller and larger vertex.
   int first = 0;                ///< Drawn vertex of step 1.
 };
 
-/// How finely each edge and triangle of a control mesh is split: 1..kMaxDepth. An edge's level is its own, so that the
-/// triangles at it meet vertex by vertex, whatever their inner levels are.
+/// Levels of the edges and triangles of a control mesh, 1..kMaxDepth. Edges have levels of their own, so that their
+/// triangles meet vertex by vertex, whatever their inner levels are.
 struct RefinementLevels {
   std::vector<std::uint8_t> edges;      ///< [E] segments along each edge.
   std::vector<std::uint8_t> triangles;  ///< [T] of the points inside: as in the n^2 split of this level.
@@ -27,10 +26,10 @@ struct RefinementLevels {
   friend bool operator==(const RefinementLevels&, const RefinementLevels&) = default;
 };
 
-/// Topology of a refined control mesh. Refined vertices are shared: first the control vertices [0, V), then those of
-/// edge after edge from its smaller to its larger vertex, then those inside triangle after triangle. A triangle whose
-/// levels all are n is split n^2; its inner vertices come row by row. Depends on nothing but the mesh in its bind pose
-/// and the levels. docs/design.md, Refinement.
+/// Topology of a refined control mesh. Refined vertices are shared: first the control vertices [0, V), then those on
+/// each edge, from its smaller to its larger vertex, then those inside each triangle. A triangle with level n
+/// everywhere is split n^2; its inner vertices come row by row. Depends only on the mesh in its bind pose and on the
+/// levels. docs/design.md, Refinement.
 struct Refinement {
   int depth = 1;                              ///< n where all levels are equal, else the largest.
   bool isUniform = true;                      ///< All levels are equal: the N-adic refinement.
@@ -82,16 +81,16 @@ void forEachDrawVertex(const Refinement& refinement, Visit visit) {
   }
 }
 
-/// Every edge and triangle the same.  @param depth 1..kMaxDepth.
+/// The same level for every edge and triangle.  @param depth 1..kMaxDepth.
 [[nodiscard]] RefinementLevels uniformLevels(const ControlMesh& mesh, int depth);
 
-/// Every edge and triangle n.  @param depth 1..kMaxDepth.
+/// Splits every edge and triangle alike.  @param depth 1..kMaxDepth.
 [[nodiscard]] Refinement refine(const ControlMesh& mesh, int depth);
 
 /// @param levels  of this mesh's edges and triangles, each 1..kMaxDepth.
 [[nodiscard]] Refinement refine(const ControlMesh& mesh, const RefinementLevels& levels);
 
-/// Refined vertices of the N-adic refinement without making them: what the memory limit is checked against.
+/// Number of refined vertices of the N-adic refinement, without making it: for the limit on memory.
 [[nodiscard]] std::int64_t refinedVertexCount(const ControlMesh& mesh, int depth);
 
 /// Barycentric coordinates, in a control triangle, of a refined vertex of it.

@@ -1,4 +1,4 @@
-// core/include/sinew/surface/surface.h: the smoothed mesh of one moment, and the report on it.
+// core/include/sinew/surface/surface.h: the smoothed mesh of one pose, and the report on it.
 #pragma once
 
 #include <cstdint>
@@ -11,8 +11,7 @@
 
 namespace sinew {
 
-/// Class of a control triangle (paper 3). In `swell`, which has no classes of its own, by the region of influence
-/// alone.
+/// Class of a control triangle (paper 3). In `swell`, which does not use classes, by the region of influence.
 enum class TriangleClass : std::uint8_t { kNormal, kStraddling, kImplicit };
 
 /// Seconds of the last smoothing, by stage.
@@ -20,7 +19,7 @@ struct StageSeconds {
   double skin = 0.0;
   double patch = 0.0;
   double project = 0.0;
-  double folds = 0.0;    ///< Folds found and taken out.
+  double folds = 0.0;    ///< Folds found and removed.
   double normals = 0.0;  ///< Shading normals made.
   [[nodiscard]] double total() const { return skin + patch + project + folds + normals; }
 };
@@ -41,11 +40,11 @@ struct SmoothingReport {
   int primitives = 0;       ///< Attached and not hidden.
   int cliques = 0;
   int projected = 0;    ///< Vertices for which a root was sought.
-  int unresolved = 0;   ///< ... and none found: they lie on the patch.
-  int uncertified = 0;  ///< ... by double precision because vectors could not vouch for the first; not in --report.
+  int unresolved = 0;   ///< ... and not found: they lie on the patch.
+  int uncertified = 0;  ///< ... in double precision, since vector code could not certify the first; not in --report.
   int unwrapped = 0;    ///< `replace`: control vertices under muscles that do not wrap the body: they keep the skin.
   int guarded = 0;      ///< Vertices moved again because a triangle had folded (fold_spread.h).
-  int anchorFallbacks = 0;   ///< `replace`: anchors outside the implicit surface; the normal served instead.
+  int anchorFallbacks = 0;   ///< `replace`: anchors outside the implicit surface, replaced by the normal.
   double residualMax = 0.0;  ///< Largest |phi| at the found roots.
   StageSeconds seconds;
 };
@@ -56,14 +55,14 @@ struct Surface {
   std::vector<glm::vec3> positions;       ///< [V'] world.
   std::vector<glm::vec3> normals;         ///< [V'] unit, outward, for shading (shading_normals.h).
   std::vector<glm::vec3> shadingNormals;  ///< [D] unit, of the drawn vertices; empty where nothing is creased.
-  std::vector<float> displacement;        ///< [V'] signed way from the patch, character units: in `swell` the rise
-                                          ///< direction's share of it, in `replace` the patch normal's.
-  std::vector<TriangleClass> classes;     ///< [T] of the control triangles.
-  std::vector<std::uint8_t> culled;       ///< [T] 1: not projected, not to be drawn; empty if nothing was culled.
+  std::vector<float> displacement;     ///< [V'] signed distance from the patch, character units: in `swell` along the
+                                       ///< rise direction, in `replace` along the patch normal.
+  std::vector<TriangleClass> classes;  ///< [T] of the control triangles.
+  std::vector<std::uint8_t> culled;    ///< [T] 1: not projected, not to be drawn; empty if nothing was culled.
   SmoothingReport report;
 };
 
-/// The normal a drawn vertex is shaded and exported with: the surface's own, but for creases.
+/// The normal of a drawn vertex for shading and export: the surface's own, except at creases.
 /// @param drawn 0 .. D-1
 [[nodiscard]] inline glm::vec3 shadingNormal(const Surface& surface, std::size_t drawn) {
   if (!surface.shadingNormals.empty()) return surface.shadingNormals[drawn];

@@ -1,20 +1,67 @@
-// core/surface/projection/rise_limits.cpp: the nearest meeting over all pairs of points, found cell by cell.
-#include "core/surface/projection/rise_limits.h"
-#include "core/geometry/triangle_tree.h"
+// core/surface/projection/rise.cpp: normals relaxed over converging edges; nearest points that meet, found in a grid.
+#include "core/surface/projection/rise.h"
 
-#include <algorithm>
-#include <cmath>
 #include <tuple>
 
 #include <glm/geometric.hpp>
 
 #include "core/geometry/at.h"
-#include "core/geometry/potential.h"
+#include "core/geometry/triangle_tree.h"
 
 namespace sinew {
+
 namespace {
 
-constexpr float kFarthest = 1.5f;  ///< Times `most`: limits from here on are none.
+constexpr int kRounds = 24;
+constexpr float kLeastCosine = 0.5f;  ///< Between a direction and its normal.
+
+/// Weight of an edge: rise over the height at which its lifted ends would meet. 0 if the directions diverge.
+float convergence(const glm::vec3& edge, const glm::vec3& a, const glm::vec3& b, float rise) {
+  const float squared = glm::dot(edge, edge);
+  if (!(squared > 0.0f)) return 0.0f;
+  return std::max(0.0f, -rise * glm::dot(b - a, edge) / squared);
+}
+
+/// The direction nearest to `wanted` within the widest angle of the normal.
+glm::vec3 nearNormal(const glm::vec3& wanted, const glm::vec3& normal) {
+  const float along = glm::dot(wanted, normal);
+  if (along >= kLeastCosine) return wanted;
+  const glm::vec3 sideways = normalizeOr(wanted - along * normal, glm::vec3(0.0f));
+  return normalizeOr(kLeastCosine * normal + std::sqrt(1.0f - kLeastCosine * kLeastCosine) * sideways, normal);
+}
+
+}  // namespace
+
+std::vector<glm::vec3> riseDirections(const ControlMesh& mesh, float rise) {
+  std::vector<glm::vec3> directions = mesh.normals;
+  std::vector<glm::vec3> sums(directions.size());
+  std::vector<float> weights(directions.size());
+  for (int round = 0; round < kRounds; ++round) {
+    std::ranges::fill(sums, glm::vec3(0.0f));
+    std::ranges::fill(weights, 0.0f);
+    for (const Edge& edge : mesh.edges) {
+      const auto a = static_cast<std::size_t>(edge.vertices[0]);
+      const auto b = static_cast<std::size_t>(edge.vertices[1]);
+      const float weight = convergence(mesh.positions[b] - mesh.positions[a], directions[a], directions[b], rise);
+      sums[a] += weight * directions[b];
+      sums[b] += weight * directions[a];
+      weights[a] += weight;
+      weights[b] += weight;
+    }
+    for (std::size_t v = 0; v < directions.size(); ++v) {
+      if (weights[v] == 0.0f) continue;
+      // A direction keeps at least half of itself: on dense meshes neighbors weigh so much that they would swap in
+      // every round.
+      directions[v] =
+          nearNormal(normalizeOr((1.0f + weights[v]) * directions[v] + sums[v], mesh.normals[v]), mesh.normals[v]);
+    }
+  }
+  return directions;
+}
+
+namespace {
+
+constexpr float kFarthest = 1.5f;  ///< Times `most`: there is no limit from here on.
 constexpr double kSpacing = 0.15;  ///< Spacing of points, times `most`.
 constexpr int kMostSteps = 8;      ///< Along an edge of a large triangle.
 
@@ -22,7 +69,7 @@ struct Point {
   glm::vec3 position;
   glm::vec3 direction;
   glm::ivec3 cell{0};
-  int side = 0;             ///< Which of the six axes its direction is nearest to.
+  int side = 0;             ///< The one of six axes nearest to its direction.
   double fromCenter = 0.0;  ///< Squared distance from the middle of its cell.
 };
 
@@ -31,9 +78,8 @@ int sideOf(const glm::vec3& direction) {
   return 2 * axis + (direction[axis] < 0.0f ? 1 : 0);
 }
 
-/// Points of the mesh sorted by cells of a grid, so that those around one are few ranges. Dense meshes are thinned: of
-/// the points in a cell of `spacing` whose directions are nearest to one axis, the one nearest to the cell's middle
-/// stands for all.
+/// Points of the mesh sorted by cells of a grid, so that the neighborhood of a point is a few ranges. Dense points are
+/// thinned: in a cell of `spacing`, of those with directions nearest to one axis, the one nearest to the middle stays.
 class PointGrid {
  public:
   PointGrid(const ControlMesh& mesh, std::span<const glm::vec3> directions, double spacing, double cellSize)
@@ -110,10 +156,8 @@ class PointGrid {
 
 }  // namespace
 
-/// Finds for each vertex the lowest height at which its skin meets skin that rises from another point of the mesh. All
-/// pairs would be quadratic. But unit directions differ by 2 at most, so points that meet below 3/2 `most` lie within 3
-/// `most` of each other, and a grid finds them; thinning the points keeps dense meshes cheap. Limits depend on the bind
-/// pose alone, so the preparation finds them. docs/design.md, Rise limits.
+/// Unit directions differ by 2 at most, so points that meet below 3/2 `most` lie within 3 `most` of each other, and a
+/// grid finds them without looking at all pairs.
 std::vector<float> inverseRiseLimits(const ControlMesh& mesh, std::span<const glm::vec3> directions, float most) {
   const float radius = 2.0f * kFarthest * most;  // Unit vectors differ by 2 at most.
   const PointGrid grid(mesh, directions, kSpacing * static_cast<double>(most), 0.5 * static_cast<double>(radius));

@@ -1,4 +1,4 @@
-// core/surface/roots/quartic.h: quartics on [0, 1] in Bernstein form: first roots, isolated or in closed form.
+// core/surface/roots/polynomial.h: polynomials on [0, 1] in Bernstein form and their first roots.
 #pragma once
 
 #include <array>
@@ -9,7 +9,7 @@
 
 namespace sinew {
 
-/// How a bracket around one root is narrowed: Newton steps that stay inside it, to the tolerance; or 8 halvings and one
+/// How to narrow a bracket around one root: Newton steps kept inside it, down to the tolerance; or 8 halvings and one
 /// secant step (paper 4.2: "less than eight steps are necessary").
 enum class BracketSolver { kNewton, kBisection };
 
@@ -20,7 +20,7 @@ struct ValueAndSlope {
 };
 
 /// sum b_i B_i^4(u), u in [0, 1]. Products of quadratics are exact and stable in this form, and its sign changes bound
-/// the number of roots (Descartes' rule in Bernstein form; Farouki & Rajan 1987).
+/// the number of roots (Descartes' rule; Farouki & Rajan 1987).
 struct Quartic {
   std::array<double, 5> b{};
 
@@ -28,10 +28,10 @@ struct Quartic {
   void addScaled(const Quartic& other, double factor);
   [[nodiscard]] double at(double u) const;
   [[nodiscard]] std::span<const double> coefficients() const { return b; }
-  /// De Casteljau: the parts left and right of u, each again on [0, 1].
+  /// De Casteljau: the parts left and right of u, each on [0, 1] again.
   void split(double u, Quartic& left, Quartic& right) const;
 
-  /// Asked often: Horner's scheme.
+  /// Horner's scheme, for many values of one polynomial.
   struct Evaluator {
     std::array<double, 5> c;
 
@@ -47,11 +47,11 @@ struct Quartic {
 [[nodiscard]] Quartic squareOfQuadratic(double w0, double w1, double w2);
 
 /// First u in [from, 1] at which q, positive before, becomes <= 0: by subdivision until one sign change is left, then
-/// by `solver`. q(from) <= 0 gives `from`. A touch without crossing may be passed over.
+/// by `solver`. q(from) <= 0 gives `from`. May miss a root where q only touches 0.
 [[nodiscard]] std::optional<double> firstFallIsolated(const Quartic& q, double from, double tolerance,
                                                       BracketSolver solver = BracketSolver::kNewton);
 
-/// The same by closed form: all real roots (Ferrari; relative tests throughout, see the .cpp), the first that crosses.
+/// The same in closed form: the first of all real roots (Ferrari) at which q changes its sign.
 [[nodiscard]] std::optional<double> firstFallClosedForm(const Quartic& q, double from, double tolerance);
 
 /// Up to four numbers, ascending.
@@ -71,8 +71,41 @@ class RealRoots {
   std::size_t count_ = 0;
 };
 
-/// Real roots of c[0] + c[1] u + ... + c[4] u^4, ascending, multiple roots possibly once. Leading coefficients that are
-/// negligible beside the others count as zero.
+/// Real roots of c[0] + c[1] u + ... + c[4] u^4, ascending; a multiple root may come once. Leading coefficients that
+/// are negligible beside the others count as 0.
 [[nodiscard]] RealRoots realRoots(const std::array<double, 5>& c);
+
+/// sum b_i B_i^n(u), u in [0, 1], with a degree up to 10, for shaped primitives.
+struct Bernstein {
+  static constexpr std::size_t kMostDegree = 10;  ///< (1 - r^2)^2 of a primitive with belly and bend.
+
+  std::size_t degree = 0;
+  std::array<double, kMostDegree + 1> b{};  ///< The first degree + 1.
+
+  Bernstein() = default;
+  explicit Bernstein(const Quartic& q);
+  [[nodiscard]] static Bernstein linear(double atStart, double atEnd);
+
+  void addConstant(double value);
+  /// Raises the degree of the lower one first.
+  void addScaled(const Bernstein& other, double factor);
+  [[nodiscard]] double at(double u) const;
+  [[nodiscard]] std::span<const double> coefficients() const { return std::span(b).first(degree + 1); }
+  void split(double u, Bernstein& left, Bernstein& right) const;
+
+  /// De Casteljau's scheme: powers of u would lose digits at degree 10.
+  struct Evaluator {
+    const Bernstein& polynomial;
+
+    explicit Evaluator(const Bernstein& q) : polynomial(q) {}
+    [[nodiscard]] ValueAndSlope operator()(double u) const;
+  };
+};
+
+/// Exact except for rounding. The sum of both degrees is at most kMostDegree.
+[[nodiscard]] Bernstein operator*(const Bernstein& x, const Bernstein& y);
+
+[[nodiscard]] std::optional<double> firstFallIsolated(const Bernstein& q, double from, double tolerance,
+                                                      BracketSolver solver = BracketSolver::kNewton);
 
 }  // namespace sinew

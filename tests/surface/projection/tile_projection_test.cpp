@@ -1,5 +1,5 @@
-// tests/surface/projection/vector_swell_test.cpp: `swell` in tiles: as the scalar path, and bit for bit the same by
-// every set.
+// tests/surface/projection/tile_projection_test.cpp: `swell` and `replace` in tiles agree with scalar code, and all
+// instruction sets give the same bits.
 
 #include <algorithm>
 #include <array>
@@ -180,6 +180,41 @@ TEST(VectorSwell, IsTheScalarAcrossTangencies) {
     print(sign > 0 ? "shells that touch" : "carves that touch", seen);
     EXPECT_GT(seen.projected, 500);
     EXPECT_LE(seen.far, seen.projected / 1000);
+  }
+}
+
+std::vector<TrialScene> scenes() {
+  std::vector<TrialScene> out = trialScenes();
+  for (const char* name : {"humanoid-wrapped", "horse-wrapped", "humanoid", "demo", "horse-flex"}) {
+    out.push_back(bundledTrialScene(name));
+  }
+  return out;
+}
+
+TEST(VectorReplace, IsTheScalarOnCharacters) {
+  for (const TrialScene& scene : scenes()) {
+    Agreement seen;
+    addAgreement(*scene.character, withMode(scene.rig, SurfaceMode::kReplace), spreadPoses(*scene.character, 4), seen);
+    print(scene.name, seen);
+    EXPECT_GT(seen.projected, 50) << scene.name;
+    EXPECT_EQ(seen.far, 0) << scene.name;
+    EXPECT_LE(seen.uncertifiedShare(), 0.025) << scene.name;
+  }
+}
+
+TEST(VectorReplace, EverySetGivesTheSameBits) {
+  for (const TrialScene& scene : scenes()) {
+    Projected projected(*scene.character, withMode(scene.rig, SurfaceMode::kReplace));
+    for (const Pose& pose : spreadPoses(*scene.character, 2)) {
+      const Surface widest = projected.at(pose);
+      for (const InstructionSet set : availableInstructionSets()) {
+        if (set == InstructionSet::kScalar) continue;
+        const Surface other = surfaceBy(set, projected, pose);
+        EXPECT_TRUE(other.positions == widest.positions) << scene.name << ", " << nameOf(set);
+        EXPECT_TRUE(other.normals == widest.normals) << scene.name << ", " << nameOf(set);
+        EXPECT_TRUE(other.displacement == widest.displacement) << scene.name << ", " << nameOf(set);
+      }
+    }
   }
 }
 

@@ -1,5 +1,5 @@
-// core/surface/region_levels.cpp: what belongs to a region, and the levels in and around it.
-#include "core/surface/region_levels.h"
+// core/surface/region.cpp: regions from bones and from parts.
+#include "sinew/surface/region.h"
 
 #include <algorithm>
 
@@ -7,18 +7,6 @@
 
 namespace sinew {
 namespace {
-
-/// Adds triangles that share a vertex with the region.
-void growRegion(const ControlMesh& mesh, Region& region) {
-  std::vector<bool> isCorner(mesh.positions.size(), false);
-  for (std::size_t t = 0; t < region.size(); ++t) {
-    if (region[t] == 0) continue;
-    for (const int v : mesh.triangles[t].vertices) isCorner[toIndex(v)] = true;
-  }
-  for (std::size_t t = 0; t < region.size(); ++t) {
-    if (std::ranges::any_of(mesh.triangles[t].vertices, [&](int v) { return isCorner[toIndex(v)]; })) region[t] = 1;
-  }
-}
 
 template <class Holds>
 Region regionWhere(const ControlMesh& mesh, Holds holds) {
@@ -55,21 +43,6 @@ Region regionOfParts(const Character& character, std::span<const int> parts) {
   return regionWhere(character.mesh, [&](const ControlTriangle& triangle) {
     return std::ranges::find(parts, triangle.part) != parts.end();
   });
-}
-
-RefinementLevels inRegion(const ControlMesh& mesh, RefinementLevels levels, const Region& region) {
-  Region refined = region;
-  for (int ring = 0; ring < kRegionMargin; ++ring) growRegion(mesh, refined);
-  std::vector<bool> keeps(mesh.edges.size(), false);
-  for (std::size_t t = 0; t < refined.size(); ++t) {
-    if (refined[t] == 0) levels.triangles[t] = 1;
-    else
-      for (const int e : mesh.triangles[t].edges) keeps[toIndex(e)] = true;
-  }
-  for (std::size_t e = 0; e < keeps.size(); ++e) {
-    if (!keeps[e]) levels.edges[e] = 1;
-  }
-  return levels;
 }
 
 }  // namespace sinew

@@ -1,5 +1,5 @@
-// core/surface/roots/quartic.cpp: de Casteljau's scheme and Ferrari's formulas.
-#include "core/surface/roots/quartic.h"
+// core/surface/roots/polynomial.cpp: de Casteljau's scheme and Ferrari's formulas.
+#include "core/surface/roots/polynomial.h"
 
 #include <algorithm>
 #include <cmath>
@@ -19,7 +19,8 @@ std::array<double, 5> powerBasis(const Quartic& q) {
 void addQuadraticRoots(double b, double c, RealRoots& roots) {  // u^2 + b u + c
   const double half = -0.5 * b;
   const double discriminant = half * half - c;
-  // A double root comes out slightly negative by rounding; relative, as an absolute bound loses roots (Ferrari's trap).
+  // Rounding makes the discriminant of a double root slightly negative. The test is relative: an absolute one loses
+  // roots.
   if (discriminant < -1e-12 * (half * half + std::abs(c))) return;
   const double root = std::sqrt(std::max(discriminant, 0.0));
   const double far = half >= 0.0 ? half + root : half - root;
@@ -55,7 +56,7 @@ RealRoots monicQuarticRoots(double a, double b, double c, double d) {
   const double r = d - 0.25 * a * c + 0.0625 * a2 * b - 3.0 / 256.0 * a2 * a2;
   const double shift = -0.25 * a;
   RealRoots roots;
-  // One active ellipsoid makes the quartic biquadratic: q is rounding, judged beside the terms it was summed from.
+  // One ellipsoid makes the quartic biquadratic: q is then only rounding, compared with the terms of its sum.
   const double qScale = std::abs(c) + std::abs(0.5 * a * b) + std::abs(0.125 * a2 * a);
   double z = 0.0;
   if (std::abs(q) > 1e-12 * qScale) z = std::ranges::max(cubicRoots(2.0 * p, p * p - 4.0 * r, -q * q).all());
@@ -77,7 +78,7 @@ RealRoots monicQuarticRoots(double a, double b, double c, double d) {
   return roots;
 }
 
-/// One Newton step, kept if it helps: closed forms lose digits where roots are close.
+/// One Newton step, kept if it helps: closed forms lose digits at close roots.
 double polished(const std::array<double, 5>& c, double u) {
   const auto value = [&c](double x) { return (((c[4] * x + c[3]) * x + c[2]) * x + c[1]) * x + c[0]; };
   const double slope = ((4.0 * c[4] * u + 3.0 * c[3]) * u + 2.0 * c[2]) * u + c[1];
@@ -136,7 +137,7 @@ std::optional<double> firstFallClosedForm(const Quartic& q, double from, double 
     const double after = i + 1 < roots.size() ? 0.5 * (roots[i] + roots[i + 1]) : 0.5 * (roots[i] + 1.0);
     if (q.at(after) < 0.0 || (roots[i] == 1.0 && q.b[4] <= 0.0)) return roots[i];
   }
-  // Rounding hid a root that the ends prove.
+  // Rounding has hidden a root, though the signs at the ends prove it.
   return q.b[4] < 0.0 ? firstFallIsolated(q, from, tolerance) : std::nullopt;
 }
 
@@ -155,6 +156,95 @@ RealRoots realRoots(const std::array<double, 5>& c) {
     roots.add(-c[0] / c[1]);
   }
   return roots;
+}
+
+namespace {
+
+constexpr std::size_t kBernsteinRows = Bernstein::kMostDegree + 1;
+
+/// Pascal's triangle.
+constexpr std::array<std::array<double, kBernsteinRows>, kBernsteinRows> kBinomials = [] {
+  std::array<std::array<double, kBernsteinRows>, kBernsteinRows> rows{};
+  for (std::size_t n = 0; n < kBernsteinRows; ++n) {
+    rows[n][0] = 1.0;
+    for (std::size_t k = 1; k <= n; ++k) rows[n][k] = rows[n - 1][k - 1] + rows[n - 1][k];
+  }
+  return rows;
+}();
+
+Bernstein raised(const Bernstein& q, std::size_t degree) {
+  if (q.degree == degree) return q;
+  Bernstein ones;
+  ones.degree = degree - q.degree;
+  std::fill_n(ones.b.begin(), ones.degree + 1, 1.0);
+  return q * ones;
+}
+
+}  // namespace
+
+Bernstein::Bernstein(const Quartic& q) : degree(4) { std::ranges::copy(q.b, b.begin()); }
+
+Bernstein Bernstein::linear(double atStart, double atEnd) {
+  Bernstein line;
+  line.degree = 1;
+  line.b[0] = atStart;
+  line.b[1] = atEnd;
+  return line;
+}
+
+void Bernstein::addConstant(double value) {
+  for (std::size_t i = 0; i <= degree; ++i) b[i] += value;
+}
+
+void Bernstein::addScaled(const Bernstein& other, double factor) {
+  if (other.degree > degree) *this = raised(*this, other.degree);
+  const Bernstein& added = other.degree < degree ? raised(other, degree) : other;
+  for (std::size_t i = 0; i <= degree; ++i) b[i] += factor * added.b[i];
+}
+
+double Bernstein::at(double u) const {
+  std::array<double, kBernsteinRows> row = b;
+  for (std::size_t left = degree; left > 0; --left) {
+    for (std::size_t i = 0; i < left; ++i) row[i] += (row[i + 1] - row[i]) * u;
+  }
+  return row[0];
+}
+
+ValueAndSlope Bernstein::Evaluator::operator()(double u) const {
+  std::array<double, kBernsteinRows> row = polynomial.b;
+  for (std::size_t left = polynomial.degree; left > 1; --left) {
+    for (std::size_t i = 0; i < left; ++i) row[i] += (row[i + 1] - row[i]) * u;
+  }
+  const double rise = row[1] - row[0];
+  return {row[0] + rise * u, static_cast<double>(polynomial.degree) * rise};
+}
+
+void Bernstein::split(double u, Bernstein& left, Bernstein& right) const {
+  std::array<double, kBernsteinRows> row = b;
+  left.degree = right.degree = degree;
+  left.b[0] = row[0];
+  right.b[degree] = row[degree];
+  for (std::size_t level = 1; level <= degree; ++level) {
+    for (std::size_t i = 0; i + level <= degree; ++i) row[i] += (row[i + 1] - row[i]) * u;
+    left.b[level] = row[0];
+    right.b[degree - level] = row[degree - level];
+  }
+}
+
+Bernstein operator*(const Bernstein& x, const Bernstein& y) {
+  Bernstein product;
+  product.degree = x.degree + y.degree;
+  assert(product.degree <= Bernstein::kMostDegree);
+  for (std::size_t i = 0; i <= x.degree; ++i) {
+    const double own = kBinomials[x.degree][i] * x.b[i];
+    for (std::size_t j = 0; j <= y.degree; ++j) product.b[i + j] += own * kBinomials[y.degree][j] * y.b[j];
+  }
+  for (std::size_t k = 0; k <= product.degree; ++k) product.b[k] /= kBinomials[product.degree][k];
+  return product;
+}
+
+std::optional<double> firstFallIsolated(const Bernstein& q, double from, double tolerance, BracketSolver solver) {
+  return isolation::firstFall(q, from, tolerance, solver);
 }
 
 }  // namespace sinew

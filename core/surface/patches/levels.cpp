@@ -1,23 +1,111 @@
-// core/surface/patches/level_fit.cpp: distances from chords and planes, angles between normals.
-#include "core/surface/patches/level_fit.h"
+// core/surface/patches/levels.cpp: levels graded by a work list; samples compared with chords and planes.
+#include "core/surface/patches/levels.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
-#include <vector>
+#include <numeric>
 
 #include <glm/geometric.hpp>
 
+#include "core/geometry/at.h"
 #include "sinew/rig/rig.h"
 
 namespace sinew {
+
 namespace {
 
-/// Neighboring samples whose normals differ by more lie across a crease, which no level makes smooth.
-constexpr float kCreaseCosine = 0.94f;  ///< 20 degrees.
+constexpr float kMostRatio = 3.0f;
 
-std::size_t indexOf(int i) { return static_cast<std::size_t>(i); }
+/// The lowest graded level whose pieces are at most that long.
+int levelFor(float length, float most) {
+  const auto fits = [&](int level) { return length <= most * static_cast<float>(level); };
+  const auto found = std::ranges::find_if(kGradedLevels, fits);
+  return found == kGradedLevels.end() ? kGradedLevels.back() : *found;
+}
+
+/// The shortest piece of a triangle's sides and inside, and its level.
+struct Finest {
+  float piece = 0.0f;
+  int level = 1;
+};
+
+class WorkList {
+ public:
+  explicit WorkList(std::size_t triangles) : waits_(triangles, true), list_(triangles) {
+    std::iota(list_.begin(), list_.end(), 0);
+  }
+
+  [[nodiscard]] bool empty() const { return list_.empty(); }
+
+  [[nodiscard]] int take() {
+    const int t = list_.back();
+    list_.pop_back();
+    at(waits_, t) = false;
+    return t;
+  }
+
+  void add(int t) {
+    if (!at(waits_, t)) list_.push_back(t);
+    at(waits_, t) = true;
+  }
+
+ private:
+  std::vector<bool> waits_;  ///< [T]
+  std::vector<int> list_;
+};
+
+}  // namespace
+
+LevelGrader::LevelGrader(const ControlMesh& mesh)
+    : mesh_(mesh), trianglesBegin_(mesh.edges.size() + 1, 0), trianglesAt_(3 * mesh.triangles.size()) {
+  for (const Edge& edge : mesh.edges) {
+    lengths_.push_back(glm::distance(at(mesh.positions, edge.vertices[0]), at(mesh.positions, edge.vertices[1])));
+  }
+  for (const ControlTriangle& triangle : mesh.triangles) {
+    for (const int edge : triangle.edges) ++at(trianglesBegin_, edge + 1);
+  }
+  for (std::size_t e = 0; e < mesh.edges.size(); ++e) trianglesBegin_[e + 1] += trianglesBegin_[e];
+  std::vector<int> next = trianglesBegin_;
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    for (const int edge : mesh.triangles[t].edges) at(trianglesAt_, at(next, edge)++) = static_cast<int>(t);
+  }
+}
+
+RefinementLevels LevelGrader::graded(RefinementLevels levels) const {
+  WorkList waiting(mesh_.triangles.size());
+  while (!waiting.empty()) {
+    const int t = waiting.take();
+    const std::array<int, 3>& edges = at(mesh_.triangles, t).edges;
+    std::uint8_t& inside = at(levels.triangles, t);
+    const auto isWhole = [&](int edge) { return at(levels.edges, edge) == 1; };
+    if (inside == 1 && std::ranges::all_of(edges, isWhole)) continue;  // Most of a fine mesh.
+    float longest = 0.0f;
+    for (const int edge : edges) longest = std::max(longest, at(lengths_, edge));
+    Finest finest{longest / static_cast<float>(inside), inside};
+    for (const int edge : edges) {
+      const int level = at(levels.edges, edge);
+      const Finest own{at(lengths_, edge) / static_cast<float>(level), level};
+      if (level > 1 && own.piece < finest.piece) finest = own;
+    }
+    const auto needed = [&](float length) {
+      return std::min(levelFor(length, kMostRatio * finest.piece), finest.level);
+    };
+    inside = static_cast<std::uint8_t>(std::max<int>(inside, needed(longest)));
+    for (const int edge : edges) {
+      const int level = needed(at(lengths_, edge));
+      if (level <= at(levels.edges, edge)) continue;
+      at(levels.edges, edge) = static_cast<std::uint8_t>(level);
+      for (int i = at(trianglesBegin_, edge); i < at(trianglesBegin_, edge + 1); ++i) waiting.add(at(trianglesAt_, i));
+    }
+  }
+  return levels;
+}
+
+namespace {
+
+/// Neighboring samples whose normals differ by more have a crease between them, which no level makes smooth.
+constexpr float kCreaseCosine = 0.94f;  ///< 20 degrees.
 
 bool turnsTooFar(const glm::vec3& interpolated, const glm::vec3& normal, const LevelTolerance& tolerance) {
   const float length = glm::length(interpolated);
@@ -36,9 +124,9 @@ bool edgeFits(const FineSamples& s, int fine, int level, const LevelTolerance& t
   for (int i = 0; i < fine; ++i) {
     const int from = i / step * step;
     if (i == from) continue;
-    const std::size_t a = indexOf(from);
-    const std::size_t b = indexOf(from + step);
-    const std::size_t at = indexOf(i);
+    const std::size_t a = toIndex(from);
+    const std::size_t b = toIndex(from + step);
+    const std::size_t at = toIndex(i);
     if (distanceToChord(s.positions[at], s.positions[a], s.positions[b]) > tolerance.distance) return false;
     const float share = static_cast<float>(i - from) / static_cast<float>(step);
     const glm::vec3 between = (1.0f - share) * s.normals[a] + share * s.normals[b];
@@ -50,17 +138,17 @@ bool edgeFits(const FineSamples& s, int fine, int level, const LevelTolerance& t
   return true;
 }
 
-/// Whether distanceFromPiece() is at most that. Mostly the first of the two measures says so.
+/// Whether distanceFromPiece() is at most `most`. The first of its two measures usually decides.
 bool isWithin(float most, const glm::vec3& sample, const std::array<glm::vec3, 3>& corners,
               const std::array<float, 3>& shares) {
   const glm::vec3 own = shares[0] * corners[0] + shares[1] * corners[1] + shares[2] * corners[2];
   return !(glm::distance(sample, own) > most) || !(distanceFromPiece(sample, corners, shares) > most);
 }
 
-/// A triangle's samples: their numbers, by row and place in it.
-std::size_t indexOf(int fine, int j, int k) { return indexOf(j * (fine + 1) - j * (j - 1) / 2 + k); }
+/// Number of the sample at place k of row j of a triangle.
+std::size_t indexOf(int fine, int j, int k) { return toIndex(j * (fine + 1) - j * (j - 1) / 2 + k); }
 
-/// A sample in the small triangle of a level's split that it belongs to.
+/// A sample in its small triangle of a level's split.
 struct Place {
   int j = 0;
   int k = 0;
@@ -87,7 +175,7 @@ Place placeIn(int fine, int step, int j, int k) {
           {1.0f - x - y, x, y}};
 }
 
-/// Of all samples but the corners of the split.
+/// All samples but the corners of the split.
 std::vector<Place> placesOf(int fine, int level) {
   const int step = fine / level;
   std::vector<Place> out;
@@ -99,18 +187,18 @@ std::vector<Place> placesOf(int fine, int level) {
   return out;
 }
 
-/// Found once: tens of thousands of triangles ask in every pose.
+/// Computed once, because every pose looks them up for tens of thousands of triangles.
 const std::vector<Place>& knownPlaces(int fine, int level) {
   static const auto kKnown = [] {
     std::array<std::array<std::vector<Place>, kMaxDepth + 1>, kMaxDepth + 1> known;
     for (int n = 1; n <= kMaxDepth; ++n) {
       for (int divisor = 1; divisor < n; ++divisor) {
-        if (n % divisor == 0) known[indexOf(n)][indexOf(divisor)] = placesOf(n, divisor);
+        if (n % divisor == 0) known[toIndex(n)][toIndex(divisor)] = placesOf(n, divisor);
       }
     }
     return known;
   }();
-  return kKnown[indexOf(fine)][indexOf(level)];
+  return kKnown[toIndex(fine)][toIndex(level)];
 }
 
 bool isSmoothAt(const FineSamples& samples, int fine, int j, int k) {
@@ -137,7 +225,7 @@ bool triangleFits(const FineSamples& s, int fine, int level, const LevelToleranc
   });
 }
 
-/// The least divisor of `fine` from `from` on that fits; `fine` itself always does.
+/// The least divisor >= `from` of `fine` that fits; `fine` itself always does.
 template <class Fits>
 int leastDivisor(int fine, int from, Fits fits) {
   for (int level = from; level < fine; ++level) {

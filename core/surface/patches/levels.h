@@ -1,0 +1,59 @@
+// core/surface/patches/levels.h: levels that follow a finely sampled surface, and levels raised to match neighbors.
+#pragma once
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include <glm/vec3.hpp>
+
+#include "sinew/geometry/control_mesh.h"
+#include "sinew/surface/refinement.h"
+
+namespace sinew {
+
+/// The levels that LevelGrader picks from; most of them divide each other.
+inline constexpr std::array kGradedLevels{1, 2, 3, 4, 6, 12, 16};
+
+/// Raises levels to the lowest of kGradedLevels at which neither a side nor the inside of a triangle has pieces more
+/// than three times as long as another's, unless its level is as high. Jumps in size make slivers; equal levels keep
+/// the triangle's own shape. Lengths are those of the bind pose.
+class LevelGrader {
+ public:
+  /// @param mesh  must outlive this.
+  explicit LevelGrader(const ControlMesh& mesh);
+
+  /// Never lowers a level. The result does not depend on the order of triangles.
+  [[nodiscard]] RefinementLevels graded(RefinementLevels levels) const;
+
+ private:
+  const ControlMesh& mesh_;
+  std::vector<float> lengths_;       ///< [E]
+  std::vector<int> trianglesBegin_;  ///< [E + 1] into trianglesAt_.
+  std::vector<int> trianglesAt_;     ///< Edge by edge.
+};
+
+struct FineSamples {
+  std::span<const glm::vec3> positions;
+  std::span<const glm::vec3> normals;  ///< Unit, for shading.
+};
+
+struct LevelTolerance {
+  float distance = 0.0f;       ///< Between samples and the flat pieces, world units.
+  float normalCosine = 0.99f;  ///< Between sampled and interpolated normals where the surface is smooth.
+};
+
+/// Distance of a sample from a flat piece: from the point with the sample's own barycentric coordinates, or from the
+/// plane, whichever is less.
+[[nodiscard]] float distanceFromPiece(const glm::vec3& sample, const std::array<glm::vec3, 3>& corners,
+                                      const std::array<float, 3>& shares);
+
+/// The least divisor n >= `from` of R at which n chords stay within the tolerance.
+/// @param samples [R + 1] evenly spaced along an edge.
+[[nodiscard]] int edgeLevel(const FineSamples& samples, int from, const LevelTolerance& tolerance);
+
+/// The same for the n^2 split of a triangle.  @param fine  R, at most kMaxDepth.  @param samples [(R+1)(R+2)/2] at
+/// barycentric (R-j-k, j, k) / R, row j = 0 first, k ascending.
+[[nodiscard]] int triangleLevel(const FineSamples& samples, int fine, int from, const LevelTolerance& tolerance);
+
+}  // namespace sinew
