@@ -13,7 +13,6 @@
 #include <glm/geometric.hpp>
 
 #include "core/bodies/body_map.h"
-#include "core/bodies/flesh.h"
 #include "core/bodies/motions.h"
 #include "core/character/bindings.h"
 #include "core/geometry/affine_image.h"

@@ -11,14 +11,12 @@
 
 #include <glm/geometric.hpp>
 
-#include "core/bodies/belly_motion.h"
 #include "core/bodies/check.h"
 #include "core/bodies/motions.h"
 #include "core/bodies/relaid_belly.h"
 #include "core/character/bone_segments.h"
 #include "core/geometry/at.h"
 #include "core/rig/line_edit.h"
-#include "core/rig/line_fitting.h"
 #include "core/rig/twins.h"
 
 namespace sinew {

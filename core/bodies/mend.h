@@ -7,7 +7,6 @@
 #include <string>
 #include <vector>
 
-#include "core/bodies/belly_motion.h"
 #include "core/bodies/check.h"
 #include "core/bodies/motions.h"
 #include "core/rig/mirror.h"

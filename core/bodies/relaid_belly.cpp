@@ -11,14 +11,13 @@
 
 #include <glm/geometric.hpp>
 
-#include "core/bodies/belly_motion.h"
+#include "core/bodies/check.h"
 #include "core/character/bindings.h"
 #include "core/character/bone_segments.h"
 #include "core/geometry/affine_image.h"
 #include "core/geometry/at.h"
 #include "core/geometry/triangle_tree.h"
 #include "core/rig/line_edit.h"
-#include "core/rig/line_fitting.h"
 #include "core/rig/line_pose.h"
 #include "core/rig/line_rest.h"
 #include "core/rig/twins.h"

@@ -6,10 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "core/bodies/belly_motion.h"
 #include "core/bodies/check.h"
 #include "core/bodies/motions.h"
-#include "core/bodies/skin_track.h"
 #include "core/rig/line_rest.h"
 #include "core/rig/mirror.h"
 #include "sinew/geometry/result.h"

@@ -10,7 +10,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "core/character/limb_chains.h"
+#include "core/character/joint_roles.h"
 #include "core/geometry/at.h"
 
 namespace sinew {

@@ -12,7 +12,7 @@
 #define HWY_TARGET_INCLUDE "core/character/skinning_kernel.cpp"
 #include "hwy/foreach_target.h"
 //
-#include "core/geometry/lane_rows.h"
+#include "core/geometry/lanes.h"
 #include "hwy/highway.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -114,8 +114,6 @@ constexpr SkinKernels kKernels{&skinVertices, &skinWedges};
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
-#include "core/geometry/dispatch.h"
-
 namespace sinew {
 
 SkinKernels skinKernels(InstructionSet set) { SINEW_RETURN_BY_SET(set, kKernels) }

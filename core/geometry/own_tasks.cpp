@@ -1,5 +1,5 @@
 // core/geometry/own_tasks.cpp: loops by oneTBB, or on one thread where Sinew was built without it.
-#include "core/geometry/own_tasks.h"
+#include "core/geometry/parallel.h"
 
 #ifdef SINEW_WITH_TBB
 

@@ -5,7 +5,6 @@
 #include <atomic>
 #include <exception>
 
-#include "core/geometry/own_tasks.h"
 #include "sinew/geometry/task_system.h"
 
 namespace sinew {

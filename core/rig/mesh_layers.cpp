@@ -20,7 +20,6 @@
 #include "core/geometry/at.h"
 #include "core/geometry/parallel.h"
 #include "core/geometry/triangle_tree.h"
-#include "core/rig/refusals.h"
 #include "core/rig/validation.h"
 
 namespace sinew {

@@ -1,6 +1,6 @@
 // core/runtime/game_file_read.cpp: bytes -> character and rig, with all that follows from them.
 #include "core/geometry/normals.h"
-#include "core/geometry/topology.h"
+#include "core/geometry/weld.h"
 #include "core/rig/validation.h"
 #include "core/runtime/game_check.h"
 #include "core/runtime/game_file.h"

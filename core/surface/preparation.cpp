@@ -5,8 +5,8 @@
 #include <string>
 
 #include "core/geometry/at.h"
-#include "core/geometry/creases.h"
 #include "core/geometry/instruction_set.h"
+#include "core/geometry/normals.h"
 #include "core/rig/mesh_layers.h"
 #include "core/rig/validation.h"
 #include "core/surface/adaptive_levels.h"

@@ -8,7 +8,7 @@
 
 #include "core/bodies/check.h"
 #include "core/bodies/relaid_belly.h"
-#include "core/rig/line_fitting.h"
+#include "core/rig/line_edit.h"
 #include "tests/bodies/drawn_muscles.h"
 #include "tests/support/characters/synthetic_characters.h"
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "core/geometry/at.h"
-#include "core/geometry/topology.h"
+#include "core/geometry/weld.h"
 #include "core/surface/adaptive_levels.h"
 #include "core/surface/smooth.h"
 #include "sinew/geometry/threads.h"

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "core/character/morphing.h"
+#include "core/character/skinning.h"
 #include "core/geometry/at.h"
 #include "core/surface/place_muscles.h"
 

@@ -7,7 +7,7 @@
 #include <map>
 #include <random>
 
-#include "core/geometry/topology.h"
+#include "core/geometry/weld.h"
 #include "core/surface/patches/level_fit.h"
 #include "core/surface/patches/level_grading.h"
 #include "core/surface/patches/sample_points.h"

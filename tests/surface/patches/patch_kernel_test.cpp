@@ -12,7 +12,7 @@
 #include <glm/geometric.hpp>
 
 #include "core/character/skinning.h"
-#include "core/geometry/creases.h"
+#include "core/geometry/normals.h"
 #include "sinew/files/gltf_import.h"
 #include "tests/support/characters/synthetic_characters.h"
 #include "tests/support/rigs/random_rigs.h"

@@ -1,6 +1,6 @@
-// core/rig/identity.cpp: identities for what edits have added or copied.
+// core/rig/references.cpp: identities for what edits have added or copied.
 
-#include "core/rig/identity.h"
+#include "core/rig/references.h"
 
 #include <algorithm>
 #include <string_view>
