@@ -1,4 +1,4 @@
-// core/bodies/body_map.cpp: cylinder coordinates round the axis of a part, measured by the flesh of either body.
+// core/bodies/body_map.cpp: casts rays from the axes to the skin; maps cylindrical coordinates between bodies.
 #include "core/bodies/body_map.h"
 
 #include <algorithm>
@@ -14,22 +14,20 @@
 
 namespace sinew {
 
-// Rays from an axis to the skin of its own part.
-
 namespace {
 
-constexpr float kMostFlesh = 0.4f;   ///< Of H: thicker is no flesh but a ray that went astray.
-constexpr float kUsualFlesh = 1.8f;  ///< Of the median: skin farther away belongs to another limb.
+constexpr float kMostFlesh = 0.4f;   ///< Fraction of H beyond which a ray has hit something else.
+constexpr float kUsualFlesh = 1.8f;  ///< Multiple of the median beyond which skin belongs to another limb.
 constexpr float kAround[] = {-150, -120, -90, -60, -30, 0, 30, 60, 90, 120, 150, 180};
 
-/// Moeller & Trumbore 1997; nullopt: it misses, or enters.
+/// Moeller & Trumbore 1997; nullopt: the ray misses, or enters.
 std::optional<SkinExit> exitThrough(const glm::vec3& from, const glm::vec3& direction, const glm::vec3& a,
                                     const glm::vec3& b, const glm::vec3& c) {
   const glm::vec3 ab = b - a;
   const glm::vec3 ac = c - a;
   const glm::vec3 p = glm::cross(direction, ac);
   const float determinant = glm::dot(ab, p);
-  if (!(determinant < 0.0f)) return std::nullopt;  // Outward normals along the ray: it leaves.
+  if (!(determinant < 0.0f)) return std::nullopt;  // The ray enters.
   const glm::vec3 s = from - a;
   const float v = glm::dot(s, p) / determinant;
   if (v < 0.0f || v > 1.0f) return std::nullopt;
@@ -122,7 +120,7 @@ void Flesh::measureMedians() {
   }
 }
 
-/// Van Oosterom & Strackee 1983: the solid angles of all triangles, over that of a whole turn.
+/// Sum of the solid angles of all triangles (van Oosterom & Strackee 1983).
 bool Flesh::isInside(const glm::vec3& point) const {
   double turns = 0.0;
   for (const Piece& piece : skin_) {
@@ -161,16 +159,16 @@ std::optional<FleshPoint> Flesh::measure(const Mark& mark, bool onSkin) const {
   place.radial = axis->radial(u, mark.angle);
   const float usual = kUsualFlesh * median;
   auto own = leave(place.axis, place.radial, zones, usual);
-  // Where few triangles cover a shoulder, the skin of the trunk is that of the arm.
+  // At a shoulder with few triangles, the skin over the trunk may belong to the arm.
   if (!own && part == Slot::kSpine) own = usualExit(place, {zoneOf(Slot::kUpperArm), zoneOf(Slot::kFrontUpper)}, usual);
   float thickness = own ? own->distance : 0.0f;
-  // A gap between parts is bridged by the skin on both sides of it.
+  // Bridges a gap between parts by the skin on both sides of it.
   for (float aside = 15.0f; thickness <= 0.0f && aside <= 60.0f; aside += 15.0f) {
     const auto one = thicknessAt(*axis, u, mark.angle - aside, zones, usual);
     const auto other = thicknessAt(*axis, u, mark.angle + aside, zones, usual);
     if (one && other) thickness = 0.5f * (*one + *other);
   }
-  // Next to a shoulder or a hip the skin is the trunk's.
+  // Near a shoulder or hip the skin may belong to the trunk.
   if (thickness <= 0.0f && part != Slot::kSpine) {
     own = usualExit(place, {zoneOf(Slot::kSpine)}, usual);
     if (own) thickness = own->distance;
@@ -205,11 +203,9 @@ std::optional<FleshPoint> Flesh::measure(const Mark& mark, bool onSkin) const {
   return place;
 }
 
-// The search, then what the file says, then what the designer knows better.
-
 namespace {
 
-/// A limb that the designer names says what body it is of.
+/// The kind of body that has this limb.
 BodyKind kindOf(Slot slot) {
   if (slot >= Slot::kFrontUpper) return BodyKind::kQuadruped;
   return slot >= Slot::kUpperArm ? BodyKind::kHumanoid : BodyKind::kUnknown;
@@ -224,7 +220,7 @@ BodySlots bodySlots(const Character& character, const MirrorPlan& plan, std::spa
   hints.carriesSkin = bonesWithSkin(character);
   hints.height = character.height;
   BodySlots slots = findBodySlots(character.skeleton, hints);
-  // The file knows its own bones: what the search made of them, and an animal's limbs, go.
+  // Parts in the file replace those found on the same bones, and all limbs of an animal.
   for (SlotBone& found : slots.bones) {
     const bool named = std::ranges::count(character.bodyParts, found.bone, &BodyPart::bone) > 0;
     if (found.bone >= 0 && named) found = {};
@@ -251,14 +247,10 @@ BodySlots bodySlots(const Character& character, const MirrorPlan& plan, std::spa
 
 namespace {
 
-constexpr float kBeyond = 0.1f;      ///< Flesh is measured so far beyond the ends of a part.
+constexpr float kBeyond = 0.1f;      ///< How far beyond the ends of a part flesh is measured.
 constexpr int kPulls = 16;           ///< Steps to the axis.
-constexpr float kUnderSkin = 0.85f;  ///< Of the way from the axis to where the flesh ends.
-constexpr float kRounder = 2.0f;     ///< On a part so much shorter muscles get no rounder: they would be balls.
-
-BodySlots slotsOf(const Character& character, const MirrorPlan& plan, const std::vector<SlotCorrection>& corrections) {
-  return bodySlots(character, plan, corrections);
-}
+constexpr float kUnderSkin = 0.85f;  ///< Fraction of the distance from the axis to the end of the flesh.
+constexpr float kRounder = 2.0f;  ///< Largest stretch across over stretch along, so that muscles do not become balls.
 
 BodySlot slotOf(Zone zone) { return at(allBodySlots(), zone); }
 
@@ -283,11 +275,11 @@ MeasuredBody::MeasuredBody(const Character& body, const MirrorPlan& mirror,
                            const std::vector<SlotCorrection>& corrections)
     : character(body),
       plan(mirror),
-      frame(makeBodyFrame(body, slotsOf(body, mirror, corrections))),
+      frame(makeBodyFrame(body, bodySlots(body, mirror, corrections))),
       flesh(body, frame) {}
 
 float BodyMove::stretchAlong(const glm::vec3& way) const {
-  // The geometric mean, weighted: there and back it cancels, whichever way the axis points.
+  // A weighted geometric mean, so that mapping there and back cancels.
   float sum = 0.0f;
   for (glm::length_t i = 0; i < 3; ++i) {
     const float share = glm::dot(way, from[i]);
@@ -297,7 +289,7 @@ float BodyMove::stretchAlong(const glm::vec3& way) const {
 }
 
 bool BodyMap::hasPart(BodySlot slot) const {
-  // A collar bone is no shoulder blade: between kinds only what lies in the middle is the same.
+  // Different kinds of bodies share only the parts in the middle: a collar bone is not a shoulder blade.
   const bool sameKind = from_.frame.slots.kind == to_.frame.slots.kind;
   if (slot.isSided() && !sameKind) return false;
   return to_.frame.slots[slot].bone >= 0;
@@ -312,7 +304,7 @@ int BodyMap::byName(int bone, std::optional<Zone> zone) const {
   return -1;
 }
 
-/// Of two chains with as many bones the same in order, else the one that lies at the same level of the part.
+/// The bone at the same index in a chain of equal length, else the one at the same level of the part.
 int BodyMap::inChain(int bone, const std::vector<int>& ours, const std::vector<int>& theirs, Slot slot) const {
   const auto found = std::ranges::find(ours, bone);
   if (found == ours.end() || theirs.empty()) return -1;
@@ -354,7 +346,7 @@ int BodyMap::bone(int bone) const {
   return same >= 0 ? same : theirs[slot].bone;
 }
 
-/// Of the left side.
+/// On the left side.
 BodyMove BodyMap::alongPart(Slot slot, const glm::vec3& point) const {
   const PartAxis& ours = *at(from_.frame.axes, static_cast<int>(slot));
   const PartAxis& theirs = *at(to_.frame.axes, static_cast<int>(slot));
@@ -378,7 +370,7 @@ BodyMove BodyMap::alongPart(Slot slot, const glm::vec3& point) const {
   return move;
 }
 
-/// Where a part has no axis: as the bone points, and by the bodies' sizes.
+/// For a part without axis: follows the direction of the bone and the sizes of the bodies.
 BodyMove BodyMap::besideBone(int bone, const glm::vec3& point) const {
   const int counterpart = this->bone(bone);
   const auto basisOf = [](const MeasuredBody& body, int which) {
@@ -412,7 +404,7 @@ bool BodyMap::isOnRight(Zone zone, const glm::vec3& inBind) const {
   return glm::dot(inBind - mirrored(from_.plan, inBind), from_.frame.slots.left) < 0.0f;
 }
 
-/// Towards the axis until the skin goes round it, and where twins lie round its image: no mesh is quite symmetric.
+/// Towards the axis until the skin encloses the point, and its mirror image too, as no mesh is quite symmetric.
 bool BodyMap::pullIn(BodyMove& move, const glm::vec3& point, bool onBothSides) const {
   const auto isInside = [&](const glm::vec3& place) {
     return to_.flesh.isInside(place) && (!onBothSides || to_.flesh.isInside(mirrored(to_.plan, place)));
@@ -433,7 +425,7 @@ bool BodyMap::pullIn(BodyMove& move, const glm::vec3& point, bool onBothSides) c
 std::optional<BodyMove> BodyMap::moved(int bone, const glm::vec3& inBind, bool into) const {
   const Zone zone = at(from_.frame.zoneOfBone, bone);
   const bool measured = isMeasured(zone);
-  // Twins stay twins where the flesh is not the same on both sides: all is measured on the left.
+  // Everything is measured on the left, so that twins stay twins although the sides differ.
   const bool onRight = measured && isOnRight(zone, inBind);
   const glm::vec3 point = onRight ? mirrored(from_.plan, inBind) : inBind;
   BodyMove move = measured ? alongPart(slotOf(zone).slot, point) : besideBone(bone, point);

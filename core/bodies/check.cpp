@@ -1,4 +1,4 @@
-// core/bodies/check.cpp: every muscle in every pose; the worst of each kind is kept.
+// core/bodies/check.cpp: measures every muscle in every pose and keeps the worst of each kind.
 #include "core/bodies/check.h"
 
 #include <algorithm>
@@ -21,20 +21,18 @@
 
 namespace sinew {
 
-// Points of a belly in the frames of the skin over them.
-
 namespace {
 
-constexpr std::array<float, FollowedBelly::kPoints> kAlong{0.0f, -0.6f, 0.6f};  ///< Of half the length.
+constexpr std::array<float, FollowedBelly::kPoints> kAlong{0.0f, -0.6f, 0.6f};  ///< Fractions of half the length.
 constexpr float kMoreThanInBind = 1.3f;
-constexpr float kLeastSine = 0.3f;  ///< Between belly and skin's normal: steeper bellies have no side.
+constexpr float kLeastSine = 0.3f;  ///< Of the angle between belly and skin normal; steeper bellies have no side.
 
-/// Half the extent along a unit direction, where it is `along` of half the length from the middle.
+/// Half the extent in a unit direction of the cross section at `along` of half the length.
 float extentOf(const BellyBody& body, const glm::vec3& direction, float along) {
   return std::sqrt(1.0f - along * along) * glm::length(glm::transpose(body.axes) * direction);
 }
 
-/// The skin's normal, made square to the belly's length: what stands under a tilted skin is not higher for it.
+/// The skin's normal, made perpendicular to the belly, so that tilted skin does not make it higher.
 glm::vec3 heightUnder(const SkinFrame& skin, const glm::vec3& along) {
   const glm::vec3 height = skin.normal() - glm::dot(skin.normal(), along) * along;
   const float sine = glm::length(height);
@@ -105,7 +103,7 @@ BellyMotion FollowedBelly::motion(const PosedMuscle& muscle, std::span<const std
     if (i == 0) motion.ball = extent / length;
     const float under = glm::dot(now - skin.origin, height) - extent;
     motion.out = std::max(motion.out, (under - points_[i].under) / (2.0f * extent));
-    // Along its line a belly may slide: that is how it shortens.
+    // Sliding along the line does not count: bellies do so when they shorten.
     const glm::vec3 side = glm::cross(height, half / length);
     const glm::vec3 moved = now - (skin.origin + skin.axes * points_[i].inSkin);
     const float width = extentOf(body, side, kAlong[i]);
@@ -113,8 +111,6 @@ BellyMotion FollowedBelly::motion(const PosedMuscle& muscle, std::span<const std
   }
   return motion;
 }
-
-// The worst of all poses.
 
 namespace {
 
@@ -178,11 +174,11 @@ float BellyTrial::trouble(float enough, std::size_t* first) const {
 
 namespace {
 
-constexpr std::size_t kFarBones = 4;  ///< On the way, both ends included: three joints away.
+constexpr std::size_t kFarBones = 4;  ///< Bones from one to the other, both included: three joints away.
 
-/// What counts most, how much it is, and where it was; the first of equal ones.
+/// The largest weighted measure and its pose; the first of equal ones.
 struct Worst {
-  float counted = 0.0f;
+  float counted = 0.0f;  ///< `value` times its weight.
   float value = 0.0f;
   int pose = -1;
 
@@ -194,23 +190,23 @@ struct Worst {
   }
 };
 
-/// What a muscle's line and belly did.
+/// Extremes of a muscle's line and belly.
 struct Deeds {
   Worst out;
   Worst beside;
-  Worst ball;  ///< Of the most that is allowed.
+  Worst ball;  ///< Over its limit.
   float mostBall = 1.0f;
   Worst shrunk;  ///< 1 / stretch.
   Worst stretched;
 };
 
-/// Skin that a muscle may move but should not reach.
+/// Skin in a muscle's territory that the muscle should not reach.
 struct FarSkin {
   int vertex = 0;
   int bone = 0;
 };
 
-/// Of a territory that the rig names: the default holds the bones next to the muscle's alone.
+/// Only territories set in the rig can have any: the default has only bones next to the muscle's.
 std::vector<FarSkin> farSkin(const Rig& rig, const Primitive& primitive, const Character& character) {
   std::vector<FarSkin> out;
   const Skeleton& skeleton = character.skeleton;
@@ -304,7 +300,7 @@ class Checker {
             belly->motion(at(posed.muscles, primitive), std::span(frames).subspan(toIndex(i) * kPoints, kPoints));
         const float share = motions_.shareOf(toIndex(i));
         deeds.out.take(motion.out, i, share);
-        if (line < 0) continue;  // It stays as it is, whatever the skin does.
+        if (line < 0) continue;  // Its shape is fixed.
         deeds.beside.take(motion.beside, i, share);
         deeds.ball.take(motion.ball / deeds.mostBall, i, share);
       }
@@ -322,7 +318,7 @@ class Checker {
     return -1;
   }
 
-  /// How deep far skin comes into a muscle's influence, of the reach, and the bone.
+  /// How deep far skin comes into the muscle's influence, fraction of the reach, and that skin's bone.
   std::optional<std::pair<Worst, int>> reachAcross(int primitive) const {
     const Primitive& own = at(rig_.primitives, primitive);
     std::pair<Worst, int> worst;
@@ -340,7 +336,7 @@ class Checker {
     return worst;
   }
 
-  /// 0 outside, 1 at the middle.
+  /// 0 outside the influence, 1 at its center.
   float depthIn(const PosedRig& posed, int primitive, const glm::vec3& place) const {
     const PosedMuscle& muscle = at(posed.muscles, primitive);
     if (!muscle.usable) return 0.0f;

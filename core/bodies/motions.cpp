@@ -1,4 +1,4 @@
-// core/bodies/motions.cpp: clips sampled; single vertices skinned.
+// core/bodies/motions.cpp: samples clips and skins single vertices.
 #include "core/bodies/motions.h"
 
 #include <algorithm>
@@ -21,24 +21,16 @@
 
 namespace sinew {
 
-// The nearest triangle by its distance in space.
-
 namespace {
 
-constexpr float kFaces = 0.2f;        ///< Cosine from which a triangle faces outwards.
-constexpr float kLeastWeight = 0.1f;  ///< Less carries no skin to speak of.
+constexpr float kFaces = 0.2f;  ///< Cosine from which a triangle faces outwards.
+constexpr float kLeastWeight = 0.1f;
 constexpr std::size_t kMostBones = 4;
 constexpr int kRun = 32;  ///< Triangles.
 
 using Corners = TriangleCorners;
 
-Corners cornersOf(const ControlMesh& mesh, int triangle) {
-  const auto& vertices = at(mesh.triangles, triangle).vertices;
-  const auto corner = [&](std::size_t i) { return at(mesh.positions, vertices[i]); };
-  return {corner(0), corner(1), corner(2)};
-}
-
-/// What is in the box is no nearer, squared, less what rounding may add.
+/// Lower bound of the squared distance to anything in the box, with a margin for rounding.
 float leastFrom(const glm::vec3& p, const glm::vec3& low, const glm::vec3& high) {
   const glm::vec3 off = glm::max(glm::max(low - p, p - high), glm::vec3(0.0f));
   return 0.999f * glm::dot(off, off);
@@ -47,7 +39,7 @@ float leastFrom(const glm::vec3& p, const glm::vec3& low, const glm::vec3& high)
 glm::vec3 lowOf(const Corners& c) { return glm::min(c[0], glm::min(c[1], c[2])); }
 glm::vec3 highOf(const Corners& c) { return glm::max(c[0], glm::max(c[1], c[2])); }
 
-/// The nearest place so far, of all the skin and of that which faces outwards.
+/// The nearest place so far, on any skin and on skin that faces outwards.
 struct Nearest {
   std::optional<SkinSpot> any;
   std::optional<SkinSpot> facing;
@@ -77,10 +69,10 @@ struct Nearest {
 SkinRuns::SkinRuns(const ControlMesh& mesh) : mesh_(&mesh) {
   const int count = static_cast<int>(mesh.triangles.size());
   for (int begin = 0; begin < count; begin += kRun) {
-    const Corners first = cornersOf(mesh, begin);
+    const Corners first = controlCorners(mesh, begin);
     Run run{begin, std::min(begin + kRun, count), lowOf(first), highOf(first)};
     for (int t = begin + 1; t < run.end; ++t) {
-      const Corners corners = cornersOf(mesh, t);
+      const Corners corners = controlCorners(mesh, t);
       run.low = glm::min(run.low, lowOf(corners));
       run.high = glm::max(run.high, highOf(corners));
     }
@@ -93,7 +85,7 @@ std::optional<SkinSpot> spotOver(const SkinRuns& skin, const glm::vec3& point, c
   for (const SkinRuns::Run& run : skin.runs()) {
     if (leastFrom(point, run.low, run.high) > nearest.leastFacing) continue;
     for (int t = run.begin; t < run.end; ++t) {
-      const Corners corners = cornersOf(skin.mesh(), t);
+      const Corners corners = controlCorners(skin.mesh(), t);
       if (leastFrom(point, lowOf(corners), highOf(corners)) > nearest.leastFacing) continue;
       nearest.look(corners, t, point, outwards);
     }
@@ -137,8 +129,6 @@ std::vector<int> bonesAt(const Character& character, const SkinSpot& spot) {
   return bones;
 }
 
-// All lines over one pass of the clips.
-
 Rig withLearnedLengths(Rig rig, std::size_t first, const Character& character) {
   std::vector<LineRest> rests;
   std::vector<int> lines;
@@ -160,42 +150,19 @@ Rig withLearnedLengths(Rig rig, std::size_t first, const Character& character) {
     lengths[i].most = std::max(lengths[i].most, theirs.most);
   }
   for (std::size_t i = 0; i < lines.size(); ++i) {
-    // An error: it never shortens.
+    // Fails if the line never shortens.
     if (auto learned = withLearned(rig, lines[i], lengths[i])) rig = std::move(learned).value().rig;
   }
   return rig;
 }
 
-namespace {
-
-constexpr float kHertz = 15.0f;
-constexpr int kMostPoses = 6'000;  ///< Of all clips together: longer ones are sampled more thinly.
-
-/// No integer: a file may say that a clip lasts for ages.
-float stepsOf(const AnimationClip& clip, float hertz) { return std::max(1.0f, std::ceil(clip.duration * hertz)); }
-
-}  // namespace
-
 Motions::Motions(std::shared_ptr<const Character> given)
     : character_(withRangeOfMotion(std::move(given))), skin_(character_->mesh) {
-  const Character& character = *character_;
-  double all = 0.0;
-  for (const AnimationClip& clip : character.clips) all += static_cast<double>(stepsOf(clip, kHertz));
-  const float hertz = all > kMostPoses ? static_cast<float>(kHertz * kMostPoses / all) : kHertz;
-  struct When {
-    const AnimationClip* clip;
-    float time;
-  };
-  std::vector<When> times;
-  for (const AnimationClip& clip : character.clips) {
-    const int steps = static_cast<int>(stepsOf(clip, hertz));
-    for (int step = 0; step <= steps; ++step) {
-      times.push_back({&clip, clip.duration * static_cast<float>(step) / static_cast<float>(steps)});
-    }
-  }
+  constexpr double kMostPoses = 6'000.0;
+  const std::vector<ClipTime> times = sampleTimes(character_->clips, kMostPoses);
   poses_.resize(times.size());
   forEachIndex(times.size(), 16,
-               [&](std::size_t i) { poses_[i] = samplePose(character.skeleton, *times[i].clip, times[i].time); });
+               [&](std::size_t i) { poses_[i] = samplePose(character_->skeleton, *times[i].clip, times[i].time); });
 }
 
 std::vector<std::optional<SkinFrame>> Motions::framesOf(std::span<const SkinSpot> spots) const {
@@ -213,8 +180,6 @@ std::vector<glm::vec3> Motions::placesOf(int vertex) const {
   for (const Pose& pose : poses_) out.push_back(skinnedVertex(*character_, vertex, pose));
   return out;
 }
-
-// Lengths over poses that are already there.
 
 void learnFull(MuscleLine& line, const Motions& motions) {
   const auto rest = lineRest(line, motions.character());

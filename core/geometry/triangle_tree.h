@@ -9,13 +9,19 @@
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 
+#include "core/geometry/at.h"
+#include "sinew/geometry/control_mesh.h"
 #include "sinew/geometry/geometry.h"
 
 namespace sinew {
 
-// The point of a triangle that is nearest to another point.
-
 using TriangleCorners = std::array<glm::vec3, 3>;
+
+/// Corners of a control triangle in the bind pose.
+[[nodiscard]] inline TriangleCorners controlCorners(const ControlMesh& mesh, int triangle) {
+  const auto& v = at(mesh.triangles, triangle).vertices;
+  return {at(mesh.positions, v[0]), at(mesh.positions, v[1]), at(mesh.positions, v[2])};
+}
 
 /// The point with these barycentric coordinates.
 [[nodiscard]] inline glm::vec3 mixed(const TriangleCorners& c, const glm::vec3& shares) {

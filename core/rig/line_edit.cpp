@@ -20,6 +20,7 @@
 #include "core/rig/animated_edit.h"
 #include "core/rig/line_pose.h"
 #include "core/rig/line_rest.h"
+#include "core/rig/motion_clip.h"
 #include "core/rig/references.h"
 #include "core/rig/rig_edit.h"
 #include "core/rig/validation.h"
@@ -32,19 +33,7 @@ namespace sinew {
 
 namespace {
 
-constexpr float kHertz = 15.0f;
-constexpr double kMostPoses = 60'000.0;  ///< Of all clips together, about an hour: longer ones are sampled more thinly.
-
-/// No integer: a file may say that a clip lasts for ages.
-float stepsOf(const AnimationClip& clip, float hertz) { return std::max(1.0f, std::ceil(clip.duration * hertz)); }
-
-float samplesPerSecond(std::span<const AnimationClip> clips) {
-  double all = 0.0;
-  for (const AnimationClip& clip : clips) all += static_cast<double>(stepsOf(clip, kHertz));
-  return all > kMostPoses ? static_cast<float>(static_cast<double>(kHertz) * kMostPoses / all) : kHertz;
-}
-
-/// The lengths of one line, pose after pose.
+/// The lengths of one line, collected pose by pose.
 struct Track {
   std::vector<float> stretches;
   LineLengths lengths;
@@ -78,17 +67,13 @@ LineLengths lengthsOver(const LineRest& rest, const Character& character, std::s
 
 std::vector<LineLengths> lengthsOver(std::span<const LineRest> rests, const Character& character,
                                      std::span<const AnimationClip> clips) {
+  constexpr double kMostPoses = 60'000.0;  // More than an hour.
   std::vector<Track> tracks(rests.size());
-  const float hertz = samplesPerSecond(clips);
-  for (const AnimationClip& clip : clips) {
-    const int steps = static_cast<int>(stepsOf(clip, hertz));
-    for (int step = 0; step <= steps; ++step) {
-      const float time = clip.duration * static_cast<float>(step) / static_cast<float>(steps);
-      const Pose pose = samplePose(character.skeleton, clip, time);
-      for (std::size_t i = 0; i < rests.size(); ++i) {
-        const PosedLine line = posedLine(rests[i], character.skeleton, pose);
-        if (line.usable) tracks[i].add(line.stretch, clip.name);
-      }
+  for (const auto& [clip, time] : sampleTimes(clips, kMostPoses)) {
+    const Pose pose = samplePose(character.skeleton, *clip, time);
+    for (std::size_t i = 0; i < rests.size(); ++i) {
+      const PosedLine line = posedLine(rests[i], character.skeleton, pose);
+      if (line.usable) tracks[i].add(line.stretch, clip->name);
     }
   }
   std::vector<LineLengths> lengths;
