@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include <glm/geometric.hpp>
 
@@ -21,32 +22,21 @@ bool isEnd(Slot slot) {
   return slot == Slot::kHand || slot == Slot::kFoot || slot == Slot::kFrontFoot || slot == Slot::kHindFoot;
 }
 
-/// The next part away from the trunk.
+/// Parts and the next ones away from the trunk.
+constexpr std::array<std::pair<Slot, Slot>, 10> kNextParts{{{Slot::kNeck, Slot::kHead},
+                                                            {Slot::kUpperArm, Slot::kLowerArm},
+                                                            {Slot::kLowerArm, Slot::kHand},
+                                                            {Slot::kUpperLeg, Slot::kLowerLeg},
+                                                            {Slot::kLowerLeg, Slot::kFoot},
+                                                            {Slot::kFoot, Slot::kToes},
+                                                            {Slot::kFrontUpper, Slot::kFrontLower},
+                                                            {Slot::kFrontLower, Slot::kFrontFoot},
+                                                            {Slot::kHindUpper, Slot::kHindLower},
+                                                            {Slot::kHindLower, Slot::kHindFoot}}};
+
 std::optional<Slot> partAfter(Slot slot) {
-  switch (slot) {
-    case Slot::kNeck:
-      return Slot::kHead;
-    case Slot::kUpperArm:
-      return Slot::kLowerArm;
-    case Slot::kLowerArm:
-      return Slot::kHand;
-    case Slot::kUpperLeg:
-      return Slot::kLowerLeg;
-    case Slot::kLowerLeg:
-      return Slot::kFoot;
-    case Slot::kFoot:
-      return Slot::kToes;
-    case Slot::kFrontUpper:
-      return Slot::kFrontLower;
-    case Slot::kFrontLower:
-      return Slot::kFrontFoot;
-    case Slot::kHindUpper:
-      return Slot::kHindLower;
-    case Slot::kHindLower:
-      return Slot::kHindFoot;
-    default:
-      return std::nullopt;
-  }
+  const auto found = std::ranges::find(kNextParts, slot, &std::pair<Slot, Slot>::first);
+  return found == kNextParts.end() ? std::nullopt : std::optional(found->second);
 }
 
 class FrameMaker {
@@ -270,33 +260,9 @@ Zone zoneOf(Slot slot, BodySide side) {
 }
 
 Slot partBefore(Slot slot) {
-  switch (slot) {
-    case Slot::kLowerArm:
-      return Slot::kUpperArm;
-    case Slot::kHand:
-      return Slot::kLowerArm;
-    case Slot::kUpperArm:
-    case Slot::kFrontUpper:
-      return Slot::kShoulder;
-    case Slot::kLowerLeg:
-      return Slot::kUpperLeg;
-    case Slot::kFoot:
-      return Slot::kLowerLeg;
-    case Slot::kToes:
-      return Slot::kFoot;
-    case Slot::kFrontLower:
-      return Slot::kFrontUpper;
-    case Slot::kFrontFoot:
-      return Slot::kFrontLower;
-    case Slot::kHindLower:
-      return Slot::kHindUpper;
-    case Slot::kHindFoot:
-      return Slot::kHindLower;
-    case Slot::kHead:
-      return Slot::kNeck;
-    default:
-      return Slot::kSpine;
-  }
+  if (slot == Slot::kUpperArm || slot == Slot::kFrontUpper) return Slot::kShoulder;
+  const auto found = std::ranges::find(kNextParts, slot, &std::pair<Slot, Slot>::second);
+  return found == kNextParts.end() ? Slot::kSpine : found->first;
 }
 
 std::vector<Zone> zonesAround(Slot slot) {

@@ -35,6 +35,23 @@ bool isSameBody(const Character& a, const Character& b) {
          });
 }
 
+/// Scales the keys and drivers of lengths about the number's own value, which has changed from `before` to `after`.
+void scaleAbout(std::vector<AnimatedNumber>& animated, const Primitive& before, const Primitive& after, float size) {
+  for (AnimatedNumber& number : animated) {
+    if (!isLength(number.parameter)) continue;
+    const float was = numberOf(before, number.parameter);
+    const float is = numberOf(after, number.parameter);
+    const float factor = isRadius(number.parameter) && was > 0.0f ? is / was : size;
+    const auto scale = [&](Curve& curve, bool isValue) {
+      for (glm::vec2& point : curve.points) point.y = isValue ? is + factor * (point.y - was) : factor * point.y;
+    };
+    for (KeyTrack& track : number.keys) scale(track.curve, true);
+    for (Driver& driver : number.drivers) {
+      if (driver.mode != DriverMode::kMultiply) scale(driver.curve, driver.mode == DriverMode::kReplace);
+    }
+  }
+}
+
 class RigRetargeter {
  public:
   RigRetargeter(const Rig& rig, const Character& from, const MirrorPlan& fromPlan, const Character& to,
@@ -249,23 +266,6 @@ class RigRetargeter {
   BodyMap map_;
   Retargeted done_;
 };
-
-/// Scales the keys and drivers of lengths about the number's own value, which has changed from `before` to `after`.
-void scaleAbout(std::vector<AnimatedNumber>& animated, const Primitive& before, const Primitive& after, float size) {
-  for (AnimatedNumber& number : animated) {
-    if (!isLength(number.parameter)) continue;
-    const float was = numberOf(before, number.parameter);
-    const float is = numberOf(after, number.parameter);
-    const float factor = isRadius(number.parameter) && was > 0.0f ? is / was : size;
-    const auto scale = [&](Curve& curve, bool isValue) {
-      for (glm::vec2& point : curve.points) point.y = isValue ? is + factor * (point.y - was) : factor * point.y;
-    };
-    for (KeyTrack& track : number.keys) scale(track.curve, true);
-    for (Driver& driver : number.drivers) {
-      if (driver.mode != DriverMode::kMultiply) scale(driver.curve, driver.mode == DriverMode::kReplace);
-    }
-  }
-}
 
 }  // namespace
 

@@ -1,4 +1,4 @@
-// core/character/joint_roles.cpp: words in joint names.
+// core/character/joint_roles.cpp: follows limbs from the trunk outwards; looks for words in the names of joints.
 #include "core/character/joint_roles.h"
 
 #include <algorithm>
@@ -14,14 +14,12 @@
 
 namespace sinew {
 
-// From the trunk outwards, past twists and fingers.
-
 namespace {
 
-constexpr float kLooseFoot = 0.15f;     ///< Of H, level.
-constexpr float kShortestLimb = 0.12f;  ///< Of H, of limbs without names.
+constexpr float kLooseFoot = 0.15f;     ///< Horizontal distance, fraction of H.
+constexpr float kShortestLimb = 0.12f;  ///< Length of unnamed limbs, fraction of H.
 
-/// Sum of the longest way down from a bone's joint.
+/// Length of the longest path down from a bone's joint.
 float reachBelow(const SlotSearch& search, int bone, int depth = 0) {
   float longest = 0.0f;
   if (depth > 64) return longest;
@@ -33,7 +31,7 @@ float reachBelow(const SlotSearch& search, int bone, int depth = 0) {
   return longest;
 }
 
-/// The child that goes on with a limb.
+/// The child that continues a limb, past twists and fingers.
 int nextInLimb(const SlotSearch& search, int bone) {
   int best = -1;
   float bestScore = 0.0f;
@@ -62,7 +60,7 @@ LimbWord wordOf(const SlotSearch& search, const std::vector<int>& bones) {
   return counts[1] >= counts[2] ? LimbWord::kArm : LimbWord::kLeg;
 }
 
-/// A foot that follows a target of its own, hanging from the root below a limb's end.
+/// A foot that follows a target and is attached to the root, below a limb's end.
 bool isLooseFoot(const SlotSearch& search, const LimbChain& chain, int bone) {
   if (!at(search.active, bone) || search.sideOf(bone) <= 0 || search.isAbove(chain.bones.front(), bone)) return false;
   const LimbWord word = limbWord(at(search.names, bone));
@@ -94,7 +92,7 @@ LimbChain chainFrom(const SlotSearch& search, int first) {
   return chain;
 }
 
-/// Which way names say left is, along the normal.
+/// Positive if the normal points to the left by the names of bones.
 float leftFromNames(const SlotSearch& search, const glm::vec3& normal) {
   float sum = 0.0f;
   for (std::size_t i = 0; i < search.names.size(); ++i) {
@@ -105,7 +103,7 @@ float leftFromNames(const SlotSearch& search, const glm::vec3& normal) {
   return sum;
 }
 
-/// Sides that only names say, in words that mirror planes do not read: the twin has the same key as deep in the tree.
+/// Pairs bones whose sides only BoneName recognizes: the twin has the same key at the same depth of the tree.
 void pairByKeys(SlotSearch& search) {
   const auto depth = [&](int bone) {
     int steps = 0;
@@ -207,13 +205,11 @@ std::vector<LimbChain> leftLimbs(const SlotSearch& search) {
   return limbs;
 }
 
-// Bones that move no skin.
-
 std::vector<bool> bonesThatMoveSkin(const Skeleton& skeleton, const std::vector<bool>& carriesSkin) {
   const std::size_t count = skeleton.bones.size();
   std::vector<bool> moves = carriesSkin;
   moves.resize(count, carriesSkin.empty());
-  // Children stand behind their parents.
+  // Parents come first.
   for (std::size_t i = count; i-- > 0;) {
     if (moves[i] && skeleton.bones[i].parent >= 0) at(moves, skeleton.bones[i].parent) = true;
   }
@@ -234,11 +230,11 @@ struct JointName {
   std::vector<std::string> words;
   bool sided = false;
 
-  /// One of these is in it, anywhere.
+  /// Contains one of these anywhere.
   [[nodiscard]] bool holds(std::initializer_list<std::string_view> parts) const {
     return std::ranges::any_of(parts, [&](auto part) { return letters.find(part) != std::string::npos; });
   }
-  /// One of these stands in it as a word.
+  /// Contains one of these as a word.
   [[nodiscard]] bool says(std::initializer_list<std::string_view> parts) const {
     return std::ranges::any_of(parts, [&](auto part) { return std::ranges::find(words, part) != words.end(); });
   }
@@ -246,12 +242,12 @@ struct JointName {
 
 JointName jointName(const std::string& given) {
   std::string name = inEnglish(given);
-  // "Armature|mixamorig:Spine": what all names begin with says nothing.
+  // "Armature|mixamorig:Spine" -> "Spine".
   if (const std::size_t cut = name.find_last_of(":|"); cut != std::string::npos) name.erase(0, cut + 1);
   return {lettersOf(name), wordsOf(name), sideNamed(name).has_value()};
 }
 
-/// The tree above a bone, as far as roles are known.
+/// The roles of the bones above a bone.
 struct Above {
   const Skeleton& skeleton;
   const std::vector<JointRole>& roles;
@@ -287,7 +283,7 @@ JointRole legRole(const JointName& name, const Above& above) {
 
 bool movesNothingSeen(const JointName& name, const Bone& bone) {
   if (name.says({"ik", "pole", "target", "ctrl", "control", "socket", "poletarget"})) return true;
-  // "end" alone is a name; "toe end" is the end of a toe.
+  // "toe end" is the end of a toe, but "end" alone a name.
   return bone.children.empty() && name.words.size() > 1 && name.says({"nub", "end", "tip", "effector", "null"});
 }
 
@@ -299,7 +295,7 @@ JointRole roleByName(const Bone& bone, const Above& above) {
   if (limb && name.holds({"finger", "thumb", "index", "middle", "ring", "pinky", "pinkie", "little", "toe", "palm"})) {
     return JointRole::kDigit;
   }
-  // A piece of a limb, which turns with what it hangs on.
+  // A piece of a limb rotates with its parent.
   if (limb && (name.holds({"twist"}) || name.says({"roll", "share"}))) return JointRole::kStill;
   if (name.holds({"tail"})) return JointRole::kTail;
   if (name.holds({"arm", "elbow", "hand", "wrist", "shoulder", "shldr", "clavicle", "collar", "humerus", "scapula"}) &&
@@ -323,45 +319,14 @@ JointRole roleByName(const Bone& bone, const Above& above) {
 }
 
 JointRole roleOfPart(Slot part) {
-  switch (part) {
-    case Slot::kHips:
-      return JointRole::kStill;
-    case Slot::kSpine:
-    case Slot::kChest:
-    case Slot::kUpperChest:
-      return JointRole::kTrunk;
-    case Slot::kNeck:
-    case Slot::kHead:
-      return JointRole::kNeck;
-    case Slot::kTail:
-      return JointRole::kTail;
-    case Slot::kShoulder:
-      return JointRole::kCollar;
-    case Slot::kUpperArm:
-    case Slot::kFrontUpper:
-      return JointRole::kShoulder;
-    case Slot::kLowerArm:
-    case Slot::kFrontLower:
-      return JointRole::kElbow;
-    case Slot::kHand:
-    case Slot::kFrontFoot:
-      return JointRole::kWrist;
-    case Slot::kUpperLeg:
-    case Slot::kHindUpper:
-      return JointRole::kHip;
-    case Slot::kLowerLeg:
-    case Slot::kHindLower:
-      return JointRole::kKnee;
-    case Slot::kFoot:
-    case Slot::kHindFoot:
-      return JointRole::kAnkle;
-    case Slot::kToes:
-      return JointRole::kDigit;
-  }
-  return JointRole::kFree;
+  using enum JointRole;
+  constexpr std::array<JointRole, kSlotCount> kRoles{kStill,  kTrunk,    kTrunk, kTrunk, kNeck, kNeck, kTail,
+                                                     kCollar, kShoulder, kElbow, kWrist, kHip,  kKnee, kAnkle,
+                                                     kDigit,  kShoulder, kElbow, kWrist, kHip,  kKnee, kAnkle};
+  return kRoles[static_cast<std::size_t>(part)];
 }
 
-/// Of most parts of the body, names say nothing.
+/// The names of most body parts are unknown.
 bool sayLittle(const std::vector<JointRole>& roles, std::span<const std::optional<Slot>> parts) {
   int unknown = 0;
   for (std::size_t i = 0; i < parts.size(); ++i) {
@@ -370,7 +335,7 @@ bool sayLittle(const std::vector<JointRole>& roles, std::span<const std::optiona
   return unknown > 0;
 }
 
-/// Bones between the part that they are called as and the next one: "thigh.L.001" above "shin.L" turns with "thigh.L".
+/// Bones between a part of the same name and the next part: "thigh.L.001" above "shin.L" rotates with "thigh.L".
 std::vector<bool> secondPieces(const Skeleton& skeleton, std::span<const std::optional<Slot>> parts) {
   std::vector<bool> pieces(skeleton.bones.size());
   for (std::size_t i = 0; i < parts.size(); ++i) {
@@ -385,7 +350,7 @@ std::vector<bool> secondPieces(const Skeleton& skeleton, std::span<const std::op
   return pieces;
 }
 
-/// Of bones whose names say nothing.
+/// Finds roles of bones with unknown names.
 class RolesByPart {
  public:
   RolesByPart(const Skeleton& skeleton, std::span<const std::optional<Slot>> parts)
@@ -396,7 +361,7 @@ class RolesByPart {
     }
   }
 
-  /// Parents first.
+  /// Must be called for parents first.
   JointRole find(int bone) {
     const auto i = toIndex(bone);
     if (i < parts_.size() && parts_[i]) {
@@ -404,7 +369,7 @@ class RolesByPart {
     } else if (carriesHips_[i]) {
       found_[i] = JointRole::kStill;  // It moves the whole body.
     } else if (const int parent = at(skeleton_.bones, bone).parent; parent >= 0) {
-      // What is on a hand or a foot that only its place tells are fingers or toes.
+      // Children of hands and feet are fingers and toes.
       const auto& above = at(found_, parent);
       const bool onLimbsEnd = above == JointRole::kWrist || above == JointRole::kAnkle || above == JointRole::kDigit;
       if (onLimbsEnd) found_[i] = JointRole::kDigit;

@@ -18,11 +18,8 @@
 namespace sinew {
 namespace {
 
-// From how nodes stand to their parents to where the bones are.
-// Parents before children.
-
-/// In double: a meter-sized bone may hang under a node scaled by 0.01.
-/// @param nodes        [nodes] against the parent before, in the world after
+/// In double: a bone of meters may be below a node scaled by 0.01.
+/// @param nodes        [nodes] in: relative to the parent; out: in the world
 /// @param boneInWorld  [bones] its memory is reused
 void followParents(const Skeleton& skeleton, std::span<glm::dmat4> nodes, std::vector<glm::mat4>& boneInWorld) {
   for (std::size_t n = 0; n < nodes.size(); ++n) {
@@ -35,7 +32,7 @@ void followParents(const Skeleton& skeleton, std::span<glm::dmat4> nodes, std::v
   }
 }
 
-/// The turns of a clip that turns the bind pose; every channel is the rotation of a bone's node.
+/// The turns of a clip that rotates the bind pose; every channel is the rotation of a bone's node.
 PoseOverrides turnsAt(const Skeleton& skeleton, const AnimationClip& clip, float time) {
   std::vector<int> boneOfNode(skeleton.nodes.size(), -1);
   for (std::size_t i = 0; i < skeleton.bones.size(); ++i) {

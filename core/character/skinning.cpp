@@ -15,7 +15,7 @@ namespace sinew {
 
 namespace {
 
-/// @return [V] which have moved.
+/// @return [V] true for vertices that have moved
 std::vector<bool> addDeltas(const Character& character, std::span<const float> weights,
                             std::vector<glm::vec3>& positions) {
   std::vector<bool> moved(positions.size(), false);
@@ -59,7 +59,7 @@ void morphFans(const ControlMesh& creased, MorphedMesh& morphed) {
   morphed.fansMade = true;
   int fans = 0;
   for (const Wedge& wedge : creased.wedges) fans = std::max(fans, wedge.fan + 1);
-  // Each fan as a vertex of its own: the corners of others go to one more, which nobody asks for.
+  // Makes each fan a vertex; the corners of other wedges become vertices that are not used.
   std::vector<glm::vec3> positions(toIndex(fans) + 3 * creased.triangles.size());
   std::vector<ControlTriangle> triangles;
   morphed.fanChanged.assign(positions.size(), false);

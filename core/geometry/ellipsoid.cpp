@@ -1,4 +1,4 @@
-// core/geometry/ellipsoid.cpp: placements through bone matrices.
+// core/geometry/ellipsoid.cpp: placements under bone matrices; boxes, normalizing, the matrix of normals.
 #include <algorithm>
 #include <cmath>
 
@@ -12,9 +12,9 @@
 namespace sinew {
 namespace {
 
-constexpr double kRound = 4e-6;  ///< Relative: rounding in a bone's matrix does not unmake a sphere.
+constexpr double kRound = 4e-6;  ///< Relative tolerance for rounding in a bone's matrix.
 
-/// The radius of the ball that the axes span, or 0 if they are not alike and square to each other.
+/// The radius of the ball that the axes span, or 0 if they are not equally long and perpendicular.
 double ballRadius(const glm::dmat3& axes) {
   const double radius = std::cbrt(std::abs(glm::determinant(axes)));
   const double square = radius * radius;
@@ -34,7 +34,7 @@ glm::vec3 UnitBallMap::shapedSlope(const glm::vec3& fromCenter) const {
 }
 
 UnitBallMap unitBallMap(const Placement& inBone, float reach, const glm::mat4& boneInWorld) {
-  // In double: a bone in meters under a parent scaled by 0.01 loses digits that the field would show.
+  // In double, since a bone in meters under a parent scaled by 0.01 would lose visible digits.
   const glm::dmat3 bone{glm::mat3(boneInWorld)};
   const glm::dmat3 rotation = glm::mat3_cast(glm::dquat(inBone.rotation));
   glm::dmat3 axes = bone * rotation;
@@ -50,7 +50,7 @@ UnitBallMap unitBallMap(const Placement& inBone, float reach, const glm::mat4& b
     return map;
   }
   if (const double radius = map.isPlain() ? ballRadius(axes) : 0.0; radius > 0.0) {
-    // However it is turned, a sphere is the same: no rotation is left in its map.
+    // Without rotation, which makes no difference to a sphere.
     map.form = UnitForm::kSphere;
     map.inverseRadius = static_cast<float>(1.0 / radius);
     map.toUnit = glm::mat3(map.inverseRadius);
@@ -71,8 +71,6 @@ glm::mat4 shapeInWorld(const Placement& inBone, float scale, const glm::mat4& bo
   return glm::scale(moved, inBone.radii * scale);
 }
 
-// Boxes, safe normalizing, the matrix of normals.
-
 Bounds boundsOf(std::span<const glm::vec3> points) {
   Bounds box;
   for (const glm::vec3& p : points) box.add(p);
@@ -82,7 +80,7 @@ Bounds boundsOf(std::span<const glm::vec3> points) {
 glm::vec3 normalizeOr(const glm::vec3& v, const glm::vec3& fallback) {
   const float squared = glm::dot(v, v);
   if (squared > 1e-20f && squared < 1e20f) return v / std::sqrt(squared);
-  // Scaled first, so that neither tiny nor huge vectors lose their direction to under- or overflow.
+  // Scales first, so that tiny and huge vectors do not lose their direction to under- or overflow.
   const float largest = std::max(std::abs(v.x), std::max(std::abs(v.y), std::abs(v.z)));
   if (!(largest > std::numeric_limits<float>::min()) || !std::isfinite(largest)) return fallback;
   const glm::vec3 scaled = v / largest;

@@ -64,20 +64,20 @@ HWY_INLINE V3 select(M mask, const V3& yes, const V3& no) {
   return {select(mask, yes.x, no.x), select(mask, yes.y, no.y), select(mask, yes.z, no.z)};
 }
 
-/// As normalizeOr of base/geometry.h, for lengths that a float's square holds; `fallback` for others.
+/// As normalizeOr() of sinew/geometry/geometry.h for lengths whose square is in a float's range; `fallback` for others.
 HWY_INLINE V3 unitOr(const V3& v, const V3& fallback) {
   const V squared = dot(v, v);
   const M usual = both(hn::Gt(squared, all(1e-20f)), hn::Lt(squared, all(1e20f)));
   return select(usual, (all(1.0f) / hn::Sqrt(squared)) * v, fallback);
 }
 
-/// Points or directions of a tile's lanes.
+/// Points or directions, one per lane of a tile.
 struct LanePoints {
   LaneFloats x;
   LaneFloats y;
   LaneFloats z;
 
-  /// The lanes from `first` on, as many as a vector holds.
+  /// Sets width() lanes from `first` on.
   void gather(std::span<const glm::vec3> from, const std::array<int, kLanes>& vertices, std::size_t first) {
     for (std::size_t lane = first; lane < first + width(); ++lane) {
       set(lane, from[static_cast<std::size_t>(vertices[lane])]);
@@ -110,7 +110,8 @@ inline HWY_NOINLINE V3 normalizeLaneByLane(const V3& v, const V3& fallback) {
   return units.load(0);
 }
 
-/// As normalizeOr of base/geometry.h, bit for bit. Fast where a float's square holds all lengths.
+/// As normalizeOr() of sinew/geometry/geometry.h, bit for bit. Fast if the squares of all lengths are in a float's
+/// range.
 HWY_INLINE V3 normalizeOr(const V3& v, const V3& fallback) {
   const V squared = dot(v, v);
   const M usual = both(hn::Gt(squared, all(1e-20f)), hn::Lt(squared, all(1e20f)));
@@ -118,7 +119,7 @@ HWY_INLINE V3 normalizeOr(const V3& v, const V3& fallback) {
   return v / hn::Sqrt(squared);
 }
 
-/// Calls visit(lane) for every lane of the mask, whose lanes are those from `first` on.
+/// Calls visit(first + lane) for every lane set in the mask.
 template <class Visit>
 HWY_INLINE void forEach(M mask, std::size_t first, Visit visit) {
   std::uint64_t bits = 0;
@@ -126,8 +127,8 @@ HWY_INLINE void forEach(M mask, std::size_t first, Visit visit) {
   for (; bits != 0; bits &= bits - 1) visit(first + static_cast<std::size_t>(std::countr_zero(bits)));
 }
 
-/// Vectors that can be read as four numbers each, the fourth being any: the last one is copied, so that nothing behind
-/// the span is read.
+/// Vectors that can be read as four numbers each, the fourth arbitrary; the last one is copied, so that reading does
+/// not go beyond the span.
 class Rows {
  public:
   explicit Rows(std::span<const glm::vec3> from) : from_(from) {
@@ -174,7 +175,7 @@ HWY_INLINE V3 gather(const RowPointers& rows) {
           hn::BitCast(kTag, hn::InterleaveLower(pairs, abHigh, cdHigh))};
 }
 
-/// The first `used` lanes, each to the place that place(lane) points to.
+/// Writes the first `used` lanes, each to place(lane).
 template <class Place>
 HWY_INLINE void scatterTo(const V3& v, Place place, std::size_t used) {
   const hn::RepartitionToWide<FloatTag> pairs;
@@ -202,13 +203,13 @@ HWY_INLINE void scatterTo(const V3& v, Place place, std::size_t used) {
   for (; lane < used; ++lane) copy(lane);
 }
 
-/// The first `used` lanes to every `stride`-th place from `to` on.
+/// Writes the first `used` lanes to every `stride`-th place from `to` on.
 HWY_INLINE void scatter(const V3& v, glm::vec3* to, std::size_t stride, std::size_t used) {
   scatterTo(
       v, [=](std::size_t lane) { return to + lane * stride; }, used);
 }
 
-/// What row(lane) points to, of every lane.
+/// Reads row(lane) for every lane.
 template <class Row>
 HWY_INLINE V3 gatherBy(Row row) {
   RowPointers rows;

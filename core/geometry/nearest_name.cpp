@@ -7,7 +7,7 @@
 namespace sinew {
 namespace {
 
-constexpr std::size_t kLeastPart = 3;      ///< Letters of a word that is looked for inside names.
+constexpr std::size_t kLeastPart = 3;      ///< Shortest word to look for inside names.
 constexpr std::size_t kLongestWord = 256;  ///< The distance is quadratic.
 
 /// "Upper_Arm.L" -> "upperarml"; bytes beyond ASCII are kept.
@@ -21,7 +21,7 @@ std::string keptLetters(std::string_view text) {
   return letters;
 }
 
-/// Letters that are wrong, missing, too many, or swapped with their neighbour.
+/// Number of letters that are wrong, missing, too many, or swapped with their neighbour.
 std::size_t editsBetween(const std::string& a, const std::string& b) {
   std::vector<std::size_t> before(b.size() + 1), last(b.size() + 1), now(b.size() + 1);
   for (std::size_t j = 0; j <= b.size(); ++j) last[j] = j;
@@ -56,7 +56,7 @@ std::string nearestName(std::string_view word, const std::vector<std::string>& n
     }
     if (letters.empty() || letters.size() > wanted.size() + most) continue;
     const std::size_t edits = editsBetween(wanted, letters);
-    // Of a short word something has to be right.
+    // At least one letter must be right.
     if (edits >= least || edits >= std::max(wanted.size(), letters.size())) continue;
     least = edits;
     nearest = &name;

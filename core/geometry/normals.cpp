@@ -17,15 +17,13 @@
 
 namespace sinew {
 
-// Corners joined into fans over smooth edges, a normal for each fan.
-
 namespace {
 
-/// An edge as sharp as the angle itself is no crease, whatever its rounding.
+/// Rounding tolerance of angles: an edge of exactly the crease angle is no crease.
 constexpr double kDegreesOfRounding = 0.01;
-/// Height over longest edge under which a triangle is all rounding and has no direction.
+/// Height over longest edge below which a triangle has no direction.
 constexpr double kFlatness = 1e-6;
-/// Each triangle of one edge is compared with so many others: a bound on the work for files that put very many there.
+/// Number of triangles of an edge with which each is compared; bounds the work for edges with very many.
 constexpr std::size_t kMostCreasesCompared = 16;
 
 /// One triangle at one of its three edges.
@@ -57,7 +55,7 @@ class Sides {
   std::vector<Side> sides_;
 };
 
-/// Unit normal of a face; zero where it has no area.
+/// Unit normal of a face; zero if it has no area.
 glm::dvec3 faceNormal(const ControlMesh& mesh, const ControlTriangle& triangle) {
   std::array<glm::dvec3, 3> p;
   for (std::size_t i = 0; i < 3; ++i) p[i] = glm::dvec3(at(mesh.positions, triangle.vertices[i]));
@@ -82,7 +80,7 @@ int longestSide(const ControlMesh& mesh, const ControlTriangle& triangle) {
   return longest;
 }
 
-/// [T] The direction in which each face counts; zero only for one without area and without a neighbor that has any.
+/// [T] Direction of each face; zero only if it has no area and its neighbors neither.
 std::vector<glm::dvec3> faceNormals(const ControlMesh& mesh, const Sides& sides) {
   std::vector<glm::dvec3> normals;
   normals.reserve(mesh.triangles.size());
@@ -100,7 +98,7 @@ std::vector<glm::dvec3> faceNormals(const ControlMesh& mesh, const Sides& sides)
   return result;
 }
 
-/// Sets of corners; a corner is 3 * triangle + its number there. The smallest corner of a set stands for it.
+/// Disjoint sets of corners, represented by their smallest. A corner is 3 * triangle + its number there.
 class Fans {
  public:
   explicit Fans(std::size_t corners) {
@@ -131,11 +129,10 @@ int cornerAt(const ControlMesh& mesh, const Side& side, int vertex) {
   return 3 * side.triangle + (first ? side.side : (side.side + 1) % 3);
 }
 
-/// Joins the corners of each control vertex into fans: where the surface turns at an edge by at most the angle, the
-/// corners of the two faces are joined at both ends of the edge. Union-find over the edges needs no order of faces
-/// around a vertex, so borders and edges of more than two faces are no special cases. Only the welded mesh decides, not
-/// the normals in the file (docs/design.md, Creases).  @return [3T] for each corner, the corner that stands for its
-/// fan.
+/// Joins corners into fans at both ends of every edge across which the surface bends by at most the angle. Union-find
+/// over edges needs no order of faces around a vertex, so borders and edges of more than two faces are no special
+/// cases. The normals in the file are ignored (docs/design.md, Creases).  @return [3T] representative of each corner's
+/// fan
 std::vector<int> fansOf(const ControlMesh& mesh, float degrees) {
   const Sides sides(mesh);
   const std::vector<glm::dvec3> normals = faceNormals(mesh, sides);
@@ -177,8 +174,7 @@ std::vector<bool> creasedVertices(const ControlMesh& mesh, const std::vector<int
   return result;
 }
 
-/// [3T] normals of the fans, each at the corner that stands for it: those of a mesh whose fans are vertices of their
-/// own.
+/// [3T] normals of the fans, at their representatives, from a mesh with one vertex for each fan.
 std::vector<glm::vec3> fanNormals(const ControlMesh& mesh, const std::vector<int>& fans) {
   std::vector<glm::vec3> positions(fans.size());
   std::vector<ControlTriangle> triangles(mesh.triangles.size());
@@ -201,7 +197,7 @@ ControlMesh creased(const ControlMesh& mesh, float degrees) {
   const std::vector<glm::vec3> normals = fanNormals(mesh, fans);
 
   result.wedges.clear();
-  std::vector<std::array<int, 2>> sources;  // [W] the wedge each new one was and its fan; -1 where there is but one.
+  std::vector<std::array<int, 2>> sources;  // [W] original wedge, and its fan or -1 if the vertex has only one.
   IndexTable table(fans.size());
   std::vector<int> numberOf(fans.size(), -1);
   int numbered = 0;
@@ -229,8 +225,6 @@ ControlMesh creased(const ControlMesh& mesh, float degrees) {
 
 bool hasCreases(const ControlMesh& mesh) { return std::ranges::any_of(mesh.wedges, &Wedge::creased); }
 
-// Volume of a matrix's columns against their lengths.
-
 bool isFlat(const glm::dmat3& matrix) {
   constexpr double kFlat = 1e-6;
   const double lengths = glm::length(matrix[0]) * glm::length(matrix[1]) * glm::length(matrix[2]);
@@ -240,17 +234,17 @@ bool isFlat(const glm::dmat3& matrix) {
 
 namespace {
 
-/// Angle at `a` between the directions to b and c; 0 where one has no length.
+/// Angle at `a` between the directions to b and c; 0 if one has no length.
 double cornerAngle(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
   const glm::dvec3 u = b - a;
   const glm::dvec3 v = c - a;
-  // atan2 keeps its accuracy for slivers, where acos of the normalized dot product loses it.
+  // atan2 is accurate for slivers, unlike acos of the normalized dot product.
   return std::atan2(glm::length(glm::cross(u, v)), glm::dot(u, v));
 }
 
 glm::dvec3 pointOf(std::span<const glm::vec3> positions, int vertex) { return glm::dvec3(at(positions, vertex)); }
 
-/// Lengths relative to the mesh: squares of very small or large coordinates would leave the range of numbers.
+/// Scale to the size of the mesh, since squares of very small or large coordinates would under- or overflow.
 double scaleOf(std::span<const glm::vec3> positions) {
   const Bounds bounds = boundsOf(positions);
   const glm::dvec3 extent = bounds.isEmpty() ? glm::dvec3(1.0) : glm::dvec3(bounds.high) - glm::dvec3(bounds.low);
@@ -258,7 +252,7 @@ double scaleOf(std::span<const glm::vec3> positions) {
   return largest > 0.0 ? 1.0 / largest : 1.0;
 }
 
-/// The face's unit normal times each corner's angle, onto the sums of its vertices.
+/// Adds the face's unit normal times the angle of each corner to the sums of its vertices.
 void addFace(std::span<const glm::vec3> positions, const ControlTriangle& triangle, double scale,
              std::vector<glm::dvec3>& sums) {
   std::array<glm::dvec3, 3> p;
@@ -273,7 +267,7 @@ void addFace(std::span<const glm::vec3> positions, const ControlTriangle& triang
 }
 
 glm::vec3 normalFrom(const glm::dvec3& sum) {
-  // Faces that cancel leave rounding only; a true normal of one sliver still weighs far more than this.
+  // Faces that cancel leave only rounding; even one sliver weighs far more than this.
   constexpr double kCanceled = 1e-10;
   const double length = glm::length(sum);
   return length > kCanceled ? glm::vec3(sum / length) : glm::vec3(0.0f, 1.0f, 0.0f);

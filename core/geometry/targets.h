@@ -10,7 +10,7 @@
 // SSE4, which every machine must have (checkProcessor), AVX2 and AVX-512.
 #define HWY_BASELINE_TARGETS HWY_SSE4
 
-/// Body of a function that returns the set's `name`, a function or a constant of namespace sinew::HWY_NAMESPACE.
+/// Body of a function that returns the chosen set's `name`, a function or a constant of namespace sinew::HWY_NAMESPACE.
 #define SINEW_RETURN_BY_SET(set, name) \
   switch (set) {                       \
     case InstructionSet::kAvx512:      \
