@@ -13,7 +13,7 @@
 
 #include "core/character/bindings.h"
 #include "core/character/range_of_motion.h"
-#include "core/geometry/creases.h"
+#include "core/geometry/normals.h"
 #include "core/geometry/weld.h"
 #include "core/rig/mesh_layers.h"
 #include "core/rig/morphs.h"

@@ -8,7 +8,7 @@
 #include "app/document/document.h"
 #include "core/bodies/body_map.h"
 #include "core/files/json/json.h"
-#include "core/geometry/topology.h"
+#include "core/geometry/weld.h"
 #include "core/rig/attachment.h"
 
 namespace sinew::app {

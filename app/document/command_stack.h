@@ -10,7 +10,7 @@
 
 #include "app/document/play_range.h"
 #include "core/character/pose_override.h"
-#include "core/rig/identity.h"
+#include "core/rig/references.h"
 #include "sinew/rig/rig.h"
 
 namespace sinew::app {

@@ -11,7 +11,7 @@
 #include "app/editor/commands.h"
 #include "app/editor/edit.h"
 #include "core/geometry/at.h"
-#include "core/rig/rig_edit_several.h"
+#include "core/rig/rig_edit.h"
 #include "sinew/rig/rig_edit.h"
 
 namespace sinew::app {

@@ -12,7 +12,7 @@
 #include "core/bodies/transfer_clips.h"
 #include "core/character/clip_names.h"
 #include "core/geometry/at.h"
-#include "core/rig/clip_keys.h"
+#include "core/rig/animated_edit.h"
 #include "sinew/files/gltf_import.h"
 
 namespace sinew::app {

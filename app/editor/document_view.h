@@ -23,7 +23,7 @@
 #include "core/bodies/check.h"
 #include "core/bodies/fit_preset.h"
 #include "core/bodies/motions.h"
-#include "core/rig/line_fitting.h"
+#include "core/rig/line_edit.h"
 #include "sinew/rig/rig.h"
 
 namespace sinew::app {

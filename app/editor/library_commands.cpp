@@ -11,7 +11,6 @@
 #include "app/editor/muscle_set_commands.h"
 #include "app/viewport/tools/select.h"
 #include "core/bodies/muscle_set.h"
-#include "core/bodies/preset_from_muscles.h"
 #include "core/geometry/at.h"
 
 namespace sinew::app {

@@ -13,7 +13,6 @@
 #include "core/bodies/mend.h"
 #include "core/geometry/at.h"
 #include "core/rig/line_edit.h"
-#include "core/rig/line_fitting.h"
 #include "core/rig/line_rest.h"
 #include "core/rig/twins.h"
 

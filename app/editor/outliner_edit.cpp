@@ -12,7 +12,7 @@
 #include "app/editor/territory.h"
 #include "core/geometry/at.h"
 #include "core/rig/line_edit.h"
-#include "core/rig/rig_edit_several.h"
+#include "core/rig/rig_edit.h"
 
 namespace sinew::app {
 namespace {

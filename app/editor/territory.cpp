@@ -7,7 +7,7 @@
 #include "app/viewport/tools/territory_tool.h"
 #include "core/geometry/at.h"
 #include "core/rig/attachment.h"
-#include "core/rig/rig_edit_several.h"
+#include "core/rig/rig_edit.h"
 
 namespace sinew::app {
 namespace {

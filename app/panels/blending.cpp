@@ -13,7 +13,7 @@
 #include "app/editor/outliner_edit.h"
 #include "core/geometry/at.h"
 #include "core/rig/blending_graph.h"
-#include "core/rig/rig_edit_several.h"
+#include "core/rig/rig_edit.h"
 
 namespace sinew::app {
 namespace {

@@ -15,7 +15,7 @@
 #include "app/panels/blending.h"
 #include "app/panels/blending_layout.h"
 #include "app/ui/readable_names.h"
-#include "core/rig/rig_edit_several.h"
+#include "core/rig/rig_edit.h"
 
 namespace sinew::app {
 namespace {

@@ -12,7 +12,7 @@
 #include "app/ui/readable_names.h"
 #include "app/ui/reading_order.h"
 #include "core/geometry/at.h"
-#include "core/rig/rig_edit_several.h"
+#include "core/rig/rig_edit.h"
 
 namespace sinew::app {
 namespace {

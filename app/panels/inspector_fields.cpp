@@ -14,7 +14,7 @@
 #include "app/panels/inspector.h"
 #include "app/ui/number_field.h"
 #include "core/geometry/at.h"
-#include "core/rig/rig_edit_several.h"
+#include "core/rig/rig_edit.h"
 
 namespace sinew::app {
 namespace {

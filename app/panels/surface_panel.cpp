@@ -10,7 +10,7 @@
 #include <string>
 
 #include "app/ui/number_field.h"
-#include "core/geometry/creases.h"
+#include "core/geometry/normals.h"
 #include "sinew/rig/rig_edit.h"
 
 namespace sinew::app {

@@ -11,12 +11,12 @@
 
 namespace sinew {
 
-/// The axis of a part: straight pieces from bone to bone. World.
+/// The axis of a body part: straight pieces from bone to bone. World.
 struct PartAxis {
   std::vector<glm::vec3> points;  ///< At least two.
-  std::vector<int> bones;         ///< [points - 1] whose piece it is.
+  std::vector<int> bones;         ///< [points - 1] bone of each piece.
   glm::vec3 front{0.0f, 0.0f, 1.0f};
-  bool middle = false;  ///< Trunk or neck: they go from below to above, limbs from the trunk outwards.
+  bool middle = false;  ///< Trunk or neck, which run upwards; limbs run outwards from the trunk.
   float length = 0.0f;
 
   [[nodiscard]] glm::vec3 point(float u) const;
@@ -33,11 +33,11 @@ struct PartAxis {
   [[nodiscard]] Piece pieceAt(float u) const;
 };
 
-/// Hips, spine and chest: their axis is one.
+/// Hips, spine and chest share one axis.
 [[nodiscard]] constexpr bool isTrunk(Slot slot) { return slot <= Slot::kUpperChest; }
 
-/// What belongs together in a body: the trunk as one, each part of a limb with all that hangs on it and is no part.
-/// Numbers are those of allBodySlots(), kSpine for the trunk; -1: nothing.
+/// A region of the body: the whole trunk, or a part of a limb with all bones below it that are no part themselves.
+/// Numbered as allBodySlots(), kSpine for the trunk; -1: none.
 using Zone = int;
 
 /// Axes and zones of a character's left side and middle.
@@ -47,7 +47,7 @@ struct BodyFrame {
   std::vector<Zone> zoneOfBone;                          ///< [bones]
   float height = 1.0f;
 
-  /// The part that a mark is measured on: an end of a limb is the end of the part before it.
+  /// The axis on which a mark is measured: the start of a hand or foot is the end of the part before it. @param u  out
   [[nodiscard]] const PartAxis* axisOf(const Mark& mark, float& u) const;
   /// The bone that a mark rides, or -1.
   [[nodiscard]] int boneOf(const Mark& mark) const;
@@ -56,9 +56,9 @@ struct BodyFrame {
 [[nodiscard]] BodyFrame makeBodyFrame(const Character& character, const BodySlots& slots);
 
 [[nodiscard]] Zone zoneOf(Slot slot, BodySide side = BodySide::kLeft);
-/// The part before it, towards the trunk; itself for the trunk.
+/// The next part towards the trunk; kSpine for the trunk.
 [[nodiscard]] Slot partBefore(Slot slot);
-/// Zones whose skin belongs to what is measured on a part: itself and its neighbours.
+/// Zones whose skin counts when flesh is measured on a part: its own and those of its neighbours.
 [[nodiscard]] std::vector<Zone> zonesAround(Slot slot);
 
 }  // namespace sinew

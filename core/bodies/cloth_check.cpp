@@ -1,4 +1,4 @@
-// core/bodies/cloth_check.cpp: each vertex of cloth against a tree of the skin's triangles, pose after pose.
+// core/bodies/cloth_check.cpp: compares each cloth vertex with a tree of the skin's triangles in every pose.
 #include "core/bodies/cloth_check.h"
 
 #include <algorithm>
@@ -21,13 +21,11 @@
 
 namespace sinew {
 
-// Rays in directions that are spread evenly.
-
 namespace {
 
 constexpr std::size_t kDirections = 256;
 
-/// A spiral with the golden angle between one and the next.
+/// Evenly spread: a spiral that advances by the golden angle.
 std::array<glm::vec3, kDirections> spreadDirections() {
   std::array<glm::vec3, kDirections> out;
   const double turn = std::numbers::pi * (3.0 - std::sqrt(5.0));
@@ -87,8 +85,7 @@ TriangleTree treeOf(const Surface& surface, std::span<const int> triangles) {
   return {corners, triangles};
 }
 
-/// [V'] normals that tell inside from outside at vertices: those of faces, by the angles there (Baerentzen and Aanaes
-/// 2005). At edges it is the sum of both faces.
+/// [V'] angle-weighted vertex normals, whose sign separates inside from outside (Baerentzen and Aanaes 2005).
 std::vector<glm::vec3> vertexNormals(const Surface& surface, std::span<const int> triangles) {
   std::vector<glm::vec3> normals(surface.positions.size(), glm::vec3(0.0f));
   for (const int t : triangles) {
@@ -103,7 +100,7 @@ std::vector<glm::vec3> vertexNormals(const Surface& surface, std::span<const int
   return normals;
 }
 
-/// [T'] triangle across each edge.
+/// [T'] triangle across each edge, or -1.
 std::vector<std::array<int, 3>> acrossEdges(const Refinement& refinement, std::span<const int> triangles) {
   std::vector<std::array<int, 3>> across(refinement.triangles.size(), {-1, -1, -1});
   std::map<std::array<int, 2>, std::array<int, 2>> open;  // Edge to triangle and corner.
@@ -121,32 +118,25 @@ std::vector<std::array<int, 3>> acrossEdges(const Refinement& refinement, std::s
   return across;
 }
 
-/// So that bare and lifted cloth are compared vertex by vertex: the same mesh, every muscle hidden.
-std::vector<int> allPrimitives(const Rig& rig) {
-  std::vector<int> all(rig.primitives.size());
-  for (std::size_t i = 0; i < all.size(); ++i) all[i] = static_cast<int>(i);
+std::vector<int> upTo(std::size_t count) {
+  std::vector<int> all(count);
+  std::iota(all.begin(), all.end(), 0);
   return all;
 }
 
-/// What an eye makes of cloth that is below a wall of the skin.
+/// Finds out whether a viewer would notice cloth below the skin.
 class ClothSight {
  public:
   ClothSight(const Surface& surface, std::span<const int> skin)
-      : all_(treeOf(surface, allTriangles(surface))), skin_(treeOf(surface, skin)) {}
+      : all_(treeOf(surface, upTo(surface.refinement->triangles.size()))), skin_(treeOf(surface, skin)) {}
 
-  /// Whether the cloth is inside of the body and the skin over it is in sight.
+  /// The cloth is inside the body, and the skin over it is visible.
   [[nodiscard]] bool shows(const ClothSunk& sunk, const glm::vec3& cloth, float off) const {
     return skin_.windingAt(cloth) > kInsideBody && isSeen(all_, sunk.place, sunk.normal, off);
   }
 
  private:
-  static std::vector<int> allTriangles(const Surface& surface) {
-    std::vector<int> all(surface.refinement->triangles.size());
-    std::iota(all.begin(), all.end(), 0);
-    return all;
-  }
-
-  TriangleTree all_;  ///< All parts hide what is behind them.
+  TriangleTree all_;  ///< Every part hides what is behind it.
   TriangleTree skin_;
 };
 
@@ -175,13 +165,13 @@ std::vector<ClothSunk> ClothMeter::below(const Surface& surface) const {
   const float within = kClothSunk * height_;
   forEachIndex(out.size(), 256, [&](std::size_t i) {
     const glm::vec3& p = at(surface.positions, cloth_[i]);
-    const auto ofOthers = [&](int triangle) {
+    const auto extraOfOtherSkin = [&](int triangle) {
       const glm::vec3& corner = at(bind_, at(surface.refinement->triangles, triangle)[0]);
       const bool isUnder = glm::distance(corner, at(bind_, cloth_[i])) <= kClothReach * height_ &&
                            glm::dot(at(bindFaces_, triangle), under_[i]) > 0.0f;
       return isUnder ? 0.0f : 2.0f * within;
     };
-    const NearestPoint found = tree.nearest(p, within, ofOthers);
+    const NearestPoint found = tree.nearest(p, within, extraOfOtherSkin);
     if (found.triangle < 0) return;
     const TriangleCorners c = cornersIn(surface, found.triangle);
     const glm::vec3& s = found.shares;
@@ -206,8 +196,8 @@ Result<ClothCount> countClothBelow(const std::shared_ptr<const Character>& chara
   Rig whole = rig;
   whole.smoothing.detail = DetailKind::kUniform;
   if (auto prepared = lifted.prepare(whole); !prepared) return prepared.error();
-  Smoother bare(character);
-  if (auto prepared = bare.prepare(whole, allPrimitives(whole)); !prepared) return prepared.error();
+  Smoother bare(character);  // The same mesh with every muscle hidden, so that vertices correspond.
+  if (auto prepared = bare.prepare(whole, upTo(whole.primitives.size())); !prepared) return prepared.error();
   Surface surface;
   bare.smooth(bindPose(character->skeleton), surface);
   const ClothMeter meter(character->mesh, layers, surface, character->height);

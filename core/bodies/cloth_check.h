@@ -17,26 +17,23 @@
 
 namespace sinew {
 
-// What of a surface an eye can see from anywhere outside of it.
-
-/// Whether any of 256 directions leads away from a place without meeting a triangle.
+/// Visibility from outside: any of 256 rays leaves the place without hitting a triangle.
 /// @param normal  any length: directions below it do not count  @param off  distance along it to begin at
 [[nodiscard]] bool isSeen(const TriangleTree& triangles, const glm::vec3& place, const glm::vec3& normal, float off);
 
-/// More than this below the nearest skin is below, fraction of H; farther below than kClothSunk it is elsewhere.
+// Depths under the nearest skin between which cloth counts as below it, fractions of H.
 inline constexpr float kClothBelow = 1e-4f;
 inline constexpr float kClothSunk = 0.05f;
 
-/// Where a vertex of cloth is below the skin.
+/// A cloth vertex below the skin.
 struct ClothSunk {
   float depth = 0.0f;  ///< Along the normal at the nearest point, units of the character; 0: above it, or far from it.
-  glm::vec3 place{0.0f};   ///< That point of the skin,
-  glm::vec3 normal{0.0f};  ///< and its normal, of any length.
+  glm::vec3 place{0.0f};   ///< That point.
+  glm::vec3 normal{0.0f};  ///< Its normal, of any length.
 };
 
-/// Measures how far vertices of cloth are below the skin under them: that which is within kClothReach of the vertex in
-/// the bind pose and faces as the nearest skin does there. Where two limbs press into each other no cloth can be above
-/// both.
+/// Measures how far cloth vertices are below their skin: the skin within kClothReach of the vertex in the bind pose
+/// that faces the same way as the nearest skin. Where two limbs press into each other, cloth cannot be above both.
 class ClothMeter {
  public:
   /// @param bind  in the bind pose, without muscles.  @param height  H
@@ -54,22 +51,21 @@ class ClothMeter {
   std::vector<int> cloth_;
   std::vector<glm::vec3> under_;  ///< [cloth] normal of the nearest skin in the bind pose.
   std::vector<int> skin_;
-  std::vector<glm::vec3> bind_;       ///< [V']
-  std::vector<glm::vec3> bindFaces_;  ///< [T'] unit normals in the bind pose.
-  std::vector<std::array<int, 3>>
-      across_;  ///< [T'] the triangle of skin across the edge that begins at a corner, or -1.
+  std::vector<glm::vec3> bind_;             ///< [V']
+  std::vector<glm::vec3> bindFaces_;        ///< [T'] unit normals in the bind pose.
+  std::vector<std::array<int, 3>> across_;  ///< [T'] skin triangle across the edge from each corner, or -1.
 };
 
-/// Over all poses.
+/// Cloth vertices below the skin, summed over all poses.
 struct ClothCount {
-  int vertices = 0;        ///< Refined ones of cloth in a surface.
-  std::int64_t bare = 0;   ///< Below the skin without muscles: the file's own.
-  std::int64_t below = 0;  ///< Below it with muscles.
-  std::int64_t more = 0;   ///< Of these, those that are not without.
-  float deepest = 0.0f;    ///< Of these, fraction of H.
-  int worst = -1;          ///< Pose where that is.
-  std::int64_t seen = 0;   ///< Of these, those inside of the body where the skin over them is in sight.
-  int lastSeen = -1;       ///< Pose where the last of them is.
+  int vertices = 0;        ///< Refined cloth vertices of the surface.
+  std::int64_t bare = 0;   ///< Below the skin without muscles: already so in the file.
+  std::int64_t below = 0;  ///< Below the skin with muscles.
+  std::int64_t more = 0;   ///< Below only because of muscles.
+  float deepest = 0.0f;    ///< Largest depth among `more`, fraction of H.
+  int worst = -1;          ///< Pose of `deepest`.
+  std::int64_t seen = 0;   ///< Vertices of `more` inside the body under visible skin.
+  int lastSeen = -1;       ///< Pose of the last one.
 };
 
 /// Error: the rig is invalid or its surface too large.

@@ -1,4 +1,4 @@
-// core/bodies/fit_preset.cpp: each muscle with its twin, then what its line does over all clips.
+// core/bodies/fit_preset.cpp: lays each muscle into the flesh, with its twin and its line.
 #include "core/bodies/fit_preset.h"
 
 #include <algorithm>
@@ -13,7 +13,6 @@
 #include <glm/geometric.hpp>
 
 #include "core/bodies/body_map.h"
-#include "core/bodies/flesh.h"
 #include "core/bodies/motions.h"
 #include "core/character/bindings.h"
 #include "core/geometry/affine_image.h"
@@ -26,17 +25,15 @@
 
 namespace sinew {
 
-// The level of the axis on which a point lies, then its angle there.
-
 namespace {
 
 constexpr float kDegrees = 180.0f / std::numbers::pi_v<float>;
-constexpr float kSearchedAround = 0.3f;  ///< Way along the axis on both sides of the nearest point, in its length.
+constexpr float kSearchedAround = 0.3f;  ///< On both sides of the nearest point, fraction of the axis.
 constexpr int kHalvings = 40;            ///< To the last bit.
 
-/// The way along an axis whose level a point lies at: the root of dot(point - axis(u), direction(u)) next to the
-/// nearest point of the axis.
-float wayAlong(const PartAxis& axis, const glm::vec3& point) {
+/// The parameter u at whose level a point lies: the root of dot(point - axis(u), direction(u)) next to the nearest
+/// point of the axis.
+float levelOf(const PartAxis& axis, const glm::vec3& point) {
   const auto level = [&](float u) { return glm::dot(point - axis.point(u), axis.direction(u)); };
   float nearest = 0.0f;
   float least = std::numeric_limits<float>::max();
@@ -67,7 +64,7 @@ float wayAlong(const PartAxis& axis, const glm::vec3& point) {
 
 PartPlace placeAt(const PartAxis& axis, const glm::vec3& point, float leastAway) {
   PartPlace place;
-  place.u = wayAlong(axis, point);
+  place.u = levelOf(axis, point);
   const glm::vec3 off = glm::transpose(axesAt(axis, place.u, 0.0f)) * (point - axis.point(place.u));
   place.away = glm::length(glm::vec2(off));
   place.beside = off.z;
@@ -81,16 +78,12 @@ glm::mat3 axesAt(const PartAxis& axis, float u, float angle) {
 
 namespace {
 
-// One muscle of a preset, laid into the flesh of one character.
-// The top of a belly stands out of the skin by its definition, its ends lie in the flesh.
-
-/// On the left side or beside the midline. Neither is in a rig yet; the muscle's group is that of the preset.
+/// A muscle of the left side or the middle, not yet in a rig; its group is the preset's.
 struct PlacedMuscle {
   Primitive belly;
   std::optional<MuscleLine> line;
 };
 
-/// What muscles are placed by.
 struct PresetPlace {
   const Character& character;
   const BodyFrame& frame;
@@ -100,21 +93,21 @@ struct PresetPlace {
   PresetTuning tuning;
 };
 
-constexpr float kAnchorDepth = 0.45f;  ///< Of the flesh, where a mark says nothing.
+constexpr float kAnchorDepth = 0.45f;  ///< Default depth of anchors, fraction of the flesh.
 constexpr float kViaDepth = 0.3f;
-constexpr float kMostHeight = 0.6f;     ///< Of the half length: more is a ball.
-constexpr float kFewTriangles = 0.55f;  ///< Width over the mesh's edges below which a belly cannot show.
+constexpr float kMostHeight = 0.6f;     ///< Largest height over half length, so that a belly is no ball.
+constexpr float kFewTriangles = 0.55f;  ///< Width over edge length of the mesh below which a belly does not show.
 constexpr float kMostWidening = 1.5f;
-constexpr float kLeastDefinition = 0.45f;  ///< Of itself.
-constexpr float kTerritoryShare = 0.08f;   ///< Of the weight under a belly.
-constexpr float kNearEnd = 0.8f;           ///< Of the half length: what must lie inside.
-constexpr float kShortening = 0.9f;        ///< Of the half length, each time an end lies outside.
-constexpr float kDip = 0.06f;              ///< Slope by which that end is sunk.
+constexpr float kLeastDefinition = 0.45f;  ///< Smallest factor on the definition of a widened belly.
+constexpr float kTerritoryShare = 0.08f;   ///< Smallest fraction of the skin weight under a belly.
+constexpr float kNearEnd = 0.8f;           ///< Points that must lie inside, fraction of the half length.
+constexpr float kShortening = 0.9f;        ///< Factor on the half length, each time an end lies outside.
+constexpr float kDip = 0.06f;              ///< Slope by which that end is lowered.
 constexpr int kMostShortenings = 6;
-constexpr float kTrunkMass = 0.6f;  ///< Exponents of Mass.
+constexpr float kTrunkMass = 0.6f;  ///< Exponents of PresetTuning::mass.
 constexpr float kWidthMass = 0.5f;
 
-/// A belly before it is on a bone. World.
+/// A belly before it is assigned to a bone. World.
 struct Belly {
   glm::vec3 skin{0.0f};
   glm::vec3 normal{0.0f};
@@ -125,11 +118,11 @@ struct Belly {
   float definition = 0.0f;
 
   [[nodiscard]] glm::vec3 center() const { return skin - (1.0f - definition) * height * normal; }
-  /// What must lie in the body: of a belly that stands far out the middle of its lower half.
+  /// A point that must lie in the body: at most half a height below the skin.
   [[nodiscard]] glm::vec3 inner() const { return skin - std::max(1.0f - definition, 0.5f) * height * normal; }
 };
 
-/// A unit vector, turned towards another at right angles to it.
+/// A unit vector rotated towards another, perpendicular one.
 glm::vec3 turned(const glm::vec3& from, const glm::vec3& towards, float degrees) {
   if (degrees == 0.0f) return from;
   const float angle = degrees * std::numbers::pi_v<float> / 180.0f;
@@ -176,16 +169,171 @@ class MusclePlacer {
   }
 
  private:
-  [[nodiscard]] Result<MuscleLine> makeLine();
-  [[nodiscard]] std::optional<LineAnchor> anchor(const Mark& mark, float depth, int bone);
-  void shapeBelly();
-  void keepOffMidline();
-  void keepEndsInside();
-  [[nodiscard]] int boneUnder() const;
-  [[nodiscard]] Placement inBone(const Bone& bone) const;
-  [[nodiscard]] std::vector<std::string> territory(int bone) const;
-  [[nodiscard]] std::map<int, float> weightsUnder() const;
-  [[nodiscard]] bool mayCarry(int bone) const;
+  /// The origin and the via point ride the belly's own bone: only the insertion crosses the joint.
+  Result<MuscleLine> makeLine() {
+    lineBone_ = place_.frame.boneOf(*muscle_.origin);
+    const auto origin = anchor(*muscle_.origin, kAnchorDepth, lineBone_);
+    Mark middle = muscle_.belly;
+    middle.depth = kViaDepth;
+    const auto via = anchor(middle, kViaDepth, lineBone_);
+    const auto insertion = anchor(*muscle_.insertion, kAnchorDepth, place_.frame.boneOf(*muscle_.insertion));
+    if (!origin || !via || !insertion) return errorAt("", "an end of it has no place on this body");
+    MuscleLine line;
+    line.name = muscle_.name;
+    line.origin = *origin;
+    line.insertion = *insertion;
+    line.via = *via;
+    line.settings = muscle_.line;
+    if (const auto rest = lineRest(line, place_.character); !rest) return rest.error();
+    return line;
+  }
+
+  std::optional<LineAnchor> anchor(const Mark& mark, float depth, int bone) {
+    const auto flesh = place_.flesh.measure(mark, false);
+    if (!flesh || bone < 0) return std::nullopt;
+    const glm::vec3 point = flesh->at(mark.depth > 0.0f ? mark.depth : depth);
+    path_.push_back(point);
+    return anchorOn(place_.character.skeleton, bone, point);
+  }
+
+  void shapeBelly() {
+    float u = 0.0f;
+    const PartAxis& axis = *place_.frame.axisOf(muscle_.belly, u);
+    belly_.skin = flesh_.at(muscle_.belly.depth);
+    belly_.normal = flesh_.normal;
+    glm::vec3 along = axis.direction(u);
+    if (path_.size() == 3) {
+      along = path_[2] - path_[0];
+      const float length = glm::distance(path_[0], path_[1]) + glm::distance(path_[1], path_[2]);
+      belly_.half = 0.5f * (1.0f - muscle_.line.tendons.x - muscle_.line.tendons.y) * length;
+    }
+    if (muscle_.halfLength > 0.0f) belly_.half = muscle_.halfLength * axis.length;
+    along -= glm::dot(along, belly_.normal) * belly_.normal;
+    belly_.along = normalizeOr(along, normalizeOr(glm::cross(belly_.normal, flesh_.radial), {0, 1, 0}));
+    if (muscle_.turn != 0.0f) {
+      // Towards the outer side, whatever the direction of the axis.
+      const glm::vec3 side = glm::cross(belly_.along, belly_.normal);
+      const float outer = glm::dot(side, axis.radial(u, muscle_.belly.angle + 90.0f)) < 0.0f ? -1.0f : 1.0f;
+      belly_.along = turned(belly_.along, outer * side, muscle_.turn);
+    }
+    const glm::vec3 flat = belly_.along;
+    belly_.along = turned(flat, belly_.normal, muscle_.tilt);
+    belly_.normal = turned(belly_.normal, -flat, muscle_.tilt);
+    belly_.normal = turned(belly_.normal, glm::cross(belly_.along, belly_.normal), muscle_.roll);
+    const bool middle = isTrunk(muscle_.belly.slot) || muscle_.belly.slot == Slot::kNeck;
+    const float bare = muscle_.height * flesh_.size;
+    const float mass = place_.tuning.mass;
+    belly_.height = bare * std::pow(mass, middle ? kTrunkMass : 1.0f);
+    if (!muscle_.asLaid) belly_.height = std::min(belly_.height, kMostHeight * belly_.half);
+    belly_.width = muscle_.width * bare * std::pow(mass, kWidthMass);
+    belly_.definition =
+        std::clamp(place_.tuning.definition.value_or(place_.preset.definition) * muscle_.definition, 0.0f, 1.0f);
+    if (muscle_.midline) return keepOffMidline();
+    const float wanted = kFewTriangles * flesh_.edge;
+    if (muscle_.asLaid || belly_.width >= wanted) return;
+    belly_.definition *= std::max(kLeastDefinition, belly_.width / wanted);
+    belly_.width = std::min(wanted, kMostWidening * belly_.width);
+    if (belly_.half < belly_.width) belly_.half = belly_.width;
+  }
+
+  /// Twins beside the midline do not cross it.
+  void keepOffMidline() {
+    const glm::vec3 normal(place_.plan.plane.normal);
+    const auto away = static_cast<float>(std::abs(distanceTo(place_.plan.plane, glm::dvec3(belly_.center()))));
+    const float across = std::abs(glm::dot(glm::cross(belly_.along, belly_.normal), normal));
+    if (across > 0.1f) belly_.width = std::min(belly_.width, 0.97f * away / across);
+  }
+
+  /// Where the body curves away from a straight belly its ends would come out as bumps: it is shortened, and turned so
+  /// that both ends lie equally deep. On a line the tendons say how long it is.
+  void keepEndsInside() {
+    if (!path_.empty() || muscle_.asLaid) return;
+    for (int step = 0; step < kMostShortenings; ++step) {
+      const glm::vec3 way = kNearEnd * belly_.half * belly_.along;
+      const bool head = place_.flesh.isInside(belly_.inner() + way);
+      const bool foot = place_.flesh.isInside(belly_.inner() - way);
+      if (head && foot) return;
+      if (head != foot) {
+        const float dip = (head ? 1.0f : -1.0f) * kDip;
+        const glm::vec3 along = glm::normalize(belly_.along + dip * belly_.normal);
+        belly_.normal = glm::normalize(belly_.normal - glm::dot(belly_.normal, along) * along);
+        belly_.along = along;
+      }
+      belly_.half *= kShortening;
+      belly_.height = std::min(belly_.height, kMostHeight * belly_.half);
+    }
+  }
+
+  int boneUnder() const {
+    if (!isTrunk(muscle_.belly.slot)) return place_.frame.boneOf(muscle_.belly);
+    int best = -1;
+    float most = 0.0f;
+    for (const auto& [bone, weight] : weightsUnder()) {
+      if (!mayCarry(bone) || weight <= most) continue;
+      best = bone;
+      most = weight;
+    }
+    return best >= 0 ? best : place_.frame.boneOf(muscle_.belly);
+  }
+
+  Placement inBone(const Bone& bone) const {
+    Placement placement;
+    placement.center = belly_.center();
+    const glm::vec3 across = glm::cross(belly_.along, belly_.normal);
+    placement.rotation = glm::normalize(glm::quat_cast(glm::mat3(across, belly_.along, belly_.normal)));
+    placement.radii = {belly_.width, belly_.half, belly_.height};
+    placement.shape = legalShape(muscle_.shape, muscle_.reach > 0.0f ? muscle_.reach : place_.preset.reach);
+    const glm::dmat4 toBone(bone.inverseBindInWorld);
+    return imageOf(placement, {glm::dmat3(toBone), glm::dvec3(toBone[3])});
+  }
+
+  std::vector<std::string> territory(int bone) const {
+    const std::map<int, float> weights = weightsUnder();
+    float sum = 0.0f;
+    for (const auto& [other, weight] : weights) sum += weight;
+    std::vector<std::string> names{place_.character.skeleton.fileName(bone)};
+    for (const auto& [other, weight] : weights) {
+      // The skin over a shoulder blade is that of the trunk's muscles too.
+      const bool shoulder =
+          isTrunk(muscle_.belly.slot) && at(place_.frame.zoneOfBone, other) == zoneOf(Slot::kShoulder);
+      if (other == bone || !(weight >= kTerritoryShare * sum) || !(mayCarry(other) || shoulder)) continue;
+      names.push_back(place_.character.skeleton.fileName(other));
+    }
+    return names;
+  }
+
+  /// Skin weights under the belly, by bone.
+  std::map<int, float> weightsUnder() const {
+    std::map<int, float> weights;
+    const Slot part = isTrunk(muscle_.belly.slot) ? Slot::kSpine : muscle_.belly.slot;
+    const std::vector<Zone> zones = zonesAround(part);
+    const glm::vec3 across = glm::cross(belly_.along, belly_.normal);
+    const Character& character = place_.character;
+    for (const float y : {-0.7f, 0.0f, 0.7f}) {
+      for (const float x : {-0.7f, 0.0f, 0.7f}) {
+        const glm::vec3 from = belly_.center() + y * belly_.half * belly_.along + x * belly_.width * across;
+        const auto exit = place_.flesh.leave(from, belly_.normal, zones);
+        if (!exit) continue;
+        const auto& corners = at(character.mesh.triangles, exit->triangle).vertices;
+        for (int k = 0; k < 3; ++k) {
+          for (const auto binding : bindingsOf(character, corners[static_cast<std::size_t>(k)])) {
+            weights[binding.bone()] += binding.weight * exit->barycentric[k];
+          }
+        }
+      }
+    }
+    return weights;
+  }
+
+  /// Muscles of the trunk never ride a limb, nor one limb's another.
+  bool mayCarry(int bone) const {
+    const Zone zone = at(place_.frame.zoneOfBone, bone);
+    const Slot own = muscle_.belly.slot;
+    if (isTrunk(own)) return zone == zoneOf(Slot::kSpine);
+    if (zone == zoneOf(Slot::kSpine)) return own == Slot::kShoulder || own == Slot::kNeck;
+    const std::vector<Zone> zones = zonesAround(own);
+    return std::ranges::find(zones, zone) != zones.end();
+  }
 
   const PresetPlace& place_;
   const PresetMuscle& muscle_;
@@ -195,177 +343,7 @@ class MusclePlacer {
   std::vector<glm::vec3> path_;  ///< Of the line, from the origin.
 };
 
-std::optional<LineAnchor> MusclePlacer::anchor(const Mark& mark, float depth, int bone) {
-  const auto flesh = place_.flesh.measure(mark, false);
-  if (!flesh || bone < 0) return std::nullopt;
-  const glm::vec3 point = flesh->at(mark.depth > 0.0f ? mark.depth : depth);
-  path_.push_back(point);
-  return anchorOn(place_.character.skeleton, bone, point);
-}
-
-/// The origin and the via point ride the belly's own bone: only the insertion crosses the joint.
-Result<MuscleLine> MusclePlacer::makeLine() {
-  lineBone_ = place_.frame.boneOf(*muscle_.origin);
-  const auto origin = anchor(*muscle_.origin, kAnchorDepth, lineBone_);
-  Mark middle = muscle_.belly;
-  middle.depth = kViaDepth;
-  const auto via = anchor(middle, kViaDepth, lineBone_);
-  const auto insertion = anchor(*muscle_.insertion, kAnchorDepth, place_.frame.boneOf(*muscle_.insertion));
-  if (!origin || !via || !insertion) return errorAt("", "an end of it has no place on this body");
-  MuscleLine line;
-  line.name = muscle_.name;
-  line.origin = *origin;
-  line.insertion = *insertion;
-  line.via = *via;
-  line.settings = muscle_.line;
-  if (const auto rest = lineRest(line, place_.character); !rest) return rest.error();
-  return line;
-}
-
-void MusclePlacer::shapeBelly() {
-  float u = 0.0f;
-  const PartAxis& axis = *place_.frame.axisOf(muscle_.belly, u);
-  belly_.skin = flesh_.at(muscle_.belly.depth);
-  belly_.normal = flesh_.normal;
-  glm::vec3 along = axis.direction(u);
-  if (path_.size() == 3) {
-    along = path_[2] - path_[0];
-    const float length = glm::distance(path_[0], path_[1]) + glm::distance(path_[1], path_[2]);
-    belly_.half = 0.5f * (1.0f - muscle_.line.tendons.x - muscle_.line.tendons.y) * length;
-  }
-  if (muscle_.halfLength > 0.0f) belly_.half = muscle_.halfLength * axis.length;
-  along -= glm::dot(along, belly_.normal) * belly_.normal;
-  belly_.along = normalizeOr(along, normalizeOr(glm::cross(belly_.normal, flesh_.radial), {0, 1, 0}));
-  if (muscle_.turn != 0.0f) {
-    // Towards the outer side, whichever way the axis goes.
-    const glm::vec3 side = glm::cross(belly_.along, belly_.normal);
-    const float outer = glm::dot(side, axis.radial(u, muscle_.belly.angle + 90.0f)) < 0.0f ? -1.0f : 1.0f;
-    belly_.along = turned(belly_.along, outer * side, muscle_.turn);
-  }
-  const glm::vec3 flat = belly_.along;
-  belly_.along = turned(flat, belly_.normal, muscle_.tilt);
-  belly_.normal = turned(belly_.normal, -flat, muscle_.tilt);
-  belly_.normal = turned(belly_.normal, glm::cross(belly_.along, belly_.normal), muscle_.roll);
-  const bool middle = isTrunk(muscle_.belly.slot) || muscle_.belly.slot == Slot::kNeck;
-  const float bare = muscle_.height * flesh_.size;
-  const float mass = place_.tuning.mass;
-  belly_.height = bare * std::pow(mass, middle ? kTrunkMass : 1.0f);
-  if (!muscle_.asLaid) belly_.height = std::min(belly_.height, kMostHeight * belly_.half);
-  belly_.width = muscle_.width * bare * std::pow(mass, kWidthMass);
-  belly_.definition =
-      std::clamp(place_.tuning.definition.value_or(place_.preset.definition) * muscle_.definition, 0.0f, 1.0f);
-  if (muscle_.midline) return keepOffMidline();
-  const float wanted = kFewTriangles * flesh_.edge;
-  if (muscle_.asLaid || belly_.width >= wanted) return;
-  belly_.definition *= std::max(kLeastDefinition, belly_.width / wanted);
-  belly_.width = std::min(wanted, kMostWidening * belly_.width);
-  if (belly_.half < belly_.width) belly_.half = belly_.width;
-}
-
-/// Twins beside the midline do not cross it.
-void MusclePlacer::keepOffMidline() {
-  const glm::vec3 normal(place_.plan.plane.normal);
-  const auto away = static_cast<float>(std::abs(distanceTo(place_.plan.plane, glm::dvec3(belly_.center()))));
-  const float across = std::abs(glm::dot(glm::cross(belly_.along, belly_.normal), normal));
-  if (across > 0.1f) belly_.width = std::min(belly_.width, 0.97f * away / across);
-}
-
-/// Where the body curves away from a straight belly its ends would come out as bumps: it is shortened, and turned so
-/// that both ends lie equally deep. On a line the tendons say how long it is.
-void MusclePlacer::keepEndsInside() {
-  if (!path_.empty() || muscle_.asLaid) return;
-  for (int step = 0; step < kMostShortenings; ++step) {
-    const glm::vec3 way = kNearEnd * belly_.half * belly_.along;
-    const bool head = place_.flesh.isInside(belly_.inner() + way);
-    const bool foot = place_.flesh.isInside(belly_.inner() - way);
-    if (head && foot) return;
-    if (head != foot) {
-      const float dip = (head ? 1.0f : -1.0f) * kDip;
-      const glm::vec3 along = glm::normalize(belly_.along + dip * belly_.normal);
-      belly_.normal = glm::normalize(belly_.normal - glm::dot(belly_.normal, along) * along);
-      belly_.along = along;
-    }
-    belly_.half *= kShortening;
-    belly_.height = std::min(belly_.height, kMostHeight * belly_.half);
-  }
-}
-
-/// Skin weights under the belly, by bone.
-std::map<int, float> MusclePlacer::weightsUnder() const {
-  std::map<int, float> weights;
-  const Slot part = isTrunk(muscle_.belly.slot) ? Slot::kSpine : muscle_.belly.slot;
-  const std::vector<Zone> zones = zonesAround(part);
-  const glm::vec3 across = glm::cross(belly_.along, belly_.normal);
-  const Character& character = place_.character;
-  for (const float y : {-0.7f, 0.0f, 0.7f}) {
-    for (const float x : {-0.7f, 0.0f, 0.7f}) {
-      const glm::vec3 from = belly_.center() + y * belly_.half * belly_.along + x * belly_.width * across;
-      const auto exit = place_.flesh.leave(from, belly_.normal, zones);
-      if (!exit) continue;
-      const auto& corners = at(character.mesh.triangles, exit->triangle).vertices;
-      for (int k = 0; k < 3; ++k) {
-        for (const auto binding : bindingsOf(character, corners[static_cast<std::size_t>(k)])) {
-          weights[binding.bone()] += binding.weight * exit->barycentric[k];
-        }
-      }
-    }
-  }
-  return weights;
-}
-
-/// Muscles of the trunk never ride a limb, nor one limb's another.
-bool MusclePlacer::mayCarry(int bone) const {
-  const Zone zone = at(place_.frame.zoneOfBone, bone);
-  const Slot own = muscle_.belly.slot;
-  if (isTrunk(own)) return zone == zoneOf(Slot::kSpine);
-  if (zone == zoneOf(Slot::kSpine)) return own == Slot::kShoulder || own == Slot::kNeck;
-  const std::vector<Zone> zones = zonesAround(own);
-  return std::ranges::find(zones, zone) != zones.end();
-}
-
-int MusclePlacer::boneUnder() const {
-  if (!isTrunk(muscle_.belly.slot)) return place_.frame.boneOf(muscle_.belly);
-  int best = -1;
-  float most = 0.0f;
-  for (const auto& [bone, weight] : weightsUnder()) {
-    if (!mayCarry(bone) || weight <= most) continue;
-    best = bone;
-    most = weight;
-  }
-  return best >= 0 ? best : place_.frame.boneOf(muscle_.belly);
-}
-
-Placement MusclePlacer::inBone(const Bone& bone) const {
-  Placement placement;
-  placement.center = belly_.center();
-  const glm::vec3 across = glm::cross(belly_.along, belly_.normal);
-  placement.rotation = glm::normalize(glm::quat_cast(glm::mat3(across, belly_.along, belly_.normal)));
-  placement.radii = {belly_.width, belly_.half, belly_.height};
-  placement.shape = legalShape(muscle_.shape, muscle_.reach > 0.0f ? muscle_.reach : place_.preset.reach);
-  const glm::dmat4 toBone(bone.inverseBindInWorld);
-  return imageOf(placement, {glm::dmat3(toBone), glm::dvec3(toBone[3])});
-}
-
-std::vector<std::string> MusclePlacer::territory(int bone) const {
-  const std::map<int, float> weights = weightsUnder();
-  float sum = 0.0f;
-  for (const auto& [other, weight] : weights) sum += weight;
-  std::vector<std::string> names{place_.character.skeleton.fileName(bone)};
-  for (const auto& [other, weight] : weights) {
-    // The skin over a shoulder blade is that of the trunk's muscles too.
-    const bool shoulder = isTrunk(muscle_.belly.slot) && at(place_.frame.zoneOfBone, other) == zoneOf(Slot::kShoulder);
-    if (other == bone || !(weight >= kTerritoryShare * sum) || !(mayCarry(other) || shoulder)) continue;
-    names.push_back(place_.character.skeleton.fileName(other));
-  }
-  return names;
-}
-
-/// Error: why it cannot be there.
-Result<PlacedMuscle> placeMuscle(const PresetPlace& place, const PresetMuscle& muscle) {
-  return MusclePlacer(place, muscle).make();
-}
-
-/// Each side has its own: left and right never blend where they touch.
+/// Each side has its own group, so that left and right never blend where they touch.
 std::string groupOf(const std::string& group, BodySide side) { return group + (side == BodySide::kLeft ? " L" : " R"); }
 
 void needGroup(Rig& rig, const std::string& name) {
@@ -418,7 +396,7 @@ Result<FittedPreset> fitPreset(Rig rig, const Preset& preset, const PresetTuning
   FittedPreset fitted{std::move(rig), {}, {}};
   const std::size_t firstLine = fitted.rig.lines.size();
   for (const PresetMuscle& muscle : preset.muscles) {
-    auto placed = placeMuscle(place, muscle);
+    auto placed = MusclePlacer(place, muscle).make();
     if (!placed) {
       fitted.leftOut.push_back({muscle.name, placed.error().reason});
       continue;

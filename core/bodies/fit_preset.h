@@ -1,4 +1,4 @@
-// core/bodies/fit_preset.h: the muscles of a preset on a character.
+// core/bodies/fit_preset.h: places the muscles of a preset on a character.
 #pragma once
 
 #include <string>
@@ -13,46 +13,44 @@
 
 namespace sinew {
 
-// Where a point lies about the axis of a part of the body.
-
-/// Cylinder coordinates round an axis that may have bends.
+/// Cylindrical coordinates about the axis of a body part, which may have bends.
 struct PartPlace {
   float u = 0.0f;       ///< Along the part, as Mark::u.
-  float angle = 0.0f;   ///< Degrees, as Mark::angle. 0 on the axis, where there is none.
-  float away = 0.0f;    ///< From the axis.
-  float beside = 0.0f;  ///< Along the part from the level of u: not 0 where a bend of the axis leaves no level.
+  float angle = 0.0f;   ///< Degrees, as Mark::angle; 0 on the axis.
+  float away = 0.0f;    ///< Distance from the axis.
+  float beside = 0.0f;  ///< Distance along the part from the level of u: not 0 where no level passes through the point.
 };
 
-/// Of H: so near the axis there is no angle.
+/// Distance from the axis below which there is no angle, fraction of H.
 inline constexpr float kOnAxis = 1e-5f;
 
-/// @param leastAway  nearer than this there is no angle
+/// @param leastAway  distance from the axis below which the angle is 0
 [[nodiscard]] PartPlace placeAt(const PartAxis& axis, const glm::vec3& point, float leastAway);
 
-/// Unit axes there: away from the axis, round it, along it.
+/// Unit vectors at a place: away from the axis, around it, along it.
 [[nodiscard]] glm::mat3 axesAt(const PartAxis& axis, float u, float angle);
 
 inline constexpr float kLeastMass = 0.5f;
 inline constexpr float kMostMass = 2.0f;
 
-/// The two numbers that a whole set is tuned by.
+/// Adjusts a whole set.
 struct PresetTuning {
-  float mass = 1.0f;                ///< Girth, kLeastMass..kMostMass.
-  std::optional<float> definition;  ///< How far bellies stand out of the flesh, 0..1; nullopt: the preset's.
+  float mass = 1.0f;                ///< Factor on girth, kLeastMass..kMostMass.
+  std::optional<float> definition;  ///< How far bellies stand out of the skin, 0..1; nullopt: the preset's.
 };
 
 struct FittedPreset {
   struct LeftOut {
-    std::string name;  ///< Of the muscle.
+    std::string name;
     std::string why;
   };
-  Rig rig;  ///< The rig with the muscles at the end of its primitives.
+  Rig rig;  ///< With the muscles at the end of its primitives.
   std::vector<std::string> muscles;
   std::vector<LeftOut> leftOut;
 };
 
-/// Places every muscle where its marks lie on this body, with its twin, its groups and its line; lines learn their
-/// lengths from the clips and the range of motion. Error: the body is of another kind, or the rig takes no more.
+/// Places every muscle where its marks lie on this body, with its twin, groups and line. Lines learn their lengths from
+/// the clips and the range of motion. Error: the body is of another kind, or no muscle finds a place.
 /// @param character  with the range of motion as a clip (withRangeOfMotion)
 [[nodiscard]] Result<FittedPreset> fitPreset(Rig rig, const Preset& preset, const PresetTuning& tuning,
                                              const Character& character, const MirrorPlan& plan);

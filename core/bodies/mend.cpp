@@ -1,4 +1,4 @@
-// core/bodies/mend.cpp: candidates in order of how little they change; each is measured over all poses.
+// core/bodies/mend.cpp: tries candidates, those that change least first, and measures each over all poses.
 #include "core/bodies/mend.h"
 
 #include <algorithm>
@@ -11,19 +11,15 @@
 
 #include <glm/geometric.hpp>
 
-#include "core/bodies/belly_motion.h"
 #include "core/bodies/check.h"
 #include "core/bodies/motions.h"
 #include "core/bodies/relaid_belly.h"
 #include "core/character/bone_segments.h"
 #include "core/geometry/at.h"
 #include "core/rig/line_edit.h"
-#include "core/rig/line_fitting.h"
 #include "core/rig/twins.h"
 
 namespace sinew {
-
-// From what is nearest to what was drawn on, until one is clean.
 
 namespace {
 
@@ -32,10 +28,10 @@ constexpr float kTendon[] = {0.3f, 0.45f, 0.6f};
 constexpr float kShare[] = {0.45f, 0.3f};
 constexpr float kInwards[] = {0.0f, 0.5f, 1.0f};
 constexpr float kLarger = 1.4f;
-constexpr float kMuchLarger = 2.0f;  ///< Of muscles that ride a bone, where nothing else is left.
+constexpr float kMuchLarger = 2.0f;  ///< Only for muscles that ride a bone, as a last resort.
 constexpr BellyBone kBones[] = {BellyBone::kOrigin, BellyBone::kInsertion};
 
-/// Tries choices over all poses. What was too much for the last one is looked at first.
+/// Tries choices over all poses, beginning with the pose at which the last one failed.
 class Search {
  public:
   Search(const SurfaceSettings& surface, const Motions& motions) : surface_(surface), motions_(motions) {}
@@ -44,7 +40,7 @@ class Search {
     const BellyTrial trial(choice, surface_, motions_);
     return trial.canTell() && trial.trouble(kMendedMargin, &first_) <= kMendedMargin;
   }
-  /// As it is and led by its bone, as large as it is and larger.
+  /// Tries the choice as it is and with a via point on its bone; then both larger.
   std::optional<BellyChoice> cleanOf(const BellyChoice& choice, bool mayGrow) {
     const Skeleton& skeleton = motions_.character().skeleton;
     for (const bool grows : {false, true}) {
@@ -83,7 +79,7 @@ std::optional<BellyChoice> asDrawnOf(const RelaidBelly& relaid, Search& search) 
   return std::nullopt;
 }
 
-/// The nearest to what was drawn first.
+/// Nearest to the drawn muscle first.
 void sortByDistance(std::vector<BellyChoice>& choices, const RelaidBelly& relaid) {
   std::ranges::stable_sort(choices, {}, [&](const BellyChoice& choice) { return relaid.distanceOf(choice); });
 }
@@ -108,8 +104,7 @@ std::optional<BellyChoice> relaidOf(const RelaidBelly& relaid, Search& search) {
   return std::nullopt;
 }
 
-/// Where the line spans several joints: one of its ends on a bone between, where it is. The skin there goes with that
-/// bone, too.
+/// For a line across several joints: one end at the same place on a bone between, which the skin there follows, too.
 std::vector<BellyChoice> overFewerJoints(const BellyChoice& drawn, const Character& character) {
   const LineRest rest = lineRest(*drawn.line, character).value();
   std::vector<BellyChoice> out;
@@ -133,7 +128,7 @@ std::optional<BellyChoice> cleanOf(const RelaidBelly& relaid, Search& search) {
   return clean ? std::move(clean) : relaidOf(relaid, search);
 }
 
-/// On the line's own bones and on those that carry the skin over what was drawn, the nearest to that first.
+/// Riding the line's own bones or those that carry the skin over the drawn muscle, nearest first; then larger ones.
 std::vector<BellyChoice> ridingOf(const RelaidBelly& relaid, const BellyTrial& trial, const Character& character) {
   std::vector<BellyChoice> out;
   const auto add = [&](const OwnSkin& skin, const glm::vec3& near) {
@@ -191,7 +186,7 @@ std::optional<BellyChoice> withNearerEnd(const BellyChoice& drawn, const Surface
 
 namespace {
 
-constexpr float kRigidFrom = 2.0f;  ///< Times what is found: worse lines do more harm than none.
+constexpr float kRigidFrom = 2.0f;  ///< Trouble::path from which a line does more harm than none.
 
 /// One line and its first muscle, in a rig of their own.
 class LineTrial {
@@ -214,7 +209,7 @@ class LineTrial {
   [[nodiscard]] bool canTell() const { return belly_.has_value(); }
   [[nodiscard]] const SkinSpot& spot() const { return belly_->spots()[0]; }
 
-  /// @param enough  after a pose with a worse path no other is looked at
+  /// @param enough  stops after a pose with a worse path
   Trouble trouble(const MuscleLine& line, float enough = std::numeric_limits<float>::max()) {
     trial_.lines[0].via = line.via;
     trial_.lines[0].settings = line.settings;
@@ -240,7 +235,7 @@ class LineTrial {
   std::optional<FollowedBelly> belly_;
   std::vector<std::optional<SkinFrame>> frames_;
   PosedRig posed_;
-  std::size_t worst_ = 0;  ///< What was too much for the last line is looked at first.
+  std::size_t worst_ = 0;  ///< Pose at which the last line failed; tried first.
 };
 
 struct LineChoice {
@@ -248,7 +243,7 @@ struct LineChoice {
   std::string said;
 };
 
-/// 1 where the line is no farther from its bone than the flesh is thick, fading to 0 at twice that.
+/// The line's pivot, at most 1 where its distance to the bone is the thickness of the flesh, fading to 0 at twice that.
 float fadedPivot(const LineRest& rest, const SkinSpot& spot, const Character& character) {
   const auto frame = frameAt(character, spot, bindPose(character.skeleton));
   if (!frame) return rest.settings.pivot;
@@ -299,7 +294,7 @@ std::vector<LineChoice> candidatesFor(const Rig& rig, int line, const SkinSpot& 
   if (const Result<Rig> beside = withViaPoint(rig, line, character)) {
     add(at(beside->lines, line), "via point beside the joint");
   }
-  // The belly may go with either bone.
+  // The belly may follow either bone.
   const std::size_t halfWay = out.size();
   for (std::size_t i = 0; i < halfWay; ++i) {
     for (const float twist : {0.0f, 1.0f}) {
@@ -312,7 +307,7 @@ std::vector<LineChoice> candidatesFor(const Rig& rig, int line, const SkinSpot& 
   return out;
 }
 
-/// Less and less of what makes a short belly thick.
+/// Settings that make a short belly less and less thick.
 std::vector<std::pair<LineSettings, std::string>> thinner(const LineSettings& settings) {
   std::vector<std::pair<LineSettings, std::string>> out;
   LineSettings next = settings;
@@ -330,28 +325,18 @@ std::vector<std::pair<LineSettings, std::string>> thinner(const LineSettings& se
   return out;
 }
 
-/// The muscles ride the bone that carries the skin over them, where they lie now.
-Result<Mended> withoutLine(Rig rig, std::span<const int> bellies, int bone, const Character& character) {
-  const Skeleton& skeleton = character.skeleton;
-  for (const int belly : bellies) {
-    Primitive& primitive = at(rig.primitives, belly);
-    const std::optional<int> from = skeleton.findBone(primitive.bone);
-    if (!from || *from == bone) continue;
-    primitive.placement =
-        carryToBone(primitive.placement, at(skeleton.bones, *from).bindInWorld, at(skeleton.bones, bone).bindInWorld);
-    primitive.bone = skeleton.fileName(bone);
-  }
-  Result<Rig> rigid = setLineOfSeveral(std::move(rig), bellies, -1);
-  if (!rigid) return rigid.error();
-  return Mended{std::move(rigid).value(),
-                "no line between its bones stays in the flesh, so it rides " + skeleton.fileName(bone), true, true};
+/// The muscles ride the bone that carries the skin over them, at the same place.
+Mended withoutLine(Rig rig, std::span<const int> bellies, int bone, const Skeleton& skeleton) {
+  for (const int belly : bellies) rideBone(at(rig.primitives, belly), bone, skeleton);
+  return {setLineOfSeveral(std::move(rig), bellies, -1),
+          "no line between its bones stays in the flesh, so it rides " + skeleton.fileName(bone), true, true};
 }
 
 void sayItLeaves(std::string& said) {
   said += std::string(said.empty() ? "" : ", ") + "and it still leaves the flesh somewhere";
 }
 
-/// Only its line and where it lies are taken.
+/// Takes the choice's line, bone and placement.
 Result<Mended> withChoice(Rig rig, int line, int belly, BellyChoice choice) {
   Mended out;
   out.said = std::move(choice.said);
@@ -374,8 +359,8 @@ Result<Mended> withChoice(Rig rig, int line, int belly, BellyChoice choice) {
   return out;
 }
 
-/// What no candidate mended, if it is one muscle: deeper, else with its end or itself in another place.
-/// @param best  the candidate that comes nearest  @return nullopt: none of this helps
+/// For a single muscle that no line mends: deeper, else with its other end or itself at another place.
+/// @param best  the best line found  @return nullopt: nothing helps
 std::optional<Result<Mended>> withNewPlace(const Rig& rig, int line, int belly, const LineChoice& best,
                                            const Motions& motions, MadeLine made) {
   const BellyChoice drawn{at(rig.primitives, belly), at(rig.lines, line), {}};
@@ -401,18 +386,12 @@ std::optional<Result<Mended>> withNewPlace(const Rig& rig, int line, int belly, 
 }  // namespace
 
 Result<Mended> withMendedLine(Rig rig, int line, const Motions& motions, MadeLine made) {
-  Mended out;
   const Character& character = motions.character();
   const std::vector<int> bellies = primitivesOn(rig, at(rig.lines, line).name);
-  if (bellies.empty() || motions.poses().empty()) {
-    out.rig = std::move(rig);
-    return out;
-  }
+  if (bellies.empty() || motions.poses().empty()) return Mended{std::move(rig), {}};
   LineTrial trial(rig, line, bellies.front(), motions);
-  if (!trial.canTell()) {
-    out.rig = std::move(rig);
-    return out;
-  }
+  if (!trial.canTell()) return Mended{std::move(rig), {}};
+  Mended out;
   std::optional<LineChoice> best;
   Trouble least;
   for (LineChoice& candidate : candidatesFor(rig, line, trial.spot(), character)) {
@@ -420,7 +399,7 @@ Result<Mended> withMendedLine(Rig rig, int line, const Motions& motions, MadeLin
     if (best && !(trouble.path < least.path)) continue;
     least = trouble;
     best = std::move(candidate);
-    // The designer's own line is left alone as long as nothing is found.
+    // The designer's own line stays as long as it has no findings.
     if (least.path <= (best->said.empty() ? 1.0f : kMendedMargin)) break;
   }
   out.said = best->said;
@@ -447,7 +426,7 @@ Result<Mended> withMendedLine(Rig rig, int line, const Motions& motions, MadeLin
   }
   if (least.path > kRigidFrom) {
     const std::vector<int> carriers = bonesAt(character, trial.spot());
-    return withoutLine(std::move(rig), bellies, carriers.front(), character);
+    return withoutLine(std::move(rig), bellies, carriers.front(), character.skeleton);
   }
   Result<Rig> edited = editLine(std::move(rig), line, [&](MuscleLine& of) {
     of.via = best->line.via;
@@ -478,16 +457,12 @@ Result<MendedRig> withMendedFindings(Rig rig, std::span<const Finding> findings,
     Rig edited = std::move(mended.value().rig);
     if (mended->isRigid && !twin.empty()) {
       const std::vector<int> bellies = primitivesOn(edited, twin);
-      Result<Rig> both = setLineOfSeveral(std::move(edited), bellies, -1);
-      if (!both) return both.error();
-      edited = std::move(both).value();
+      edited = setLineOfSeveral(std::move(edited), bellies, -1);
     }
     out.rig = plan ? keepTwins(out.rig, out.rig, std::move(edited), *plan) : std::move(edited);
   }
   return out;
 }
-
-// Lines, then bellies, then territories.
 
 std::vector<Finding> findingsFrom(const Rig& rig, std::size_t first, const Motions& motions) {
   std::vector<Finding> findings = check(rig, motions);
@@ -508,7 +483,6 @@ Result<MendedRig> withMendedRig(Rig rig, std::size_t first, const Motions& motio
     const bool twinDone = twin >= 0 && std::ranges::find(done, twin) != done.end();
     if (finding.kind == FindingKind::kReachesAcross) {
       mended.rig = withoutFarSkin(std::move(mended.rig), finding, plan);
-      // Of twins the first is named.
       if (twin < 0 || finding.primitive < twin) mended.said.push_back(name + ": does not move skin of " + finding.bone);
     } else if (!twinDone && std::ranges::find(done, finding.primitive) == done.end()) {
       done.push_back(finding.primitive);
@@ -516,7 +490,7 @@ Result<MendedRig> withMendedRig(Rig rig, std::size_t first, const Motions& motio
       if (!belly) return belly.error();
       mended.rig = std::move(belly.value().rig);
       if (belly->said.empty()) continue;
-      // What was done to its line counts no more.
+      // Earlier changes of its line no longer apply.
       const std::string twinName = twin >= 0 ? at(mended.rig.primitives, twin).name : name;
       std::erase_if(mended.said, [&](const std::string& said) {
         return said.starts_with(name + ": ") || said.starts_with(twinName + ": ");

@@ -1,4 +1,4 @@
-// core/bodies/mend.h: muscle lines changed until their bellies stay in the flesh. docs/muscles.md.
+// core/bodies/mend.h: changes muscles until their bellies stay in the flesh. docs/muscles.md.
 #pragma once
 
 #include <cstddef>
@@ -7,7 +7,6 @@
 #include <string>
 #include <vector>
 
-#include "core/bodies/belly_motion.h"
 #include "core/bodies/check.h"
 #include "core/bodies/motions.h"
 #include "core/rig/mirror.h"
@@ -16,67 +15,60 @@
 
 namespace sinew {
 
-// A muscle that has just been drawn over a joint, kept in the flesh.
-
 struct DrawnMuscle {
   BellyChoice choice;
   bool isClean = true;
 };
 
-/// The first that stays in the flesh in all poses (docs/muscles.md): muscles that go with one bone of the line, while a
-/// tendon crosses the joint; the same with an end of a line over several joints on a bone between; one that rides a
-/// bone, the best of these if none is clean. Full contraction is learned from the motions. nullopt: there is no skin to
-/// follow.
-/// @param drawn  on a line that has a rest
+/// Keeps a muscle just drawn across a joint in the flesh (docs/muscles.md). Takes the first candidate that is clean in
+/// all poses: one that follows one bone of the line, with a tendon across the joint; the same with one end of a line
+/// across several joints moved to a bone between; one that rides a bone, the best of these if none is clean. Full
+/// contraction is learned from the motions. nullopt: there is no skin to follow.
+/// @param drawn  on a line with a valid rest (lineRest)
 [[nodiscard]] std::optional<DrawnMuscle> withDrawnMuscle(const BellyChoice& drawn, const SurfaceSettings& surface,
                                                          const Motions& motions);
 
-/// Of these only those that leave the muscle where it is and as it is. nullopt: none is clean.
+/// Tries only candidates that leave the muscle's place and shape. nullopt: none is clean.
 [[nodiscard]] std::optional<BellyChoice> withNearerEnd(const BellyChoice& drawn, const SurfaceSettings& surface,
                                                        const Motions& motions);
 
-/// Where a line comes from, which says what may be changed of it.
+/// Origin of a line, which decides what may change.
 enum class MadeLine {
-  kBefore,    ///< It was there: its muscle stays.
-  kOtherEnd,  ///< Just made for a muscle that was there: its other end may move.
-  kDrawn,     ///< Just made with its muscle: both may be laid elsewhere.
+  kBefore,    ///< Existed before: its muscle stays.
+  kOtherEnd,  ///< New, for an existing muscle: its other end may move.
+  kDrawn,     ///< New, with its muscle: both may move.
 };
 
 struct Mended {
   Rig rig;
   std::string said;      ///< "pivot 0.3, via point on thigh.L"; empty: nothing had to be changed.
-  bool isClean = true;   ///< False: something is still found.
-  bool isRigid = false;  ///< No line would do: its muscles ride their bones.
+  bool isClean = true;   ///< False: findings remain.
+  bool isRigid = false;  ///< No line is good enough: its muscles ride bones.
 };
 
-/// Tries, in this order, what keeps the line's first belly under the skin over all poses: the line as it is; a pivot
-/// that fades where the bone is far; a via point at the belly's middle on the bones that carry the skin there; one
-/// beside the joint. If none does, the best of them; none if that is twice as bad as what is found. Then tendons,
-/// flex, volume and limits are taken back until the belly swells to a ball no more. Twins stay as they are
-/// (core/rig/twins.h).
-/// A line that has just been made learns its full contraction from the motions. Where no candidate is clean and it
-/// carries one muscle, that lies deeper or goes with one of the line's bones (mend_drawn.h), and what is still found is
-/// said.
+/// Looks for a line that keeps its first belly under the skin in all poses. Tries in this order: the line as it is; a
+/// pivot that fades where the bone is far; a via point at the belly's middle on the bones that carry the skin there;
+/// one beside the joint. If none is clean, takes the best, or no line if that is twice as bad as a finding. Then
+/// reduces flex, tendons and volume until the belly no longer swells to a ball. Twins stay as they are. A new line
+/// learns its full contraction from the motions. If no candidate is clean and it carries one muscle, that muscle is
+/// laid deeper or follows one of the line's bones (withDrawnMuscle); remaining findings are reported in `said`.
 [[nodiscard]] Result<Mended> withMendedLine(Rig rig, int line, const Motions& motions, MadeLine made);
 
 struct MendedRig {
   Rig rig;
-  std::vector<std::string> said;  ///< Of each line that was changed: "calf L: pivot 0.3".
+  std::vector<std::string> said;  ///< One entry for each changed line: "calf L: pivot 0.3".
 };
 
-/// Mends every line that something was found of, and its twin with it. What muscles on one bone do is their designer's
-/// to change.
+/// Mends every line with findings, together with its twin. Muscles without a line are left to the designer.
 /// @param findings  check() of this rig  @param plan  null: twins stay as they are
 [[nodiscard]] Result<MendedRig> withMendedFindings(Rig rig, std::span<const Finding> findings, const Motions& motions,
                                                    const MirrorPlan* plan);
 
-// All that is found of a rig's muscles, mended. docs/muscles.md.
-
-/// check(), of the primitives from `first` on.
+/// check(), for the primitives from `first` on.
 [[nodiscard]] std::vector<Finding> findingsFrom(const Rig& rig, std::size_t first, const Motions& motions);
 
-/// Lines first (withMendedFindings); of what is still found, what a muscle rides and how deep it lies
-/// (withMendedBelly); skin of another limb goes from territories. Something may be left.
+/// Mends lines (withMendedFindings), then bellies that still have findings (withMendedBelly), and removes skin of other
+/// limbs from territories. Findings may remain.
 /// @param plan  null: twins stay as they are
 [[nodiscard]] Result<MendedRig> withMendedRig(Rig rig, std::size_t first, const Motions& motions,
                                               const MirrorPlan* plan);

@@ -1,4 +1,4 @@
-// core/bodies/relaid_belly.cpp: the belly lies between its line and the skin, as a tool lays it.
+// core/bodies/relaid_belly.cpp: lays bellies between a line and the skin; tries them over all poses.
 #include "core/bodies/relaid_belly.h"
 
 #include <algorithm>
@@ -11,28 +11,25 @@
 
 #include <glm/geometric.hpp>
 
-#include "core/bodies/belly_motion.h"
+#include "core/bodies/check.h"
 #include "core/character/bindings.h"
 #include "core/character/bone_segments.h"
 #include "core/geometry/affine_image.h"
 #include "core/geometry/at.h"
 #include "core/geometry/triangle_tree.h"
 #include "core/rig/line_edit.h"
-#include "core/rig/line_fitting.h"
 #include "core/rig/line_pose.h"
 #include "core/rig/line_rest.h"
 #include "core/rig/twins.h"
 
 namespace sinew {
 
-// Candidates in order of how little they ask for; each is measured over all poses.
-
 namespace {
 
 constexpr float kDeeper[] = {1.2f, 1.5f};
-constexpr float kEnds = 0.9f;  ///< Of the half length: where a line that only carries begins and ends.
+constexpr float kEnds = 0.9f;  ///< Ends of a line that only carries, fraction of the half length.
 
-/// Deeper in the flesh by its lower side alone: the skin over it hardly changes.
+/// Higher by its lower side alone, so that the skin over it hardly changes.
 BellyChoice deeper(BellyChoice choice, const BellyTrial& trial, float factor) {
   const glm::vec3 outwards = trial.outwards();
   const glm::mat3& axes = trial.body().axes;
@@ -46,18 +43,13 @@ BellyChoice deeper(BellyChoice choice, const BellyTrial& trial, float factor) {
   return choice;
 }
 
-Primitive riding(const Primitive& own, int bone, const Skeleton& skeleton) {
-  Primitive out = own;
-  const int from = *skeleton.findBone(own.bone);
-  out.line.clear();
-  if (from == bone) return out;
-  out.placement =
-      carryToBone(own.placement, at(skeleton.bones, from).bindInWorld, at(skeleton.bones, bone).bindInWorld);
-  out.bone = skeleton.fileName(bone);
-  return out;
+Primitive riding(Primitive primitive, int bone, const Skeleton& skeleton) {
+  primitive.line.clear();
+  rideBone(primitive, bone, skeleton);
+  return primitive;
 }
 
-/// It goes half way between two bones, and keeps its girth.
+/// Moves half way between two bones and keeps the girth.
 LineSettings carryingOnly() {
   LineSettings settings;
   settings.tendons = {0.0f, 0.0f};
@@ -68,8 +60,8 @@ LineSettings carryingOnly() {
   return settings;
 }
 
-/// Bones that carry the skin and are next to those that the muscle is on, the heaviest first: a muscle of the neck does
-/// not ride the head.
+/// Bones that carry the skin and are next to the muscle's own, the largest weight first: a muscle of the neck must not
+/// ride the head.
 std::vector<int> nearCarriers(const BellyChoice& now, const BellyTrial& trial, const Skeleton& skeleton) {
   std::vector<int> own{*skeleton.findBone(now.primitive.bone)};
   if (now.line) {
@@ -90,7 +82,7 @@ LineAnchor moved(const LineAnchor& anchor, int bone, const Skeleton& skeleton) {
   return anchorOn(skeleton, bone, glm::vec3(at(skeleton.bones, *from).bindInWorld * glm::vec4(anchor.point, 1.0f)));
 }
 
-/// One end and the middle on the bone under the belly: only the other end crosses a joint.
+/// One end and a via point on the bone under the belly, so that only the other end crosses a joint.
 BellyChoice endingOn(const BellyChoice& now, bool origin, int bone, const BellyTrial& trial, const Skeleton& skeleton) {
   BellyChoice choice = now;
   LineAnchor& end = origin ? choice.line->origin : choice.line->insertion;
@@ -119,7 +111,6 @@ std::vector<BellyChoice> choicesFor(const BellyChoice& now, const BellyTrial& tr
     if (now.line || skeleton.fileName(bone) != now.primitive.bone)
       out.push_back({riding(now.primitive, bone, skeleton), std::nullopt, "rides " + skeleton.fileName(bone)});
   }
-  // Along y, as lines carry bellies.
   const glm::vec3 half = kEnds * trial.body().axes[1];
   for (const int from : carriers) {
     for (const int to : carriers) {
@@ -142,7 +133,7 @@ Rig withTwinsKept(const Rig& before, Rig rig, const MirrorPlan* plan) {
   return plan == nullptr ? std::move(rig) : keepTwins(before, before, std::move(rig), *plan);
 }
 
-/// What the others on the line do is not asked.
+/// Ignores other muscles on the line.
 Result<Rig> withChoice(Rig rig, int primitive, BellyChoice choice, const MirrorPlan* plan) {
   const Rig before = rig;
   if (!choice.primitive.line.empty() && choice.primitive.line == at(rig.primitives, primitive).line) {
@@ -209,13 +200,11 @@ Rig withoutFarSkin(Rig rig, const Finding& finding, const MirrorPlan* plan) {
   return withTwinsKept(before, std::move(rig), plan);
 }
 
-// Weights of one bone, corner by corner.
-
 namespace {
 
-constexpr float kHalf = 0.5f;  ///< Of the most that any triangle has.
+constexpr float kHalf = 0.5f;  ///< Fraction of the largest weight of any triangle.
 constexpr float kFirm = 0.9f;
-constexpr float kLeastCarried = 0.05f;  ///< Less follows the bone hardly.
+constexpr float kLeastCarried = 0.05f;
 
 float shareOf(const Character& character, int vertex, int bone) {
   float own = 0.0f;
@@ -257,9 +246,7 @@ std::optional<SkinFrame> OwnSkin::nearest(const glm::vec3& point) const {
   std::optional<SkinFrame> best;
   float least = std::numeric_limits<float>::max();
   for (const OwnTriangle& own : half_) {
-    const auto& corners = at(character_.mesh.triangles, own.triangle).vertices;
-    const auto corner = [&](std::size_t i) { return at(character_.mesh.positions, corners[i]); };
-    const TriangleCorners places{corner(0), corner(1), corner(2)};
+    const TriangleCorners places = controlCorners(character_.mesh, own.triangle);
     const glm::vec3 place = mixed(places, nearestOnTriangle(point, places));
     const glm::vec3 off = point - place;
     if (glm::dot(off, off) >= least) continue;
@@ -271,16 +258,16 @@ std::optional<SkinFrame> OwnSkin::nearest(const glm::vec3& point) const {
 
 namespace {
 
-constexpr float kOwnTendon = 0.1f;    ///< Of the line; of a belly under the skin, of its half length.
-constexpr float kLeastHalf = 0.35f;   ///< Of that drawn: shorter ones are hardly what was wanted.
-constexpr float kFarHalves = 3.0f;    ///< Of half the length as drawn, or, where that is more,
-constexpr float kFarHeight = 0.1f;    ///< of H.
-constexpr float kLeastAcross = 0.5f;  ///< Between line and skin's normal: steeper lines run out of the skin.
-constexpr float kMostCosine = 0.7f;   ///< The same, of the way to the other end.
-constexpr float kMostAside = 0.5f;    ///< Along the line, of half the length: from its middle to the skin over it.
-constexpr float kNearest = 0.01f;     ///< Of H: other ends that are nearer give no direction.
+constexpr float kOwnTendon = 0.1f;    ///< Fraction of the line; of the half length for a belly under the skin.
+constexpr float kLeastHalf = 0.35f;   ///< Shortest half length, fraction of that drawn.
+constexpr float kFarHalves = 3.0f;    ///< Largest distance from the drawn muscle, in drawn half lengths,
+constexpr float kFarHeight = 0.1f;    ///< or, if larger, as a fraction of H.
+constexpr float kLeastAcross = 0.5f;  ///< Sine between line and skin normal; steeper lines run out of the skin.
+constexpr float kMostCosine = 0.7f;   ///< Cosine between skin normal and the direction to the other end.
+constexpr float kMostAside = 0.5f;    ///< From the belly's middle to its skin along the line, fraction of half length.
+constexpr float kNearest = 0.01f;     ///< Nearest other end, fraction of H.
 
-/// What is left of it square to a unit vector; nullopt: less than a share.
+/// The direction of a unit vector's part across another; nullopt: that part is shorter than `least`.
 std::optional<glm::vec3> acrossTo(const glm::vec3& unit, const glm::vec3& along, float least) {
   const glm::vec3 across = unit - glm::dot(unit, along) * along;
   const float size = glm::length(across);
@@ -319,7 +306,7 @@ glm::vec3 RelaidBelly::otherEnd(BellyBone bone, float reach) const {
   return joint_ + reach * (other - joint_);
 }
 
-/// Half way from the skin to the bone, but no deeper than a belly is thick.
+/// Half way from the skin to the bone, at most as deep as a belly is thick.
 glm::vec3 RelaidBelly::lineUnder(int bone, const SkinFrame& skin) const {
   const glm::vec3 onAxis = bindSegment(at(character_.skeleton.bones, bone)).nearest(skin.origin);
   const float depth = std::clamp(0.5f * glm::dot(skin.origin - onAxis, skin.normal()), 0.0f, 0.5f * half_);
@@ -356,19 +343,12 @@ bool RelaidBelly::isNear(const BellyChoice& choice) const {
 BellyChoice RelaidBelly::asDrawn(BellyBone bone, float reach) const {
   BellyChoice choice = drawn_;
   choice.line = lineOf(bone, ownEnd(bone), otherEnd(bone, reach));
-  const Skeleton& skeleton = character_.skeleton;
-  const int from = *skeleton.findBone(choice.primitive.bone);
-  const int to = skin(bone).bone();
-  if (from != to) {
-    choice.primitive.placement = carryToBone(choice.primitive.placement, at(skeleton.bones, from).bindInWorld,
-                                             at(skeleton.bones, to).bindInWorld);
-    choice.primitive.bone = skeleton.fileName(to);
-  }
+  rideBone(choice.primitive, skin(bone).bone(), character_.skeleton);
   choice.said = withReach("goes with " + choice.primitive.bone, bone, reach);
   return choice;
 }
 
-/// @param tendons  at its own end, at the other one: of the line
+/// @param tendons  at its own and at the other end, fractions of the line
 std::optional<BellyChoice> RelaidBelly::laid(BellyBone bone, const glm::vec3& own, const glm::vec3& other,
                                              const glm::vec2& tendons, const SkinFrame& skin) const {
   const float length = glm::distance(own, other);
@@ -379,7 +359,7 @@ std::optional<BellyChoice> RelaidBelly::laid(BellyBone bone, const glm::vec3& ow
   const glm::vec3 along = atOrigin ? away : -away;
   const auto out = acrossTo(skin.normal(), along, kLeastAcross);
   if (!out) return std::nullopt;
-  // Under the skin's nearest place, even where the line itself runs through the air.
+  // Below the nearest skin, even if the line runs outside the body.
   const glm::vec3 off = skin.origin - (own + (tendons.x * length + half) * away);
   if (std::abs(glm::dot(off, along)) > kMostAside * half) return std::nullopt;
   BellyChoice choice = drawn_;
@@ -445,6 +425,14 @@ std::optional<BellyChoice> RelaidBelly::riding(const OwnSkin& skin, const glm::v
   const float top = glm::distance(middle, over->frame.origin) + std::min(stands_, kBellyBulge * half_);
   place(choice, skin.bone(), bellyOnLine(middle, along, out, top, half_));
   return offItsLine(std::move(choice));
+}
+
+void rideBone(Primitive& primitive, int bone, const Skeleton& skeleton) {
+  const std::optional<int> from = skeleton.findBone(primitive.bone);
+  if (!from || *from == bone) return;
+  primitive.placement =
+      carryToBone(primitive.placement, at(skeleton.bones, *from).bindInWorld, at(skeleton.bones, bone).bindInWorld);
+  primitive.bone = skeleton.fileName(bone);
 }
 
 BellyChoice offItsLine(BellyChoice choice) {

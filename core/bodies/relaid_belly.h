@@ -1,4 +1,4 @@
-// core/bodies/relaid_belly.h: a drawn muscle, laid so that it goes with one of the two bones that its line spans.
+// core/bodies/relaid_belly.h: candidates for where a muscle could lie so that it stays in the flesh. docs/muscles.md.
 #pragma once
 
 #include <array>
@@ -6,10 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "core/bodies/belly_motion.h"
 #include "core/bodies/check.h"
 #include "core/bodies/motions.h"
-#include "core/bodies/skin_track.h"
 #include "core/rig/line_rest.h"
 #include "core/rig/mirror.h"
 #include "sinew/geometry/result.h"
@@ -17,45 +15,40 @@
 
 namespace sinew {
 
-// Muscles that ride the wrong bone, or skin that they should not reach. docs/muscles.md.
-
 struct MendedBelly {
   Rig rig;
-  std::string said;  ///< "rides spine.2"; empty: nothing helps, and the rig is as it was.
+  std::string said;  ///< "rides spine.2"; empty: nothing helps, and the rig is unchanged.
 };
 
-/// Tries what keeps a belly under its skin over all poses, off its line if it is on one: each bone that carries the
-/// skin over it; then between two of these, on a line that carries it and does nothing else. Its twin likewise.
+/// Tries to keep a belly and its twin under the skin in all poses: deeper; with one end of its line on a bone that
+/// carries the skin over it; riding such a bone; between two of them, on a line that only carries it.
 [[nodiscard]] Result<MendedBelly> withMendedBelly(Rig rig, int primitive, const Motions& motions,
                                                   const MirrorPlan* plan);
 
-/// Only deeper, by its lower side alone. nullopt: that does not help.
+/// Makes the belly deeper by its lower side alone. nullopt: that does not help.
 [[nodiscard]] std::optional<BellyChoice> withDeeperBelly(const BellyChoice& choice, const SurfaceSettings& surface,
                                                          const Motions& motions);
 
-/// A kReachesAcross's bone goes from the territory; of the twin's likewise.
+/// Removes the bone of a kReachesAcross finding from the territory, and its counterpart from the twin's.
 [[nodiscard]] Rig withoutFarSkin(Rig rig, const Finding& finding, const MirrorPlan* plan);
 
-// The skin that goes with one bone.
-
-/// A triangle, and a frame at its middle in the bind pose.
 struct OwnTriangle {
   int triangle = 0;
-  SkinFrame frame;
-  float weight = 0.0f;  ///< Of the bone, the least of the corners'.
+  SkinFrame frame;      ///< At its middle, in the bind pose.
+  float weight = 0.0f;  ///< Smallest weight of the bone at its corners.
 };
 
-/// Triangles that a bone carries: those whose every corner has nearly as much of it as any has.
+/// The skin that follows one bone.
 class OwnSkin {
  public:
   OwnSkin(const Character& character, int bone);
 
   [[nodiscard]] int bone() const { return bone_; }
-  /// Empty: no skin follows the bone to speak of.
+  /// Triangles whose weight is close to the largest; may be empty.
   [[nodiscard]] const std::vector<OwnTriangle>& firm() const { return firm_; }
-  /// Mean of their middles.
+  /// Mean of the middles of firm().
   [[nodiscard]] const glm::vec3& middle() const { return middle_; }
-  /// The nearest place to a point of the bind pose, also where the skin half follows other bones.
+  /// The nearest place to a point in the bind pose, on skin with at least half the largest weight.
   [[nodiscard]] std::optional<SkinFrame> nearest(const glm::vec3& point) const;
 
  private:
@@ -66,32 +59,32 @@ class OwnSkin {
   glm::vec3 middle_{0.0f};
 };
 
-/// Which of the line's bones the belly goes with. The tendon at the other end crosses the joint.
+/// The bone of the line that the belly follows. The tendon at the other end crosses the joint.
 enum class BellyBone { kOrigin, kInsertion };
 
-/// Makes choices; whether they stay in the flesh is for a trial to tell. Their lines turn with the belly's bone, and
+/// Makes candidates for a drawn muscle, to be measured by a BellyTrial. Their lines twist with the belly's bone, and
 /// girth grows from the line.
 class RelaidBelly {
  public:
-  /// @param drawn  on a line that has a rest (lineRest)  @param trial  of it
+  /// @param drawn  on a line with a valid rest (lineRest)  @param trial  of `drawn`
   RelaidBelly(const BellyChoice& drawn, const BellyTrial& trial, const Character& character);
 
   /// The belly as it is.
-  /// @param reach  where the other end is then, of its distance from the joint
+  /// @param reach  the other end's distance from the joint, fraction of that drawn
   [[nodiscard]] BellyChoice asDrawn(BellyBone bone, float reach) const;
-  /// Shorter, from its own end on. nullopt: too short, or the line runs straight out of the skin there.
-  /// @param tendon  the other end's, of the line
+  /// Shorter, towards its own end. nullopt: too short, or the line runs straight out of the skin there.
+  /// @param tendon  at the other end, fraction of the line
   [[nodiscard]] std::optional<BellyChoice> shorter(BellyBone bone, float reach, float tendon) const;
-  /// Under skin that the bone carries, along the skin, with its own end moved there. nullopt likewise.
-  /// @param share  half its length at most, of the way to the other end
-  /// @param inwards  where: 0 nearest to its own end, 1 to the middle of the bone's skin
+  /// Under skin that the bone carries, along the skin, with its own end moved there. nullopt: as shorter(), or no skin.
+  /// @param share  largest half length, fraction of the distance to the other end
+  /// @param inwards  0: nearest to its own end; 1: nearest to the middle of the bone's skin
   [[nodiscard]] std::optional<BellyChoice> under(BellyBone bone, float reach, float share, float inwards) const;
-  /// The same without a line. nullopt: the bone carries no skin.
+  /// Under skin of a bone, without a line. nullopt: the bone carries no skin.
   [[nodiscard]] std::optional<BellyChoice> riding(const OwnSkin& skin, const glm::vec3& near, float inwards) const;
 
-  /// From the middle of the belly as drawn.
+  /// Distance from the middle of the belly as drawn.
   [[nodiscard]] float distanceOf(const BellyChoice& choice) const;
-  /// Farther off it is another muscle than the one that was drawn.
+  /// Near enough to count as the muscle that was drawn.
   [[nodiscard]] bool isNear(const BellyChoice& choice) const;
 
   [[nodiscard]] const OwnSkin& skin(BellyBone bone) const { return skins_[bone == BellyBone::kOrigin ? 0 : 1]; }
@@ -108,18 +101,20 @@ class RelaidBelly {
   const BellyChoice& drawn_;
   const Character& character_;
   LineRest rest_;
-  std::array<OwnSkin, 2> skins_;  ///< Of the origin's bone and of the insertion's.
+  std::array<OwnSkin, 2> skins_;  ///< [BellyBone]
   glm::vec3 joint_{0.0f};
-  float stands_ = 0.0f;     ///< How far it stands out of the skin as drawn.
+  float stands_ = 0.0f;     ///< Height above the skin as drawn.
   glm::vec3 middle_{0.0f};  ///< As drawn.
   float half_ = 0.0f;       ///< Half its length as drawn.
 };
 
-/// It rides its bone.
+/// Moves the primitive to another bone; its place in the bind pose stays.
+void rideBone(Primitive& primitive, int bone, const Skeleton& skeleton);
+/// Without its line.
 [[nodiscard]] BellyChoice offItsLine(BellyChoice choice);
-/// Higher by its lower side alone, and wider: the same motion of the skin is less of it.
+/// Higher by its lower side alone, and wider, so that the skin's motion is a smaller fraction of it.
 [[nodiscard]] BellyChoice larger(BellyChoice choice, float factor);
-/// The line bends round the belly's middle, on the belly's own bone.
+/// With a via point at the belly's middle, on the belly's own bone.
 [[nodiscard]] BellyChoice ledByItsBone(BellyChoice choice, const Skeleton& skeleton);
 
 }  // namespace sinew

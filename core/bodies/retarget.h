@@ -1,4 +1,4 @@
-// core/bodies/retarget.h: the muscles of one character on another.
+// core/bodies/retarget.h: transfers the muscles of one character to another.
 #pragma once
 
 #include <string>
@@ -14,18 +14,18 @@ namespace sinew {
 
 struct Retargeted {
   struct LeftOut {
-    std::string name;  ///< Of the muscle.
-    std::string why;   ///< "this body has no upperArm.L"
+    std::string name;
+    std::string why;  ///< "this body has no upperArm.L"
   };
-  Rig rig;  ///< Its character is still the first one's.
+  Rig rig;  ///< Still names the first character.
   std::vector<LeftOut> leftOut;
-  std::vector<std::string> mended;  ///< Of each line that was changed: "calf L: pivot 0.3".
+  std::vector<std::string> mended;  ///< One entry for each changed line: "calf L: pivot 0.3".
 };
 
-/// Each muscle at the place of the other body that corresponds to its own (body_map.h), as much larger as the part and
-/// its flesh are, with its line, keys, drivers and territory. What has no place there is left out; a driver whose bone
-/// has none goes alone. On another body lines learn their lengths anew, and are mended where they leave the flesh; on
-/// the same body nothing changes. Error: no muscle finds a place, or the result is no rig.
+/// Moves each muscle to the corresponding place of the other body (body_map.h), scaled with the part and its flesh,
+/// with its line, keys, drivers and territory. Muscles and drivers without counterpart are left out. On another body
+/// lines learn their lengths again and are mended where they leave the flesh; on the same body nothing changes. Error:
+/// no muscle finds a place, or the result is not a valid rig.
 /// @param motions  of the other character, with the range of motion as a clip
 [[nodiscard]] Result<Retargeted> retarget(const Rig& rig, const Character& from, const MirrorPlan& fromPlan,
                                           const Motions& motions, const MirrorPlan& toPlan);

@@ -1,4 +1,4 @@
-// core/bodies/retargeter.cpp: R'(t) = (R_clip(t) R_clip,0^-1) R_0, bone by bone, then the way of the hips.
+// core/bodies/retargeter.cpp: R'(t) = (R_clip(t) R_clip,0^-1) R_0 for each bone, then the path of the hips.
 #include "core/bodies/retargeter.h"
 
 #include <algorithm>
@@ -16,15 +16,12 @@
 
 namespace sinew {
 
-// Limbs laid over limbs, in the bind poses.
-
 namespace {
 
-constexpr double kShortest = 1e-9;  ///< Of a limb, to have a direction; character units.
-/// Hips so little above the feet that their heights say nothing; fraction of the skeleton's extent.
-constexpr double kLeastHeight = 0.02;
+constexpr double kShortest = 1e-9;     ///< Shortest limb with a direction, character units.
+constexpr double kLeastHeight = 0.02;  ///< Least usable height of hips above feet, fraction of the skeleton's extent.
 
-/// Parts that are laid over each other, and where they end.
+/// Parts whose directions are aligned, and the parts at their ends.
 constexpr std::array<std::pair<Slot, Slot>, 8> kLaidOver{{{Slot::kUpperArm, Slot::kLowerArm},
                                                           {Slot::kLowerArm, Slot::kHand},
                                                           {Slot::kUpperLeg, Slot::kLowerLeg},
@@ -54,6 +51,31 @@ glm::dquat facingOf(const BodySlots& from, const BodySlots& to) {
   return glm::angleAxis(std::round(angle / quarter) * quarter, glm::dvec3(0.0, 1.0, 0.0));
 }
 
+/// The character's bone that is this part, or whose partner is: feet that are not below their legs but targets of them
+/// are found by their names alone. -1: none.
+int partOf(const ClipBodies& bodies, BodySlot slot) {
+  if (const int own = bodies.toSlots[slot].bone; own >= 0) return own;
+  const int theirs = bodies.fromSlots[slot].bone;
+  const auto found = theirs < 0 ? bodies.partner.end() : std::ranges::find(bodies.partner, theirs);
+  return found == bodies.partner.end() ? -1 : static_cast<int>(found - bodies.partner.begin());
+}
+
+/// The rotation in a matrix; the identity for a flat one.
+glm::dquat rotationIn(const glm::mat4& matrix) {
+  const glm::dquat none(1.0, 0.0, 0.0, 0.0);
+  glm::dmat3 axes(matrix);
+  if (glm::determinant(axes) < 0.0) axes *= -1.0;
+  const double length = glm::length(axes[0]);
+  if (!(length > 0.0) || !std::isfinite(length)) return none;
+  axes[0] /= length;
+  axes[1] -= glm::dot(axes[0], axes[1]) * axes[0];
+  const double second = glm::length(axes[1]);
+  if (!(second > 0.0) || !std::isfinite(second)) return none;
+  axes[1] /= second;
+  axes[2] = glm::cross(axes[0], axes[1]);
+  return glm::normalize(glm::quat_cast(axes));
+}
+
 class StanceFinder {
  public:
   explicit StanceFinder(const ClipBodies& bodies)
@@ -77,7 +99,7 @@ class StanceFinder {
  private:
   [[nodiscard]] int partnerOf(int bone) const { return bone < 0 ? -1 : at(bodies_.partner, bone); }
 
-  /// Bones are in the order of the tree: those above are done.
+  /// Parents come first: turns_ of the bones above are known.
   [[nodiscard]] glm::dquat turnOf(int bone) const {
     const glm::dquat none(1.0, 0.0, 0.0, 0.0);
     const int parent = at(bodies_.to.bones, bone).parent;
@@ -95,7 +117,7 @@ class StanceFinder {
     return glm::normalize(glm::rotation(above * (facing_ * *theirs), *ours) * above);
   }
 
-  /// Of the body, else the topmost bone with most partners below it.
+  /// The body's hips, else the topmost bone with most partners below it.
   [[nodiscard]] int hips() const {
     const int known = bodies_.toSlots.boneOf(Slot::kHips);
     if (partnerOf(known) >= 0) return known;
@@ -166,35 +188,12 @@ class StanceFinder {
 
 }  // namespace
 
-glm::dquat rotationIn(const glm::mat4& matrix) {
-  const glm::dquat none(1.0, 0.0, 0.0, 0.0);
-  glm::dmat3 axes(matrix);
-  if (glm::determinant(axes) < 0.0) axes *= -1.0;
-  const double length = glm::length(axes[0]);
-  if (!(length > 0.0) || !std::isfinite(length)) return none;
-  axes[0] /= length;
-  axes[1] -= glm::dot(axes[0], axes[1]) * axes[0];
-  const double second = glm::length(axes[1]);
-  if (!(second > 0.0) || !std::isfinite(second)) return none;
-  axes[1] /= second;
-  axes[2] = glm::cross(axes[0], axes[1]);
-  return glm::normalize(glm::quat_cast(axes));
-}
-
-int partOf(const ClipBodies& bodies, BodySlot slot) {
-  if (const int own = bodies.toSlots[slot].bone; own >= 0) return own;
-  const int theirs = bodies.fromSlots[slot].bone;
-  const auto found = theirs < 0 ? bodies.partner.end() : std::ranges::find(bodies.partner, theirs);
-  return found == bodies.partner.end() ? -1 : static_cast<int>(found - bodies.partner.begin());
-}
-
 CommonStance findCommonStance(const ClipBodies& bodies) { return StanceFinder(bodies).run(); }
-
-// Keys copied where one channel turns, sampled where several do.
 
 namespace {
 
-constexpr double kMostSampled = 200'000.0;  ///< Keys that a stretch of time is cut into.
+constexpr double kSampledFrame = 1.0 / 30.0;  ///< Between keys that cannot be copied, seconds.
+constexpr double kMostSampled = 200'000.0;    ///< Most samples of one channel.
 
 glm::dquat quatOf(const glm::vec4& v) {
   return {static_cast<double>(v.w), static_cast<double>(v.x), static_cast<double>(v.y), static_cast<double>(v.z)};
@@ -209,15 +208,7 @@ glm::dquat unitOr(const glm::dquat& q) {
   return length > 0.0 && std::isfinite(length) ? q / length : glm::dquat(1.0, 0.0, 0.0, 0.0);
 }
 
-/// Shorter ways between keys, and the same sign from one to the next.
-void alignSigns(Channel& channel) {
-  for (std::size_t i = 1; i < channel.values.size(); ++i) {
-    if (glm::dot(channel.values[i - 1], channel.values[i]) < 0.0f) channel.values[i] = -channel.values[i];
-  }
-}
-
-}  // namespace
-
+/// Adds times between those further apart than a sampled frame, unless they would be too many.
 std::vector<float> refinedTimes(std::vector<float> times) {
   if (times.size() < 2) return times;
   const double length = static_cast<double>(times.back()) - static_cast<double>(times.front());
@@ -237,99 +228,124 @@ std::vector<float> refinedTimes(std::vector<float> times) {
   return fine;
 }
 
-ClipTurns::ClipTurns(const Skeleton& skeleton, const AnimationClip& clip)
-    : skeleton_(skeleton), channels_(3 * skeleton.nodes.size(), nullptr) {
-  for (const Channel& channel : clip.channels) {
-    const Channel*& place = channels_[3 * toIndex(channel.node) + static_cast<std::size_t>(channel.path)];
-    if (place == nullptr && !at(skeleton.nodes, channel.node).rest.matrix) place = &channel;
-  }
-}
-
-const Channel* ClipTurns::channel(int node, ChannelPath path) const {
-  return channels_[3 * toIndex(node) + static_cast<std::size_t>(path)];
-}
-
-glm::dquat ClipTurns::turn(int node, float time) const {
-  if (const Channel* turning = channel(node, ChannelPath::kRotation)) return quatOf(sampleChannel(*turning, time));
-  const LocalTransform& rest = at(skeleton_.nodes, node).rest;
-  return rest.matrix ? rotationIn(*rest.matrix) : unitOr(glm::dquat(rest.rotation));
-}
-
-bool ClipTurns::chain(int above, int node, std::vector<int>& nodes) const {
-  nodes.clear();
-  int next = node;
-  for (; next >= 0 && next != above; next = at(skeleton_.nodes, next).parent) nodes.push_back(next);
-  std::ranges::reverse(nodes);
-  return next == above;
-}
-
-std::vector<float> ClipTurns::timesOf(std::span<const int> nodes, bool fine) const {
-  std::vector<float> times;
-  for (const int node : nodes) {
-    for (std::size_t path = 0; path < 3; ++path) {
-      const Channel* one = channels_[3 * toIndex(node) + path];
-      if (one != nullptr) times.insert(times.end(), one->times.begin(), one->times.end());
-    }
-  }
+/// Rising, each time once.
+void sortTimes(std::vector<float>& times) {
   std::ranges::sort(times);
   times.erase(std::unique(times.begin(), times.end()), times.end());
-  if (times.empty()) times.push_back(0.0f);
-  return fine ? refinedTimes(std::move(times)) : times;
 }
 
-Channel ClipTurns::between(int above, int node, const glm::dquat& left, const glm::dquat& right, double& budget) const {
-  Channel made;
-  made.path = ChannelPath::kRotation;
-  std::vector<int> nodes;
-  const bool below = chain(above, node, nodes);
-  std::vector<int> turning;
-  for (const int one : nodes) {
-    if (channel(one, ChannelPath::kRotation) != nullptr) turning.push_back(one);
+/// Flips quaternions so that each is on the side of the one before.
+void alignSigns(Channel& channel) {
+  for (std::size_t i = 1; i < channel.values.size(); ++i) {
+    if (glm::dot(channel.values[i - 1], channel.values[i]) < 0.0f) channel.values[i] = -channel.values[i];
   }
-  const auto product = [&](std::span<const int> some, float time) {
-    glm::dquat all(1.0, 0.0, 0.0, 0.0);
-    for (const int one : some) all = all * turn(one, time);
-    return all;
-  };
-  if (below && turning.size() <= 1) {
-    const Channel* keys = turning.empty() ? nullptr : channel(turning.front(), ChannelPath::kRotation);
-    const auto own = turning.empty() ? nodes.end() : std::ranges::find(nodes, turning.front());
-    const glm::dquat front = left * product({nodes.begin(), own}, 0.0f);
-    const glm::dquat behind =
-        (own == nodes.end() ? glm::dquat(1.0, 0.0, 0.0, 0.0) : product({std::next(own), nodes.end()}, 0.0f)) * right;
-    if (keys == nullptr) {
-      made.times = {0.0f};
-      made.values = {vecOf(unitOr(front * behind))};
+}
+
+/// A clip's channels by node, and the rotations of the nodes in it.
+class ClipTurns {
+ public:
+  ClipTurns(const Skeleton& skeleton, const AnimationClip& clip)
+      : skeleton_(skeleton), channels_(3 * skeleton.nodes.size(), nullptr) {
+    for (const Channel& channel : clip.channels) {
+      const Channel*& place = channels_[3 * toIndex(channel.node) + static_cast<std::size_t>(channel.path)];
+      if (place == nullptr && !at(skeleton.nodes, channel.node).rest.matrix) place = &channel;
+    }
+  }
+
+  const Channel* channel(int node, ChannelPath path) const {
+    return channels_[3 * toIndex(node) + static_cast<std::size_t>(path)];
+  }
+
+  /// Relative to the parent.
+  glm::dquat turn(int node, float time) const {
+    if (const Channel* turning = channel(node, ChannelPath::kRotation)) return quatOf(sampleChannel(*turning, time));
+    const LocalTransform& rest = at(skeleton_.nodes, node).rest;
+    return rest.matrix ? rotationIn(*rest.matrix) : unitOr(glm::dquat(rest.rotation));
+  }
+
+  /// @param nodes  out: from below `above` down to the node; from the root if `above` is -1
+  /// @return false: `above` is not above the node
+  bool chain(int above, int node, std::vector<int>& nodes) const {
+    nodes.clear();
+    int next = node;
+    for (; next >= 0 && next != above; next = at(skeleton_.nodes, next).parent) nodes.push_back(next);
+    std::ranges::reverse(nodes);
+    return next == above;
+  }
+
+  /// Times of all channels of these nodes, ascending; refined if `fine`.
+  std::vector<float> timesOf(std::span<const int> nodes, bool fine) const {
+    std::vector<float> times;
+    for (const int node : nodes) {
+      for (std::size_t path = 0; path < 3; ++path) {
+        const Channel* one = channels_[3 * toIndex(node) + path];
+        if (one != nullptr) times.insert(times.end(), one->times.begin(), one->times.end());
+      }
+    }
+    sortTimes(times);
+    if (times.empty()) times.push_back(0.0f);
+    return fine ? refinedTimes(std::move(times)) : times;
+  }
+
+  /// left * (rotation of `above`)^-1 * (rotation of `node`) * right, in the world. If only one channel rotates the
+  /// chain between them, its keys are used, tangents included; otherwise samples. Empty: the budget is spent.
+  /// @param above  -1: the world itself
+  Channel between(int above, int node, const glm::dquat& left, const glm::dquat& right, double& budget) const {
+    Channel made;
+    made.path = ChannelPath::kRotation;
+    std::vector<int> nodes;
+    const bool below = chain(above, node, nodes);
+    std::vector<int> turning;
+    for (const int one : nodes) {
+      if (channel(one, ChannelPath::kRotation) != nullptr) turning.push_back(one);
+    }
+    const auto product = [&](std::span<const int> some, float time) {
+      glm::dquat all(1.0, 0.0, 0.0, 0.0);
+      for (const int one : some) all = all * turn(one, time);
+      return all;
+    };
+    if (below && turning.size() <= 1) {
+      const Channel* keys = turning.empty() ? nullptr : channel(turning.front(), ChannelPath::kRotation);
+      const auto own = turning.empty() ? nodes.end() : std::ranges::find(nodes, turning.front());
+      const glm::dquat front = left * product({nodes.begin(), own}, 0.0f);
+      const glm::dquat behind =
+          (own == nodes.end() ? glm::dquat(1.0, 0.0, 0.0, 0.0) : product({std::next(own), nodes.end()}, 0.0f)) * right;
+      if (keys == nullptr) {
+        made.times = {0.0f};
+        made.values = {vecOf(unitOr(front * behind))};
+        return made;
+      }
+      made.interpolation = keys->interpolation;
+      made.times = keys->times;
+      for (const glm::vec4& value : keys->values) made.values.push_back(vecOf(front * quatOf(value) * behind));
       return made;
     }
-    made.interpolation = keys->interpolation;
-    made.times = keys->times;
-    for (const glm::vec4& value : keys->values) made.values.push_back(vecOf(front * quatOf(value) * behind));
+    std::vector<int> others;
+    if (!below) {
+      (void)chain(-1, node, nodes);
+      (void)chain(-1, above, others);
+    }
+    std::vector<int> all = nodes;
+    all.insert(all.end(), others.begin(), others.end());
+    const std::vector<float> times = timesOf(all, true);
+    budget -= static_cast<double>(times.size()) * static_cast<double>(all.size());
+    if (budget < 0.0) return made;
+    made.times = times;
+    for (const float time : times) {
+      made.values.push_back(vecOf(unitOr(left * glm::conjugate(product(others, time)) * product(nodes, time) * right)));
+    }
+    alignSigns(made);
     return made;
   }
-  std::vector<int> others;
-  if (!below) {
-    (void)chain(-1, node, nodes);
-    (void)chain(-1, above, others);
-  }
-  std::vector<int> all = nodes;
-  all.insert(all.end(), others.begin(), others.end());
-  const std::vector<float> times = timesOf(all, true);
-  budget -= static_cast<double>(times.size()) * static_cast<double>(all.size());
-  if (budget < 0.0) return made;
-  made.times = times;
-  for (const float time : times) {
-    made.values.push_back(vecOf(unitOr(left * glm::conjugate(product(others, time)) * product(nodes, time) * right)));
-  }
-  alignSigns(made);
-  return made;
-}
 
-namespace {
+ private:
+  const Skeleton& skeleton_;
+  std::vector<const Channel*> channels_;  // [nodes * 3]
+};
 
 constexpr float kSameTurn = 1e-6f;   ///< Per component of a rotation.
-constexpr float kSamePlace = 1e-6f;  ///< Fraction of the larger of both.
-constexpr double kLargest = 1e15;    ///< As the import allows.
+constexpr float kSamePlace = 1e-6f;  ///< Relative to the larger one.
+constexpr double kLargest = 1e15;    ///< The limit of the import.
 
 glm::dquat restTurn(const Node& node) {
   return node.rest.matrix ? rotationIn(*node.rest.matrix) : glm::normalize(glm::dquat(node.rest.rotation));
@@ -363,7 +379,7 @@ bool isSame(const glm::vec4& a, const glm::vec4& b, ChannelPath path) {
   return most <= kSamePlace * std::max(glm::length(a), glm::length(b));
 }
 
-/// One key where all are the same.
+/// Keeps one key if all are the same.
 void shorten(Channel& channel) {
   const bool still = std::ranges::all_of(
       channel.values, [&](const glm::vec4& value) { return isSame(value, channel.values.front(), channel.path); });
@@ -374,243 +390,271 @@ void shorten(Channel& channel) {
 
 std::size_t placeOf(int node, ChannelPath path) { return 2 * toIndex(node) + (path == ChannelPath::kRotation ? 0 : 1); }
 
-}  // namespace
+/// The new channels, by node.
+class MadeChannels {
+ public:
+  explicit MadeChannels(std::size_t nodes) : places_(2 * nodes, -1) {}
 
-void MadeChannels::add(Channel channel) {
-  places_[placeOf(channel.node, channel.path)] = static_cast<int>(channels_.size());
-  channels_.push_back(std::move(channel));
-}
-
-const Channel* MadeChannels::of(int node, ChannelPath path) const {
-  const int place = places_[placeOf(node, path)];
-  return place < 0 ? nullptr : &at(channels_, place);
-}
-
-Retargeter::Retargeter(const ClipBodies& bodies) : bodies_(bodies), stance_(findCommonStance(bodies)) {}
-
-bool Retargeter::canTurn(int bone) const {
-  return partnerOf(bone) >= 0 && !at(bodies_.to.nodes, at(bodies_.to.bones, bone).node).rest.matrix;
-}
-
-int Retargeter::anchorOf(int bone) const {
-  int above = at(bodies_.to.bones, bone).parent;
-  while (above >= 0 && !canTurn(above)) above = at(bodies_.to.bones, above).parent;
-  return above;
-}
-
-Channel Retargeter::turnOf(int bone, const ClipTurns& turns, double& budget) const {
-  const int anchor = anchorOf(bone);
-  const int node = at(bodies_.to.bones, bone).node;
-  const int top = anchor < 0 ? -1 : at(bodies_.to.bones, anchor).node;
-  glm::dquat between(1.0, 0.0, 0.0, 0.0);
-  for (int above = at(bodies_.to.nodes, node).parent; above >= 0 && above != top;
-       above = at(bodies_.to.nodes, above).parent) {
-    between = restTurn(at(bodies_.to.nodes, above)) * between;
+  void add(Channel channel) {
+    places_[placeOf(channel.node, channel.path)] = static_cast<int>(channels_.size());
+    channels_.push_back(std::move(channel));
   }
-  glm::dquat left = glm::conjugate(between);
-  int theirs = -1;
-  if (anchor >= 0) {
-    left = left * glm::conjugate(bindTurn(bodies_.to, anchor)) * at(stance_.turn, anchor) * stance_.facing *
-           bindTurn(bodies_.from, partnerOf(anchor));
-    theirs = at(bodies_.from.bones, partnerOf(anchor)).node;
-  } else {
-    left = left * stance_.facing;
+
+  /// Rotation or translation; null: the node rests.
+  const Channel* of(int node, ChannelPath path) const {
+    const int place = places_[placeOf(node, path)];
+    return place < 0 ? nullptr : &at(channels_, place);
   }
-  const glm::dquat right = glm::conjugate(bindTurn(bodies_.from, partnerOf(bone))) * glm::conjugate(stance_.facing) *
-                           glm::conjugate(at(stance_.turn, bone)) * bindTurn(bodies_.to, bone);
-  Channel channel = turns.between(theirs, at(bodies_.from.bones, partnerOf(bone)).node, left, right, budget);
-  channel.node = node;
-  return channel;
-}
 
-bool Retargeter::isAtRest(const Channel& channel) const {
-  const LocalTransform& rest = at(bodies_.to.nodes, channel.node).rest;
-  if (channel.values.size() != 1) return false;
-  const glm::quat& turn = rest.rotation;
-  const glm::vec4 still = channel.path == ChannelPath::kRotation ? glm::vec4(turn.x, turn.y, turn.z, turn.w)
-                                                                 : glm::vec4(rest.translation, 0.0f);
-  return isSame(channel.values.front(), still, channel.path);
-}
+  [[nodiscard]] std::vector<Channel> take() && { return std::move(channels_); }
 
-glm::dmat4 Retargeter::placed(int node, const MadeChannels& made, float time) const {
-  glm::dmat4 world(1.0);
-  for (int next = node; next >= 0; next = at(bodies_.to.nodes, next).parent) {
-    LocalTransform local = at(bodies_.to.nodes, next).rest;
-    if (const Channel* turn = made.of(next, ChannelPath::kRotation)) {
-      const glm::vec4 value = sampleChannel(*turn, time);
-      local.rotation = glm::quat(value.w, value.x, value.y, value.z);
+ private:
+  std::vector<Channel> channels_;
+  std::vector<int> places_;  // [nodes * 2]
+};
+
+class Retargeter {
+ public:
+  Retargeter(const ClipBodies& bodies, const CommonStance& stance) : bodies_(bodies), stance_(stance) {}
+
+  std::vector<Channel> channelsOf(const AnimationClip& clip, double& budget) const {
+    const ClipTurns turns(bodies_.from, clip);
+    MadeChannels made(bodies_.to.nodes.size());
+    for (std::size_t i = 0; i < bodies_.to.bones.size() && budget >= 0.0; ++i) {
+      const int bone = static_cast<int>(i);
+      if (!canTurn(bone)) continue;
+      Channel channel = turnOf(bone, turns, budget);
+      if (channel.times.empty() || !isTame(channel)) continue;
+      shorten(channel);
+      if (!isAtRest(channel)) made.add(std::move(channel));
     }
-    if (const Channel* path = made.of(next, ChannelPath::kTranslation)) {
-      local.translation = glm::vec3(sampleChannel(*path, time));
+    Channel path = hipPath(turns, made, budget);
+    if (!path.times.empty() && isTame(path)) {
+      shorten(path);
+      if (!isAtRest(path)) made.add(std::move(path));
     }
-    world = glm::dmat4(local.toMatrix()) * world;
+    addPartsApart(made, budget);
+    return std::move(made).take();
   }
-  return world;
-}
 
-double Retargeter::depthOf(int node) const {
-  double depth = 1.0;
-  for (int next = node; next >= 0; next = at(bodies_.to.nodes, next).parent) ++depth;
-  return depth;
-}
+ private:
+  [[nodiscard]] int partnerOf(int bone) const { return bodies_.partner[static_cast<std::size_t>(bone)]; }
 
-std::vector<float> Retargeter::timesAbove(int node, const MadeChannels& made) const {
-  std::vector<float> times;
-  for (int next = node; next >= 0; next = at(bodies_.to.nodes, next).parent) {
-    for (const ChannelPath path : {ChannelPath::kRotation, ChannelPath::kTranslation}) {
-      const Channel* channel = made.of(next, path);
-      if (channel != nullptr) times.insert(times.end(), channel->times.begin(), channel->times.end());
+  bool canTurn(int bone) const {
+    return partnerOf(bone) >= 0 && !at(bodies_.to.nodes, at(bodies_.to.bones, bone).node).rest.matrix;
+  }
+
+  /// The nearest bone above that has a partner, or -1.
+  int anchorOf(int bone) const {
+    int above = at(bodies_.to.bones, bone).parent;
+    while (above >= 0 && !canTurn(above)) above = at(bodies_.to.bones, above).parent;
+    return above;
+  }
+
+  Channel turnOf(int bone, const ClipTurns& turns, double& budget) const {
+    const int anchor = anchorOf(bone);
+    const int node = at(bodies_.to.bones, bone).node;
+    const int top = anchor < 0 ? -1 : at(bodies_.to.bones, anchor).node;
+    glm::dquat between(1.0, 0.0, 0.0, 0.0);
+    for (int above = at(bodies_.to.nodes, node).parent; above >= 0 && above != top;
+         above = at(bodies_.to.nodes, above).parent) {
+      between = restTurn(at(bodies_.to.nodes, above)) * between;
     }
+    glm::dquat left = glm::conjugate(between);
+    int theirs = -1;
+    if (anchor >= 0) {
+      left = left * glm::conjugate(bindTurn(bodies_.to, anchor)) * at(stance_.turn, anchor) * stance_.facing *
+             bindTurn(bodies_.from, partnerOf(anchor));
+      theirs = at(bodies_.from.bones, partnerOf(anchor)).node;
+    } else {
+      left = left * stance_.facing;
+    }
+    const glm::dquat right = glm::conjugate(bindTurn(bodies_.from, partnerOf(bone))) * glm::conjugate(stance_.facing) *
+                             glm::conjugate(at(stance_.turn, bone)) * bindTurn(bodies_.to, bone);
+    Channel channel = turns.between(theirs, at(bodies_.from.bones, partnerOf(bone)).node, left, right, budget);
+    channel.node = node;
+    return channel;
   }
-  return times;
-}
 
-/// p'(t) = p'_0 + k (p(t) - p_0) for the joint, in the world; then under the node above it.
-Channel Retargeter::hipPath(const ClipTurns& turns, const MadeChannels& made, double& budget) const {
-  Channel channel;
-  if (stance_.hips < 0 || !canTurn(stance_.hips)) return channel;
-  const Bone& ours = at(bodies_.to.bones, stance_.hips);
-  const Bone& theirs = at(bodies_.from.bones, partnerOf(stance_.hips));
-  channel.node = ours.node;
-  channel.path = ChannelPath::kTranslation;
-  std::vector<int> nodes;
-  (void)turns.chain(-1, theirs.node, nodes);
-  const int above = at(bodies_.to.nodes, ours.node).parent;
-  const std::vector<float> ourTimes = timesAbove(above, made);
-  const glm::dmat3 scaled = glm::mat3_cast(stance_.facing) * stance_.heightRatio;
-  const glm::dvec3 start(ours.bindInWorld[3]);
-  const glm::dvec3 from(theirs.bindInWorld[3]);
-  // What places a joint in the world: all above it, and its own translation.
-  const auto theirPlace = [&](float time, const glm::vec4* own, double point) {
-    glm::dmat4 world(1.0);
-    for (const int node : nodes) {
-      LocalTransform local = at(bodies_.from.nodes, node).rest;
-      if (local.matrix) {
-        world = world * glm::dmat4(*local.matrix);
-        continue;
+  /// p'(t) = p'_0 + k (p(t) - p_0) for the joint in the world, then relative to the node above it.
+  Channel hipPath(const ClipTurns& turns, const MadeChannels& made, double& budget) const {
+    Channel channel;
+    if (stance_.hips < 0 || !canTurn(stance_.hips)) return channel;
+    const Bone& ours = at(bodies_.to.bones, stance_.hips);
+    const Bone& theirs = at(bodies_.from.bones, partnerOf(stance_.hips));
+    channel.node = ours.node;
+    channel.path = ChannelPath::kTranslation;
+    std::vector<int> nodes;
+    (void)turns.chain(-1, theirs.node, nodes);
+    const int above = at(bodies_.to.nodes, ours.node).parent;
+    const std::vector<float> ourTimes = timesAbove(above, made);
+    const glm::dmat3 scaled = glm::mat3_cast(stance_.facing) * stance_.heightRatio;
+    const glm::dvec3 start(ours.bindInWorld[3]);
+    const glm::dvec3 from(theirs.bindInWorld[3]);
+    // World position of their joint. @param own  replaces its translation  @param point  1: position, 0: direction
+    const auto theirPlace = [&](float time, const glm::vec4* own, double point) {
+      glm::dmat4 world(1.0);
+      for (const int node : nodes) {
+        LocalTransform local = at(bodies_.from.nodes, node).rest;
+        if (local.matrix) {
+          world = world * glm::dmat4(*local.matrix);
+          continue;
+        }
+        const glm::dquat turn = turns.turn(node, time);
+        local.rotation = glm::quat(turn);
+        if (const Channel* path = turns.channel(node, ChannelPath::kTranslation)) {
+          local.translation = glm::vec3(sampleChannel(*path, time));
+        }
+        if (const Channel* size = turns.channel(node, ChannelPath::kScale))
+          local.scale = glm::vec3(sampleChannel(*size, time));
+        if (node == theirs.node && own != nullptr) return glm::dvec3(world * glm::dvec4(glm::dvec3(*own), point));
+        world = world * glm::dmat4(local.toMatrix());
       }
-      const glm::dquat turn = turns.turn(node, time);
-      local.rotation = glm::quat(turn);
-      if (const Channel* path = turns.channel(node, ChannelPath::kTranslation)) {
-        local.translation = glm::vec3(sampleChannel(*path, time));
+      return glm::dvec3(world[3]);
+    };
+    const auto under = [&](float time) {
+      return glm::inverse(above < 0 ? glm::dmat4(1.0) : placed(above, made, time));
+    };
+    const Channel* own = turns.channel(theirs.node, ChannelPath::kTranslation);
+    const bool othersStill = std::ranges::all_of(nodes, [&](int node) {
+      if (node == theirs.node) return true;
+      return turns.channel(node, ChannelPath::kTranslation) == nullptr &&
+             turns.channel(node, ChannelPath::kRotation) == nullptr &&
+             turns.channel(node, ChannelPath::kScale) == nullptr;
+    });
+    if (othersStill && ourTimes.empty() && own != nullptr) {
+      const glm::dmat4 inParent = under(0.0f);
+      if (!isFiniteMatrix(inParent)) return {};
+      channel.interpolation = own->interpolation;
+      channel.times = own->times;
+      const bool cubic = own->interpolation == Interpolation::kCubicSpline;
+      for (std::size_t i = 0; i < own->values.size(); ++i) {
+        const bool isPoint = !cubic || i % 3 == 1;
+        const glm::dvec3 there = theirPlace(0.0f, &own->values[i], isPoint ? 1.0 : 0.0);
+        const glm::dvec3 here = isPoint ? start + scaled * (there - from) : scaled * there;
+        channel.values.emplace_back(glm::vec3(inParent * glm::dvec4(here, isPoint ? 1.0 : 0.0)), 0.0f);
       }
-      if (const Channel* size = turns.channel(node, ChannelPath::kScale))
-        local.scale = glm::vec3(sampleChannel(*size, time));
-      if (node == theirs.node && own != nullptr) return glm::dvec3(world * glm::dvec4(glm::dvec3(*own), point));
-      world = world * glm::dmat4(local.toMatrix());
+      return channel;
     }
-    return glm::dvec3(world[3]);
-  };
-  const auto under = [&](float time) { return glm::inverse(above < 0 ? glm::dmat4(1.0) : placed(above, made, time)); };
-  const Channel* own = turns.channel(theirs.node, ChannelPath::kTranslation);
-  const bool othersStill = std::ranges::all_of(nodes, [&](int node) {
-    if (node == theirs.node) return true;
-    return turns.channel(node, ChannelPath::kTranslation) == nullptr &&
-           turns.channel(node, ChannelPath::kRotation) == nullptr &&
-           turns.channel(node, ChannelPath::kScale) == nullptr;
-  });
-  if (othersStill && ourTimes.empty() && own != nullptr) {
-    const glm::dmat4 inParent = under(0.0f);
-    if (!isFiniteMatrix(inParent)) return {};
-    channel.interpolation = own->interpolation;
-    channel.times = own->times;
-    const bool cubic = own->interpolation == Interpolation::kCubicSpline;
-    for (std::size_t i = 0; i < own->values.size(); ++i) {
-      const bool isPoint = !cubic || i % 3 == 1;
-      const glm::dvec3 there = theirPlace(0.0f, &own->values[i], isPoint ? 1.0 : 0.0);
-      const glm::dvec3 here = isPoint ? start + scaled * (there - from) : scaled * there;
-      channel.values.emplace_back(glm::vec3(inParent * glm::dvec4(here, isPoint ? 1.0 : 0.0)), 0.0f);
+    std::vector<float> times = turns.timesOf(nodes, false);
+    times.insert(times.end(), ourTimes.begin(), ourTimes.end());
+    sortTimes(times);
+    times = refinedTimes(std::move(times));
+    budget -= static_cast<double>(times.size()) * (static_cast<double>(nodes.size()) + depthOf(above));
+    if (budget < 0.0) return {};
+    for (const float time : times) {
+      const glm::dmat4 inParent = under(time);
+      if (!isFiniteMatrix(inParent)) return {};
+      const glm::dvec3 here = start + scaled * (theirPlace(time, nullptr, 1.0) - from);
+      channel.times.push_back(time);
+      channel.values.emplace_back(glm::vec3(inParent * glm::dvec4(here, 1.0)), 0.0f);
     }
     return channel;
   }
-  std::vector<float> times = turns.timesOf(nodes, false);
-  times.insert(times.end(), ourTimes.begin(), ourTimes.end());
-  std::ranges::sort(times);
-  times.erase(std::unique(times.begin(), times.end()), times.end());
-  times = refinedTimes(std::move(times));
-  budget -= static_cast<double>(times.size()) * (static_cast<double>(nodes.size()) + depthOf(above));
-  if (budget < 0.0) return {};
-  for (const float time : times) {
-    const glm::dmat4 inParent = under(time);
-    if (!isFiniteMatrix(inParent)) return {};
-    const glm::dvec3 here = start + scaled * (theirPlace(time, nullptr, 1.0) - from);
-    channel.times.push_back(time);
-    channel.values.emplace_back(glm::vec3(inParent * glm::dvec4(here, 1.0)), 0.0f);
-  }
-  return channel;
-}
 
-/// A bone that hangs elsewhere in the tree stays where it is bound to another.
-Channel Retargeter::follow(int bone, int carrier, const MadeChannels& made, double& budget) const {
-  const Bone& own = at(bodies_.to.bones, bone);
-  const Bone& by = at(bodies_.to.bones, carrier);
-  const int above = at(bodies_.to.nodes, own.node).parent;
-  std::vector<float> times = timesAbove(by.node, made);
-  const std::vector<float> others = timesAbove(above, made);
-  times.insert(times.end(), others.begin(), others.end());
-  std::ranges::sort(times);
-  times.erase(std::unique(times.begin(), times.end()), times.end());
-  Channel channel;
-  channel.node = own.node;
-  channel.path = ChannelPath::kTranslation;
-  if (times.empty()) times.push_back(0.0f);
-  times = refinedTimes(std::move(times));
-  budget -= static_cast<double>(times.size()) * (depthOf(above) + depthOf(by.node));
-  if (budget < 0.0) return {};
-  const glm::dvec4 inCarrier = glm::dmat4(by.inverseBindInWorld) * glm::dvec4(glm::dvec3(own.bindInWorld[3]), 1.0);
-  for (const float time : times) {
-    const glm::dmat4 inParent = glm::inverse(above < 0 ? glm::dmat4(1.0) : placed(above, made, time));
-    if (!isFiniteMatrix(inParent)) return {};
-    channel.times.push_back(time);
-    channel.values.emplace_back(glm::vec3(inParent * placed(by.node, made, time) * inCarrier), 0.0f);
+  /// Translates a bone elsewhere in the tree so that it stays where it is bound to the carrier.
+  Channel follow(int bone, int carrier, const MadeChannels& made, double& budget) const {
+    const Bone& own = at(bodies_.to.bones, bone);
+    const Bone& by = at(bodies_.to.bones, carrier);
+    const int above = at(bodies_.to.nodes, own.node).parent;
+    std::vector<float> times = timesAbove(by.node, made);
+    const std::vector<float> others = timesAbove(above, made);
+    times.insert(times.end(), others.begin(), others.end());
+    sortTimes(times);
+    Channel channel;
+    channel.node = own.node;
+    channel.path = ChannelPath::kTranslation;
+    if (times.empty()) times.push_back(0.0f);
+    times = refinedTimes(std::move(times));
+    budget -= static_cast<double>(times.size()) * (depthOf(above) + depthOf(by.node));
+    if (budget < 0.0) return {};
+    const glm::dvec4 inCarrier = glm::dmat4(by.inverseBindInWorld) * glm::dvec4(glm::dvec3(own.bindInWorld[3]), 1.0);
+    for (const float time : times) {
+      const glm::dmat4 inParent = glm::inverse(above < 0 ? glm::dmat4(1.0) : placed(above, made, time));
+      if (!isFiniteMatrix(inParent)) return {};
+      channel.times.push_back(time);
+      channel.values.emplace_back(glm::vec3(inParent * placed(by.node, made, time) * inCarrier), 0.0f);
+    }
+    return channel;
   }
-  return channel;
-}
 
-/// Thighs beside the hips and feet beside their legs, as where feet are targets, would stay behind.
-void Retargeter::addPartsApart(MadeChannels& made, double& budget) const {
-  constexpr std::array<std::pair<Slot, Slot>, 6> kCarried{{{Slot::kHips, Slot::kSpine},
-                                                           {Slot::kHips, Slot::kUpperLeg},
-                                                           {Slot::kHips, Slot::kHindUpper},
-                                                           {Slot::kLowerLeg, Slot::kFoot},
-                                                           {Slot::kFrontLower, Slot::kFrontFoot},
-                                                           {Slot::kHindLower, Slot::kHindFoot}}};
-  for (const auto& [by, part] : kCarried) {
-    for (const BodySide side : {BodySide::kLeft, BodySide::kRight}) {
-      if (side == BodySide::kRight && part < kFirstSidedSlot) continue;
-      const int bone = partOf(bodies_, {part, side});
-      const int carrier = partOf(bodies_, {by, by < kFirstSidedSlot ? BodySide::kLeft : side});
-      if (bone < 0 || carrier < 0 || !canTurn(carrier)) continue;
-      const auto isAbove = [&](int above, int below) {
-        while (below >= 0 && below != above) below = at(bodies_.to.bones, below).parent;
-        return below == above;
-      };
-      const LocalTransform& rest = at(bodies_.to.nodes, at(bodies_.to.bones, bone).node).rest;
-      if (isAbove(carrier, bone) || isAbove(bone, carrier) || rest.matrix) continue;
-      Channel channel = follow(bone, carrier, made, budget);
-      if (!channel.times.empty() && isTame(channel)) made.add(std::move(channel));
+  /// Parts that are not below the part that carries them would stay behind, as feet that are targets of their legs.
+  void addPartsApart(MadeChannels& made, double& budget) const {
+    constexpr std::array<std::pair<Slot, Slot>, 6> kCarried{{{Slot::kHips, Slot::kSpine},
+                                                             {Slot::kHips, Slot::kUpperLeg},
+                                                             {Slot::kHips, Slot::kHindUpper},
+                                                             {Slot::kLowerLeg, Slot::kFoot},
+                                                             {Slot::kFrontLower, Slot::kFrontFoot},
+                                                             {Slot::kHindLower, Slot::kHindFoot}}};
+    for (const auto& [by, part] : kCarried) {
+      for (const BodySide side : {BodySide::kLeft, BodySide::kRight}) {
+        if (side == BodySide::kRight && part < kFirstSidedSlot) continue;
+        const int bone = partOf(bodies_, {part, side});
+        const int carrier = partOf(bodies_, {by, by < kFirstSidedSlot ? BodySide::kLeft : side});
+        if (bone < 0 || carrier < 0 || !canTurn(carrier)) continue;
+        const auto isAbove = [&](int above, int below) {
+          while (below >= 0 && below != above) below = at(bodies_.to.bones, below).parent;
+          return below == above;
+        };
+        const LocalTransform& rest = at(bodies_.to.nodes, at(bodies_.to.bones, bone).node).rest;
+        if (isAbove(carrier, bone) || isAbove(bone, carrier) || rest.matrix) continue;
+        Channel channel = follow(bone, carrier, made, budget);
+        if (!channel.times.empty() && isTame(channel)) made.add(std::move(channel));
+      }
     }
   }
-}
 
-std::vector<Channel> Retargeter::channelsOf(const AnimationClip& clip, double& budget) const {
-  const ClipTurns turns(bodies_.from, clip);
-  MadeChannels made(bodies_.to.nodes.size());
-  for (std::size_t i = 0; i < bodies_.to.bones.size() && budget >= 0.0; ++i) {
-    const int bone = static_cast<int>(i);
-    if (!canTurn(bone)) continue;
-    Channel channel = turnOf(bone, turns, budget);
-    if (channel.times.empty() || !isTame(channel)) continue;
-    shorten(channel);
-    if (!isAtRest(channel)) made.add(std::move(channel));
+  glm::dmat4 placed(int node, const MadeChannels& made, float time) const {
+    glm::dmat4 world(1.0);
+    for (int next = node; next >= 0; next = at(bodies_.to.nodes, next).parent) {
+      LocalTransform local = at(bodies_.to.nodes, next).rest;
+      if (const Channel* turn = made.of(next, ChannelPath::kRotation)) {
+        const glm::vec4 value = sampleChannel(*turn, time);
+        local.rotation = glm::quat(value.w, value.x, value.y, value.z);
+      }
+      if (const Channel* path = made.of(next, ChannelPath::kTranslation)) {
+        local.translation = glm::vec3(sampleChannel(*path, time));
+      }
+      world = glm::dmat4(local.toMatrix()) * world;
+    }
+    return world;
   }
-  Channel path = hipPath(turns, made, budget);
-  if (!path.times.empty() && isTame(path)) {
-    shorten(path);
-    if (!isAtRest(path)) made.add(std::move(path));
+
+  std::vector<float> timesAbove(int node, const MadeChannels& made) const {
+    std::vector<float> times;
+    for (int next = node; next >= 0; next = at(bodies_.to.nodes, next).parent) {
+      for (const ChannelPath path : {ChannelPath::kRotation, ChannelPath::kTranslation}) {
+        const Channel* channel = made.of(next, path);
+        if (channel != nullptr) times.insert(times.end(), channel->times.begin(), channel->times.end());
+      }
+    }
+    return times;
   }
-  addPartsApart(made, budget);
-  return std::move(made).take();
+
+  double depthOf(int node) const {
+    double depth = 1.0;
+    for (int next = node; next >= 0; next = at(bodies_.to.nodes, next).parent) ++depth;
+    return depth;
+  }
+
+  bool isAtRest(const Channel& channel) const {
+    const LocalTransform& rest = at(bodies_.to.nodes, channel.node).rest;
+    if (channel.values.size() != 1) return false;
+    const glm::quat& turn = rest.rotation;
+    const glm::vec4 still = channel.path == ChannelPath::kRotation ? glm::vec4(turn.x, turn.y, turn.z, turn.w)
+                                                                   : glm::vec4(rest.translation, 0.0f);
+    return isSame(channel.values.front(), still, channel.path);
+  }
+
+  const ClipBodies& bodies_;
+  const CommonStance& stance_;
+};
+
+}  // namespace
+
+std::vector<Channel> retargetedChannels(const ClipBodies& bodies, const CommonStance& stance, const AnimationClip& clip,
+                                        double& budget) {
+  return Retargeter(bodies, stance).channelsOf(clip, budget);
 }
 
 }  // namespace sinew

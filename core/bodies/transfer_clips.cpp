@@ -1,5 +1,4 @@
-// core/bodies/transfer_clips.cpp: the same channels for the same skeleton, a transfer for any other; names; what is
-// left.
+// core/bodies/transfer_clips.cpp: copies channels between equal skeletons and retargets them between others.
 #include "core/bodies/transfer_clips.h"
 
 #include <algorithm>
@@ -21,14 +20,12 @@
 
 namespace sinew {
 
-// By names as they stand, by shorter and shorter ones, by parts of the body.
-
 namespace {
 
 constexpr std::string_view kOuterSeparators = "|:";
 constexpr std::string_view kAnySeparator = "|:_-. ";
 constexpr std::size_t kFewestWithPrefix = 5;
-constexpr float kBoundAlike = 1e-3f;  // Of the size: files of several programs differ in the last digits.
+constexpr float kBoundAlike = 1e-3f;  // Fraction of the size: programs write different last digits.
 
 using Keys = std::vector<std::string>;
 
@@ -61,7 +58,7 @@ Keys bareNames(const Skeleton& skeleton) {
   return keys;
 }
 
-/// The longest part in front, up to a separator, that four of five names share.
+/// The longest beginning, up to a separator, that four out of five names share.
 std::string sharedFront(const Keys& names) {
   std::map<std::string, std::size_t> counts;
   for (const std::string& name : names) {
@@ -77,7 +74,7 @@ std::string sharedFront(const Keys& names) {
   return longest;
 }
 
-/// Letters and digits in lower case; what is no ASCII counts as letters.
+/// Letters and digits in lower case; characters beyond ASCII count as letters.
 Keys shortNames(const Skeleton& skeleton) {
   Keys keys = bareNames(skeleton);
   const std::string front = sharedFront(keys);
@@ -116,7 +113,7 @@ class BoneMatcher {
   [[nodiscard]] std::vector<int> take() && { return std::move(partner_); }
 
  private:
-  /// -1 where several bones have it.
+  /// -1 where several bones share a key.
   template <class Skip>
   static std::map<std::string_view, int> uniqueKeys(const Keys& keys, Skip skip) {
     std::map<std::string_view, int> unique;
@@ -167,9 +164,9 @@ bool haveSameBones(const Skeleton& a, const Skeleton& b, float size) {
 
 namespace {
 
-constexpr float kSamePose = 1e-5f;          ///< Fraction of what is compared: of nodes and bind poses.
-constexpr double kMostSamplesOfFile = 5e7;  ///< Nodes times moments, of all clips of a file.
-constexpr std::size_t kMostNamed = 12;      ///< Bones in a note.
+constexpr float kSamePose = 1e-5f;          ///< Relative difference of nodes and bind poses.
+constexpr double kMostSamplesOfFile = 5e7;  ///< Nodes times samples, over all clips of a file.
+constexpr std::size_t kMostNamed = 12;      ///< Bones listed in a note.
 
 // The same skeleton ---------------------------------------------------------------------------------------------------
 
@@ -194,7 +191,7 @@ bool isSameRest(const LocalTransform& a, const LocalTransform& b) {
   return sameTurn && (bothHere || isNear(a.translation, b.translation)) && isNear(a.scale, b.scale);
 }
 
-/// [nodes] Names from the root down, siblings of one name numbered.
+/// [nodes] Paths of names from the root; siblings of the same name are numbered.
 std::vector<std::string> nodePaths(const Skeleton& skeleton) {
   std::vector<std::string> paths;
   std::map<std::string, int> seen;
@@ -206,7 +203,7 @@ std::vector<std::string> nodePaths(const Skeleton& skeleton) {
   return paths;
 }
 
-/// [nodes of from] The node of the same path that rests alike, as all above it do; or -1.
+/// [nodes of from] Node of `to` with the same path and rest transform, also of all nodes above; or -1.
 std::vector<int> sameNodes(const Skeleton& from, const Skeleton& to) {
   std::map<std::string, int> places;
   const std::vector<std::string> ours = nodePaths(to);
@@ -222,7 +219,7 @@ std::vector<int> sameNodes(const Skeleton& from, const Skeleton& to) {
   return same;
 }
 
-/// Of a file without a mesh the bind pose is how its nodes stand: nothing to compare.
+/// True for a file without a mesh: its bind pose is only how its nodes rest.
 bool isBoundAlike(const Character& from, const Character& to, const std::vector<int>& same) {
   if (from.mesh.triangles.empty()) return true;
   std::map<int, int> boneOfNode;
@@ -247,7 +244,7 @@ std::optional<std::vector<Channel>> copied(const AnimationClip& clip, const std:
 
 // Morph targets -------------------------------------------------------------------------------------------------------
 
-/// Targets of one node, in a row.
+/// Consecutive targets of one node.
 struct TargetRun {
   int first = 0;
   int count = 0;
@@ -278,7 +275,7 @@ MorphChannel weightsOf(const MorphChannel& from, const std::vector<int>& source,
   return made;
 }
 
-/// For each node's targets, the channel that shares most names with them.
+/// For each node's targets, the weights of the channel that shares most names with them.
 std::vector<MorphChannel> morphsOf(const AnimationClip& clip, const Character& from, const Character& to) {
   std::vector<MorphChannel> made;
   for (const TargetRun& run : runsOf(to.morphTargets)) {
@@ -318,7 +315,7 @@ std::string named(const std::vector<std::string>& names) {
   return text;
 }
 
-/// Bones that a clip moves and nothing here follows, neither they nor any below them.
+/// Notes bones that a clip moves and no bone of the character follows, nor any bone below them.
 void noteLost(const Character& from, const std::vector<int>& partner, TransferredClips& result) {
   const std::vector<Bone>& bones = from.skeleton.bones;
   std::vector<bool> carries(bones.size(), false);
@@ -340,7 +337,7 @@ void noteLost(const Character& from, const std::vector<int>& partner, Transferre
                          " left out: " + named(lost));
 }
 
-/// Parts of the body that no bone of the clips moves.
+/// Notes body parts that no bone of the clips moves.
 void noteStill(const Character& to, const BodySlots& slots, const std::vector<int>& partner, TransferredClips& result) {
   std::vector<std::string>& still = result.unmoved;
   std::set<int> told;
@@ -356,7 +353,7 @@ void noteStill(const Character& to, const BodySlots& slots, const std::vector<in
 
 // All together --------------------------------------------------------------------------------------------------------
 
-/// Of a skeleton without skin all bones count.
+/// In a skeleton without skin all bones count.
 BodySlots slotsOf(const Character& character, std::span<const SlotCorrection> corrections) {
   const MirrorPlan plan = makeMirrorPlan(character);
   if (!character.mesh.triangles.empty()) return bodySlots(character, plan, corrections);
@@ -372,7 +369,7 @@ std::string freeName(const std::string& wanted, std::set<std::string>& taken) {
   return name;
 }
 
-/// Made where it is needed first: a file of the same skeleton needs none.
+/// Made on first use: a file with the same skeleton needs none.
 class Transfer {
  public:
   Transfer(const Character& from, const Character& to, std::span<const SlotCorrection> corrections)
@@ -380,7 +377,7 @@ class Transfer {
         toSlots_(slotsOf(to, corrections)),
         partner_(matchBones(from.skeleton, fromSlots_, to.skeleton, toSlots_)),
         bodies_{from.skeleton, to.skeleton, fromSlots_, toSlots_, partner_},
-        retargeter_(bodies_) {}
+        stance_(findCommonStance(bodies_)) {}
   Transfer(const Transfer&) = delete;
   Transfer& operator=(const Transfer&) = delete;
 
@@ -392,7 +389,7 @@ class Transfer {
   const BodySlots toSlots_;
   const std::vector<int> partner_;
   const ClipBodies bodies_;
-  const Retargeter retargeter_;
+  const CommonStance stance_;
 };
 
 }  // namespace
@@ -412,7 +409,7 @@ TransferredClips transferClips(const Character& from, const Character& to, std::
     std::optional<std::vector<Channel>> channels = alike ? copied(clip, same) : std::nullopt;
     if (!channels) {
       if (!transfer) transfer.emplace(from, to, corrections);
-      if (budget >= 0.0) channels = transfer->retargeter_.channelsOf(clip, budget);
+      if (budget >= 0.0) channels = retargetedChannels(transfer->bodies_, transfer->stance_, clip, budget);
       if (budget < 0.0) {
         result.notes.push_back("clip \"" + clip.name + "\" is left out: it has too many keys to be transferred");
         continue;

@@ -11,15 +11,13 @@
 
 namespace sinew {
 
-// Which bones of a character carry its skin.
-
-/// [bones] Skin follows it.
+/// [bones] Skin follows the bone.
 [[nodiscard]] std::vector<bool> bonesWithSkin(const Character& character);
 
-/// [bones] No skin follows it nor any bone below it (core/character/joint_roles.h).
+/// [bones] No skin follows the bone or any below it (core/character/joint_roles.h).
 [[nodiscard]] std::vector<bool> helperBones(const Character& character);
 
-/// One bone that a vertex follows. A bone may come twice, if two skins bind it differently.
+/// One bone that a vertex follows. A bone may occur twice if two skins bind it differently.
 struct WeightedBinding {
   const Binding& binding;
   float weight = 0.0f;
@@ -27,7 +25,7 @@ struct WeightedBinding {
   [[nodiscard]] int bone() const { return binding.bone; }
 };
 
-/// A range of WeightedBinding. Views of <ranges> would say it in a line, but clang 14 cannot compile g++ 12's.
+/// A range of WeightedBinding. <ranges> would be shorter, but clang 14 cannot compile the views of g++ 12.
 struct BindingRange {
   struct Iterator {
     const Influence* influence = nullptr;
@@ -50,25 +48,25 @@ struct BindingRange {
   [[nodiscard]] Iterator end() const { return {influences.data() + influences.size(), bindings}; }
 };
 
-/// The bindings of one vertex with its weights, in the order of the mesh. The character must outlive the use.
+/// The bindings of one vertex with its weights, in the order of the mesh.
 [[nodiscard]] inline BindingRange bindingsOf(const Character& character, int vertex) {
   return {character.mesh.influencesOf(vertex), character.skeleton.bindings.data()};
 }
 
-/// The bone of the binding with the most weight, the first of equals.
+/// The bone of the binding with the largest weight, the first of equal ones.
 [[nodiscard]] inline int strongestBone(const Character& character, int vertex) {
   const auto influences = character.mesh.influencesOf(vertex);
   const auto strongest = std::ranges::max_element(influences, {}, &Influence::weight);
   return character.skeleton.bindings[static_cast<std::size_t>(strongest->binding)].bone;
 }
 
-/// What carries a vertex from the bind pose to a pose: the weighted sum of its bindings' matrices.
+/// Takes a vertex from the bind pose to a pose: the weighted sum of its bindings' matrices.
 [[nodiscard]] inline glm::mat4 skinMatrix(const Character& character, const Pose& pose, int vertex) {
   glm::mat4 sum(0.0f);
   for (const WeightedBinding& follows : bindingsOf(character, vertex)) {
     const glm::mat4& bone = pose.boneInWorld[static_cast<std::size_t>(follows.bone())];
     const glm::mat4& inverse = follows.binding.inverseBind;
-    // By columns: a product of whole matrices is not always inlined, and then is most of what this takes.
+    // By columns: products of whole matrices are not always inlined and then take most of the time.
     for (glm::length_t c = 0; c < 4; ++c) {
       const glm::vec4& way = inverse[c];
       sum[c] += follows.weight * (bone[0] * way.x + bone[1] * way.y + bone[2] * way.z + bone[3] * way.w);

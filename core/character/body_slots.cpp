@@ -1,4 +1,4 @@
-// core/character/body_slots.cpp: limbs first, then what carries them, then what lies between.
+// core/character/body_slots.cpp: finds limbs first, then the bones that carry them, then those between.
 #include "core/character/body_slots.h"
 
 #include <algorithm>
@@ -10,12 +10,10 @@
 
 #include <glm/geometric.hpp>
 
-#include "core/character/limb_chains.h"
+#include "core/character/joint_roles.h"
 #include "core/geometry/at.h"
 
 namespace sinew {
-
-// The names of body slots.
 
 namespace {
 
@@ -81,13 +79,10 @@ std::optional<BodySlot> bodySlotNamed(std::string_view name) {
 
 namespace {
 
-// Which bone of a limb is which part of it.
-// The best way to lay a limb's parts over its bones, in order, by names and proportions.
-
-constexpr float kShortPart = 0.04f;  ///< Of H: shorter is no upper or lower part of a limb.
+constexpr float kShortPart = 0.04f;  ///< Shortest upper or lower part of a limb, fraction of H.
 constexpr float kNever = -1e6f;
 
-/// One limb against one list of parts.
+/// Scores for assigning the parts of a limb, in order, to its bones.
 struct Laying {
   const SlotSearch& search;
   const LimbChain& chain;
@@ -97,7 +92,7 @@ struct Laying {
   [[nodiscard]] float lateral(std::size_t i) const {
     return std::abs(glm::dot(at(search.joints, chain.bones[i]), search.left) - search.middle);
   }
-  /// The second half of a bone that is split along its length has the name of the first.
+  /// Second half of a bone split along its length: it has the same name.
   [[nodiscard]] bool goesOn(std::size_t i) const {
     return i > 0 && !name(i).key.empty() && name(i).key == name(i - 1).key && !name(i).digit;
   }
@@ -105,7 +100,7 @@ struct Laying {
     const glm::vec3 along = chain.segment(i, search);
     return std::abs(along.y) < 0.5f * glm::length(along);
   }
-  /// Bones from here on that may be parts.
+  /// Number of bones from here on that may be parts.
   [[nodiscard]] int partsLeft(std::size_t i) const {
     int count = 0;
     for (; i < chain.bones.size(); ++i) {
@@ -118,47 +113,47 @@ struct Laying {
     const bool isShort = glm::length(chain.segment(i, search)) < kShortPart * search.height;
     return isNothing || isShort || (i == 0 && isSideways(i)) ? 0.0f : -0.7f;
   }
-  [[nodiscard]] float shape(std::size_t i, Slot slot) const;
+
+  /// Score from proportions.
+  float shape(std::size_t i, Slot slot) const {
+    const bool named = nameFits(name(i), slot) > 0;
+    const bool isShort = glm::length(chain.segment(i, search)) < kShortPart * search.height;
+    switch (slot) {
+      case Slot::kShoulder: {
+        if (named) return 0.0f;
+        const int rest = partsLeft(i + 1);
+        const bool near = i + 1 < chain.bones.size() && lateral(i) < 0.45f * lateral(i + 1);
+        return i == 0 && ((near && rest >= 3) || rest >= 4) ? 0.5f : -2.0f;
+      }
+      case Slot::kUpperLeg:
+      case Slot::kHindUpper:
+        if (isSideways(i) && !named && partsLeft(i + 1) >= 2) return -2.0f;
+        return isShort ? -1.5f : 0.0f;
+      case Slot::kUpperArm:
+      case Slot::kLowerArm:
+      case Slot::kLowerLeg:
+      case Slot::kFrontUpper:
+      case Slot::kHindLower:
+        return isShort ? -1.5f : 0.0f;
+      case Slot::kHand:
+        return at(search.skeleton.bones, chain.bones[i]).children.size() >= 3 ? 0.5f : 0.0f;
+      default:
+        return 0.0f;
+    }
+  }
+
   [[nodiscard]] float taken(std::size_t i, Slot slot) const {
     if (name(i).helper || name(i).digit) return kNever;
     return 1.0f + static_cast<float>(nameFits(name(i), slot)) + shape(i, slot);
   }
 };
 
-/// What proportions say, beside the order alone.
-float Laying::shape(std::size_t i, Slot slot) const {
-  const bool named = nameFits(name(i), slot) > 0;
-  const bool isShort = glm::length(chain.segment(i, search)) < kShortPart * search.height;
-  switch (slot) {
-    case Slot::kShoulder: {
-      if (named) return 0.0f;
-      const int rest = partsLeft(i + 1);
-      const bool near = i + 1 < chain.bones.size() && lateral(i) < 0.45f * lateral(i + 1);
-      return i == 0 && ((near && rest >= 3) || rest >= 4) ? 0.5f : -2.0f;
-    }
-    case Slot::kUpperLeg:
-    case Slot::kHindUpper:
-      if (isSideways(i) && !named && partsLeft(i + 1) >= 2) return -2.0f;
-      return isShort ? -1.5f : 0.0f;
-    case Slot::kUpperArm:
-    case Slot::kLowerArm:
-    case Slot::kLowerLeg:
-    case Slot::kFrontUpper:
-    case Slot::kHindLower:
-      return isShort ? -1.5f : 0.0f;
-    case Slot::kHand:
-      return at(search.skeleton.bones, chain.bones[i]).children.size() >= 3 ? 0.5f : 0.0f;
-    default:
-      return 0.0f;
-  }
-}
-
-/// The bone of each part, in the order of `parts`, each further out than the one before.
+/// The bone of each part, each further out than the one before, by dynamic programming.
 /// @param parts  from the trunk outwards, of one limb
 std::vector<SlotBone> partsOfLimb(const SlotSearch& search, const LimbChain& chain, std::span<const Slot> parts) {
   const Laying laying{search, chain, parts};
   const std::size_t bones = chain.bones.size();
-  // score[i][j]: the best for the bones from i on and the parts from j on.
+  // score[i][j]: the best score for bones from i on and parts from j on.
   std::vector<std::vector<float>> score(bones + 1, std::vector<float>(parts.size() + 1, 0.0f));
   const auto takes = [&](std::size_t i, std::size_t j) { return laying.taken(i, parts[j]) + score[i + 1][j + 1]; };
   for (std::size_t i = bones; i-- > 0;) {
@@ -184,9 +179,9 @@ std::vector<SlotBone> partsOfLimb(const SlotSearch& search, const LimbChain& cha
   return found;
 }
 
-constexpr float kReachesGround = 0.55f;  ///< A limb does that ends below this part of its root's height.
-constexpr float kNearHips = 0.2f;        ///< Of H: how far a bone called hips may be from what carries the legs.
-constexpr float kElbowCut = 0.4f;        ///< Where one bone for humerus and radius has its elbow.
+constexpr float kReachesGround = 0.55f;  ///< Height of a limb's end over that of its root, below which it does.
+constexpr float kNearHips = 0.2f;        ///< Largest difference in height of hips and legs, fraction of H.
+constexpr float kElbowCut = 0.4f;        ///< Elbow of a bone that is humerus and radius.
 constexpr Slot kArm[] = {Slot::kShoulder, Slot::kUpperArm, Slot::kLowerArm, Slot::kHand};
 constexpr Slot kLeg[] = {Slot::kUpperLeg, Slot::kLowerLeg, Slot::kFoot, Slot::kToes};
 constexpr Slot kFrontLeg[] = {Slot::kShoulder, Slot::kFrontUpper, Slot::kFrontLower, Slot::kFrontFoot};
@@ -232,7 +227,7 @@ int bestOf(const std::vector<LimbChain>& chains, Score score, int besides = -1) 
   return best;
 }
 
-/// Of two limbs that both reach the ground and say nothing, the one that is carried from nearer to the root is behind.
+/// For two unnamed limbs that reach the ground: the one attached nearer to the root is the hind leg.
 bool isBehind(const SlotSearch& search, const LimbChain& one, const LimbChain& other) {
   return one.attach != other.attach && one.attach >= 0 && search.isAbove(one.attach, other.attach);
 }
@@ -253,7 +248,7 @@ Limbs findLimbs(const SlotSearch& search) {
       chains, [&](const LimbChain& chain) { return armScore(search, chain); }, isLeg(legs) ? legs : -1);
   if (!isLeg(legs)) legs = -1;
   if (arms >= 0 && isLegByName(at(chains, arms))) arms = -1;
-  // Without a name an arm has at least two bones, and begins above the legs or before them.
+  // An unnamed arm has at least two bones and begins above the legs or in front of them.
   if (arms >= 0 && !isArmByName(at(chains, arms)) && at(chains, arms).bones.size() < 2) arms = -1;
   if (legs >= 0 && arms >= 0) {
     const LimbChain& a = at(chains, arms);
@@ -273,7 +268,6 @@ Limbs findLimbs(const SlotSearch& search) {
 
 // Parts in the middle -----------------------------------------------------------------------------------------------
 
-/// Finds the parts of one skeleton.
 class SlotFinder {
  public:
   explicit SlotFinder(const SlotSearch& search) : search_(search), limbs_(findLimbs(search)) {}
@@ -322,14 +316,185 @@ class SlotFinder {
     for (std::size_t i = 0; i < parts.size(); ++i) setPair(parts[i], bones[i]);
   }
 
-  void cutFrontLeg();
-  void findLooseFeet();
-  void findHips();
-  void findTrunk();
-  void findHead();
-  void findTail();
-  [[nodiscard]] std::vector<int> pathBetween(int from, int to) const;
-  [[nodiscard]] int upwards(int bone) const;
+  /// Splits the first bone if it is both humerus and radius, as in rigs for games: it ends at the carpus, half way
+  /// down, and is not named as an arm.
+  void cutFrontLeg() {
+    const SlotBone upper = found_[{Slot::kFrontUpper}];
+    const SlotBone lower = found_[{Slot::kFrontLower}];
+    if (upper.bone < 0 || lower.bone < 0) return;
+    const float top = joint(upper.bone).y - search_.ground;
+    const float end = joint(lower.bone).y - search_.ground;
+    const bool saysArm = nameFits(name(upper.bone), Slot::kFrontUpper) > 1;
+    if (saysArm || !(end < 0.6f * top)) return;
+    for (const BodySide side : {BodySide::kLeft, BodySide::kRight}) {
+      SlotBone& humerus = found_[{Slot::kFrontUpper, side}];
+      SlotBone& radius = found_[{Slot::kFrontLower, side}];
+      if (humerus.bone < 0 || radius.bone < 0) continue;
+      found_[{Slot::kFrontFoot, side}] = {radius.bone, SlotConfidence::kPlaced};
+      radius = {humerus.bone, SlotConfidence::kPlaced, kElbowCut, 1.0f};
+      humerus.to = kElbowCut;
+    }
+  }
+
+  /// Finds feet that follow a target and are attached to the root, by name, below the limb's end.
+  void findLooseFeet() {
+    const auto find = [&](Slot foot, Slot above, LimbWord other) {
+      const int upper = found_.boneOf(above);
+      if (found_.boneOf(foot) >= 0 || upper < 0) return;
+      int best = -1;
+      for (int i = 0; i < static_cast<int>(search_.joints.size()); ++i) {
+        const LimbWord word = limbWord(name(i));
+        if (!at(search_.active, i) || search_.sideOf(i) <= 0 || search_.isAbove(upper, i) || name(i).helper) continue;
+        if (word == LimbWord::kNone || word == LimbWord::kArm || word == other) continue;
+        const glm::vec3 away = joint(i) - joint(upper);
+        const float aside = glm::length(glm::vec3(away.x, 0.0f, away.z));
+        if (!(away.y < -0.05f * search_.height) || aside > 0.15f * search_.height) continue;
+        if (!isTaken(i) && (best < 0 || joint(i).y > joint(best).y)) best = i;
+      }
+      if (best >= 0) setPair(foot, {best, SlotConfidence::kNamed});
+    };
+    if (limbs_.quadruped) {
+      find(Slot::kHindFoot, Slot::kHindLower, LimbWord::kFrontLeg);
+      find(Slot::kFrontFoot, Slot::kFrontLower, LimbWord::kHindLeg);
+    } else {
+      find(Slot::kFoot, Slot::kLowerLeg, LimbWord::kFrontLeg);
+    }
+  }
+
+  void findHips() {
+    if (!limbs_.legs) {
+      for (int i = 0; i < static_cast<int>(search_.joints.size()); ++i) {
+        if (isMiddle(i) && nameFits(name(i), Slot::kHips) >= 2 && found_.boneOf(Slot::kHips) < 0) {
+          set(Slot::kHips, i, SlotConfidence::kNamed);
+        }
+      }
+      return;
+    }
+    const int twin = at(search_.twinOf, limbs_.legs->bones.front());
+    const int other = twin >= 0 ? search_.parentOf(twin) : limbs_.legs->attach;
+    const int carrier = search_.commonAncestor(limbs_.legs->attach, other);
+    if (carrier < 0) return;
+    const int arms = limbs_.arms ? limbs_.arms->attach : -1;
+    const glm::vec3 height = joint(limbs_.legs->bones.front());
+    int best = carrier;
+    float bestScore = 2.0f + static_cast<float>(nameFits(name(carrier), Slot::kHips));
+    for (int i = 0; i < static_cast<int>(search_.joints.size()); ++i) {
+      const bool onTheWay = search_.isAbove(i, carrier) || (search_.isAbove(carrier, i) && search_.isAbove(i, arms));
+      if (i == carrier || !isMiddle(i) || !onTheWay) continue;
+      if (std::abs(joint(i).y - height.y) > kNearHips * search_.height) continue;
+      const auto score = static_cast<float>(nameFits(name(i), Slot::kHips));
+      if (score > bestScore) {
+        best = i;
+        bestScore = score;
+      }
+    }
+    // The root of the mesh is no hips, although it may carry both legs and spine.
+    const int fit = nameFits(name(best), Slot::kHips);
+    if (fit <= 0 && search_.parentOf(best) < 0 && joint(best).y - search_.ground < 0.5f * (height.y - search_.ground))
+      return;
+    set(Slot::kHips, best,
+        best != carrier ? SlotConfidence::kNamed
+        : fit > 0       ? SlotConfidence::kSure
+                        : SlotConfidence::kPlaced);
+  }
+
+  void findTrunk() {
+    const int hips = found_.boneOf(Slot::kHips);
+    if (limbs_.arms && limbs_.arms->attach >= 0 && hips >= 0) {
+      for (const int bone : pathBetween(hips, limbs_.arms->attach)) {
+        if (nameFits(name(bone), Slot::kNeck) <= 0 && !name(bone).helper) found_.trunk.push_back(bone);
+      }
+    } else if (hips >= 0) {
+      for (int i = upwards(hips); i >= 0 && found_.trunk.size() < 64; i = upwards(i)) {
+        if (nameFits(name(i), Slot::kNeck) > 0 || nameFits(name(i), Slot::kHead) > 0) break;
+        found_.trunk.push_back(i);
+      }
+    }
+    // The back may go on beyond the front legs.
+    const auto isTrunk = [&](int bone) {
+      return limbs_.quadruped &&
+             (nameFits(name(bone), Slot::kSpine) > 0 || nameFits(name(bone), Slot::kUpperChest) > 0);
+    };
+    for (int i = found_.trunk.empty() ? -1 : upwards(found_.trunk.back()); i >= 0 && isTrunk(i); i = upwards(i)) {
+      found_.trunk.push_back(i);
+    }
+    const std::vector<int>& trunk = found_.trunk;
+    const auto put = [&](Slot slot, int bone) {
+      set(slot, bone, nameFits(name(bone), slot) > 0 ? SlotConfidence::kSure : SlotConfidence::kPlaced);
+    };
+    if (trunk.empty()) return;
+    if (trunk.size() == 1)
+      return put(nameFits(name(trunk[0]), Slot::kChest) > 2 ? Slot::kChest : Slot::kSpine, trunk[0]);
+    put(Slot::kSpine, trunk.front());
+    if (trunk.size() == 2) return put(Slot::kChest, trunk[1]);
+    put(Slot::kChest, trunk[trunk.size() / 2]);
+    put(Slot::kUpperChest, trunk.back());
+  }
+
+  void findHead() {
+    int from = found_.trunk.empty() ? (limbs_.arms ? limbs_.arms->attach : -1) : found_.trunk.back();
+    if (from < 0) from = found_.boneOf(Slot::kHips);
+    if (from < 0) return;
+    std::vector<int> way;
+    int head = -1;
+    for (int i = upwards(from); i >= 0 && way.size() < 64 && head < 0; i = upwards(i)) {
+      if (nameFits(name(i), Slot::kHead) > 0) head = i;
+      way.push_back(i);
+    }
+    if (way.empty()) return;
+    if (head < 0) {
+      // If no bone is named head, the last of at least two is.
+      if (way.size() < 2 || nameFits(name(way.back()), Slot::kNeck) > 0) {
+        if (nameFits(name(way.front()), Slot::kNeck) <= 0) return;
+        found_.neck = way;
+        return set(Slot::kNeck, way.front(), SlotConfidence::kSure);
+      }
+      set(Slot::kHead, way.back(), SlotConfidence::kPlaced);
+    } else {
+      set(Slot::kHead, head, SlotConfidence::kSure);
+    }
+    way.pop_back();
+    found_.neck = way;
+    if (way.empty()) return;
+    const bool named = nameFits(name(way.front()), Slot::kNeck) > 0;
+    set(Slot::kNeck, way.front(), named ? SlotConfidence::kSure : SlotConfidence::kPlaced);
+  }
+
+  void findTail() {
+    for (int i = 0; i < static_cast<int>(search_.joints.size()); ++i) {
+      if (!isMiddle(i) || name(i).helper || nameFits(name(i), Slot::kTail) <= 0) continue;
+      const bool hangsThere = found_.boneOf(Slot::kHips) < 0 || glm::dot(joint(i) - joint(found_.boneOf(Slot::kHips)),
+                                                                         found_.forward) < 0.1f * search_.height;
+      return set(Slot::kTail, i, hangsThere ? SlotConfidence::kSure : SlotConfidence::kNamed);
+    }
+  }
+
+  std::vector<int> pathBetween(int from, int to) const {
+    const int top = search_.commonAncestor(from, to);
+    if (top < 0) return {};
+    std::vector<int> down;
+    for (int i = to; i != top; i = search_.parentOf(i)) down.push_back(i);
+    return {down.rbegin(), down.rend()};
+  }
+
+  /// The center child that leads to the head.
+  int upwards(int bone) const {
+    int best = -1;
+    float bestScore = 0.0f;
+    for (const int child : at(search_.skeleton.bones, bone).children) {
+      const bool named = nameFits(name(child), Slot::kNeck) > 0 || nameFits(name(child), Slot::kHead) > 0;
+      if (!isMiddle(child) || (name(child).helper && !named) || nameFits(name(child), Slot::kTail) > 0) continue;
+      const glm::vec3 step = joint(child) - joint(bone);
+      const float rises = glm::dot(step, kUp) + (limbs_.quadruped ? std::abs(glm::dot(step, found_.forward)) : 0.0f);
+      const float score = rises / search_.height + (named ? 10.0f : 0.0f);
+      if ((named || rises > 0.0f) && (best < 0 || score > bestScore)) {
+        best = child;
+        bestScore = score;
+      }
+    }
+    return best;
+  }
+
   [[nodiscard]] bool isMiddle(int bone) const { return at(search_.active, bone) && search_.sideOf(bone) == 0; }
 
   const SlotSearch& search_;
@@ -337,183 +502,7 @@ class SlotFinder {
   BodySlots found_;
 };
 
-/// Rigs for games have one bone for humerus and radius: it ends at the carpus, half way down, and no name says arm.
-void SlotFinder::cutFrontLeg() {
-  const SlotBone upper = found_[{Slot::kFrontUpper}];
-  const SlotBone lower = found_[{Slot::kFrontLower}];
-  if (upper.bone < 0 || lower.bone < 0) return;
-  const float top = joint(upper.bone).y - search_.ground;
-  const float end = joint(lower.bone).y - search_.ground;
-  const bool saysArm = nameFits(name(upper.bone), Slot::kFrontUpper) > 1;
-  if (saysArm || !(end < 0.6f * top)) return;
-  for (const BodySide side : {BodySide::kLeft, BodySide::kRight}) {
-    SlotBone& humerus = found_[{Slot::kFrontUpper, side}];
-    SlotBone& radius = found_[{Slot::kFrontLower, side}];
-    if (humerus.bone < 0 || radius.bone < 0) continue;
-    found_[{Slot::kFrontFoot, side}] = {radius.bone, SlotConfidence::kPlaced};
-    radius = {humerus.bone, SlotConfidence::kPlaced, kElbowCut, 1.0f};
-    humerus.to = kElbowCut;
-  }
-}
-
-/// Feet that follow a target of their own hang from the root: they are found by name, below the limb's end.
-void SlotFinder::findLooseFeet() {
-  const auto find = [&](Slot foot, Slot above, LimbWord other) {
-    const int upper = found_.boneOf(above);
-    if (found_.boneOf(foot) >= 0 || upper < 0) return;
-    int best = -1;
-    for (int i = 0; i < static_cast<int>(search_.joints.size()); ++i) {
-      const LimbWord word = limbWord(name(i));
-      if (!at(search_.active, i) || search_.sideOf(i) <= 0 || search_.isAbove(upper, i) || name(i).helper) continue;
-      if (word == LimbWord::kNone || word == LimbWord::kArm || word == other) continue;
-      const glm::vec3 away = joint(i) - joint(upper);
-      const float aside = glm::length(glm::vec3(away.x, 0.0f, away.z));
-      if (!(away.y < -0.05f * search_.height) || aside > 0.15f * search_.height) continue;
-      if (!isTaken(i) && (best < 0 || joint(i).y > joint(best).y)) best = i;
-    }
-    if (best >= 0) setPair(foot, {best, SlotConfidence::kNamed});
-  };
-  if (limbs_.quadruped) {
-    find(Slot::kHindFoot, Slot::kHindLower, LimbWord::kFrontLeg);
-    find(Slot::kFrontFoot, Slot::kFrontLower, LimbWord::kHindLeg);
-  } else {
-    find(Slot::kFoot, Slot::kLowerLeg, LimbWord::kFrontLeg);
-  }
-}
-
-void SlotFinder::findHips() {
-  if (!limbs_.legs) {
-    for (int i = 0; i < static_cast<int>(search_.joints.size()); ++i) {
-      if (isMiddle(i) && nameFits(name(i), Slot::kHips) >= 2 && found_.boneOf(Slot::kHips) < 0) {
-        set(Slot::kHips, i, SlotConfidence::kNamed);
-      }
-    }
-    return;
-  }
-  const int twin = at(search_.twinOf, limbs_.legs->bones.front());
-  const int other = twin >= 0 ? search_.parentOf(twin) : limbs_.legs->attach;
-  const int carrier = search_.commonAncestor(limbs_.legs->attach, other);
-  if (carrier < 0) return;
-  const int arms = limbs_.arms ? limbs_.arms->attach : -1;
-  const glm::vec3 height = joint(limbs_.legs->bones.front());
-  int best = carrier;
-  float bestScore = 2.0f + static_cast<float>(nameFits(name(carrier), Slot::kHips));
-  for (int i = 0; i < static_cast<int>(search_.joints.size()); ++i) {
-    const bool onTheWay = search_.isAbove(i, carrier) || (search_.isAbove(carrier, i) && search_.isAbove(i, arms));
-    if (i == carrier || !isMiddle(i) || !onTheWay) continue;
-    if (std::abs(joint(i).y - height.y) > kNearHips * search_.height) continue;
-    const auto score = static_cast<float>(nameFits(name(i), Slot::kHips));
-    if (score > bestScore) {
-      best = i;
-      bestScore = score;
-    }
-  }
-  // What moves the whole body alone is no hips: the mesh's root may carry legs and spine side by side.
-  const int fit = nameFits(name(best), Slot::kHips);
-  if (fit <= 0 && search_.parentOf(best) < 0 && joint(best).y - search_.ground < 0.5f * (height.y - search_.ground))
-    return;
-  set(Slot::kHips, best,
-      best != carrier ? SlotConfidence::kNamed
-      : fit > 0       ? SlotConfidence::kSure
-                      : SlotConfidence::kPlaced);
-}
-
-std::vector<int> SlotFinder::pathBetween(int from, int to) const {
-  const int top = search_.commonAncestor(from, to);
-  if (top < 0) return {};
-  std::vector<int> down;
-  for (int i = to; i != top; i = search_.parentOf(i)) down.push_back(i);
-  return {down.rbegin(), down.rend()};
-}
-
-/// The center child that leads to the head.
-int SlotFinder::upwards(int bone) const {
-  int best = -1;
-  float bestScore = 0.0f;
-  for (const int child : at(search_.skeleton.bones, bone).children) {
-    const bool named = nameFits(name(child), Slot::kNeck) > 0 || nameFits(name(child), Slot::kHead) > 0;
-    if (!isMiddle(child) || (name(child).helper && !named) || nameFits(name(child), Slot::kTail) > 0) continue;
-    const glm::vec3 step = joint(child) - joint(bone);
-    const float rises = glm::dot(step, kUp) + (limbs_.quadruped ? std::abs(glm::dot(step, found_.forward)) : 0.0f);
-    const float score = rises / search_.height + (named ? 10.0f : 0.0f);
-    if ((named || rises > 0.0f) && (best < 0 || score > bestScore)) {
-      best = child;
-      bestScore = score;
-    }
-  }
-  return best;
-}
-
-void SlotFinder::findTrunk() {
-  const int hips = found_.boneOf(Slot::kHips);
-  if (limbs_.arms && limbs_.arms->attach >= 0 && hips >= 0) {
-    for (const int bone : pathBetween(hips, limbs_.arms->attach)) {
-      if (nameFits(name(bone), Slot::kNeck) <= 0 && !name(bone).helper) found_.trunk.push_back(bone);
-    }
-  } else if (hips >= 0) {
-    for (int i = upwards(hips); i >= 0 && found_.trunk.size() < 64; i = upwards(i)) {
-      if (nameFits(name(i), Slot::kNeck) > 0 || nameFits(name(i), Slot::kHead) > 0) break;
-      found_.trunk.push_back(i);
-    }
-  }
-  // Front legs may hang from the middle of a back that goes on.
-  const auto isTrunk = [&](int bone) {
-    return limbs_.quadruped && (nameFits(name(bone), Slot::kSpine) > 0 || nameFits(name(bone), Slot::kUpperChest) > 0);
-  };
-  for (int i = found_.trunk.empty() ? -1 : upwards(found_.trunk.back()); i >= 0 && isTrunk(i); i = upwards(i)) {
-    found_.trunk.push_back(i);
-  }
-  const std::vector<int>& trunk = found_.trunk;
-  const auto put = [&](Slot slot, int bone) {
-    set(slot, bone, nameFits(name(bone), slot) > 0 ? SlotConfidence::kSure : SlotConfidence::kPlaced);
-  };
-  if (trunk.empty()) return;
-  if (trunk.size() == 1) return put(nameFits(name(trunk[0]), Slot::kChest) > 2 ? Slot::kChest : Slot::kSpine, trunk[0]);
-  put(Slot::kSpine, trunk.front());
-  if (trunk.size() == 2) return put(Slot::kChest, trunk[1]);
-  put(Slot::kChest, trunk[trunk.size() / 2]);
-  put(Slot::kUpperChest, trunk.back());
-}
-
-void SlotFinder::findHead() {
-  int from = found_.trunk.empty() ? (limbs_.arms ? limbs_.arms->attach : -1) : found_.trunk.back();
-  if (from < 0) from = found_.boneOf(Slot::kHips);
-  if (from < 0) return;
-  std::vector<int> way;
-  int head = -1;
-  for (int i = upwards(from); i >= 0 && way.size() < 64 && head < 0; i = upwards(i)) {
-    if (nameFits(name(i), Slot::kHead) > 0) head = i;
-    way.push_back(i);
-  }
-  if (way.empty()) return;
-  if (head < 0) {
-    // Without names the last bone of at least two is the head.
-    if (way.size() < 2 || nameFits(name(way.back()), Slot::kNeck) > 0) {
-      if (nameFits(name(way.front()), Slot::kNeck) <= 0) return;
-      found_.neck = way;
-      return set(Slot::kNeck, way.front(), SlotConfidence::kSure);
-    }
-    set(Slot::kHead, way.back(), SlotConfidence::kPlaced);
-  } else {
-    set(Slot::kHead, head, SlotConfidence::kSure);
-  }
-  way.pop_back();
-  found_.neck = way;
-  if (way.empty()) return;
-  const bool named = nameFits(name(way.front()), Slot::kNeck) > 0;
-  set(Slot::kNeck, way.front(), named ? SlotConfidence::kSure : SlotConfidence::kPlaced);
-}
-
-void SlotFinder::findTail() {
-  for (int i = 0; i < static_cast<int>(search_.joints.size()); ++i) {
-    if (!isMiddle(i) || name(i).helper || nameFits(name(i), Slot::kTail) <= 0) continue;
-    const bool hangsThere = found_.boneOf(Slot::kHips) < 0 || glm::dot(joint(i) - joint(found_.boneOf(Slot::kHips)),
-                                                                       found_.forward) < 0.1f * search_.height;
-    return set(Slot::kTail, i, hangsThere ? SlotConfidence::kSure : SlotConfidence::kNamed);
-  }
-}
-
-/// How surely the body faces where `slots` say, by feet and, on four legs, by the way from hips to head.
+/// Positive if the body faces `slots.forward`, by its feet or, on four legs, from hind to front legs.
 float facing(const SlotSearch& search, const BodySlots& slots) {
   const auto way = [&](Slot from, Slot to) {
     const int a = slots.boneOf(from);
@@ -539,31 +528,13 @@ BodySlots findBodySlots(const Skeleton& skeleton, const SlotHints& hints) {
 }
 
 const char* nameOf(SlotConfidence confidence) {
-  switch (confidence) {
-    case SlotConfidence::kMissing:
-      return "missing";
-    case SlotConfidence::kPlaced:
-      return "placed";
-    case SlotConfidence::kNamed:
-      return "named";
-    case SlotConfidence::kSure:
-      return "sure";
-    case SlotConfidence::kGiven:
-      return "given";
-  }
-  return "missing";
+  constexpr std::array kConfidences{"missing", "placed", "named", "sure", "given"};
+  return kConfidences[static_cast<std::size_t>(confidence)];
 }
 
 const char* nameOf(BodyKind kind) {
-  switch (kind) {
-    case BodyKind::kUnknown:
-      return "unknown";
-    case BodyKind::kHumanoid:
-      return "humanoid";
-    case BodyKind::kQuadruped:
-      return "quadruped";
-  }
-  return "unknown";
+  constexpr std::array kKinds{"unknown", "humanoid", "quadruped"};
+  return kKinds[static_cast<std::size_t>(kind)];
 }
 
 }  // namespace sinew

@@ -12,9 +12,7 @@
 
 namespace sinew {
 
-// The parts of a body that presets speak of, and their names in files.
-
-/// A part, whichever side it is on. After the names of VRM 1.0, which are those of Unity; quadrupeds have their own.
+/// A part on either side. Named as in VRM 1.0 and Unity, with additional parts for quadrupeds.
 enum class Slot {
   kHips,
   kSpine,
@@ -31,10 +29,10 @@ enum class Slot {
   kLowerLeg,
   kFoot,
   kToes,
-  kFrontUpper,  ///< Of quadrupeds: humerus; radius; what lies below the carpus.
+  kFrontUpper,  ///< Quadrupeds: humerus; radius; below the carpus.
   kFrontLower,
   kFrontFoot,
-  kHindUpper,  ///< Femur; tibia; what lies below the hock.
+  kHindUpper,  ///< Femur; tibia; below the hock.
   kHindLower,
   kHindFoot,
 };
@@ -43,7 +41,7 @@ inline constexpr Slot kFirstSidedSlot = Slot::kShoulder;
 
 enum class BodySide { kLeft, kRight };
 
-/// A part of the body. Center parts have no side: theirs is kLeft.
+/// A part of the body; `side` is kLeft for center parts.
 struct BodySlot {
   Slot slot = Slot::kHips;
   BodySide side = BodySide::kLeft;
@@ -52,7 +50,7 @@ struct BodySlot {
   friend bool operator==(const BodySlot&, const BodySlot&) = default;
 };
 
-/// "upperArm", as VRM calls it.
+/// "upperArm", as in VRM.
 [[nodiscard]] const char* nameOf(Slot slot);
 [[nodiscard]] std::optional<Slot> slotNamed(std::string_view name);
 
@@ -66,28 +64,28 @@ struct BodySlot {
 
 enum class BodyKind { kUnknown, kHumanoid, kQuadruped };
 
-/// How a bone came to its slot.
+/// How a bone was assigned to its slot.
 enum class SlotConfidence {
   kMissing,
-  kPlaced,  ///< By where it lies in the tree alone.
+  kPlaced,  ///< By its place in the tree alone.
   kNamed,   ///< By its name alone.
   kSure,    ///< By both.
-  kGiven,   ///< The rig says so.
+  kGiven,   ///< By the rig.
 };
 
-/// What a skeleton alone does not tell.
+/// What findBodySlots() takes besides the skeleton.
 struct SlotHints {
   std::vector<int> twinOf;                  ///< [bones] as MirrorPlan::twinOf (core/rig/mirror.h).
-  glm::vec3 planeNormal{1.0f, 0.0f, 0.0f};  ///< Of the mirror plane, unit, bind pose.
-  std::vector<bool> carriesSkin;            ///< [bones] skin follows it; empty: all do.
+  glm::vec3 planeNormal{1.0f, 0.0f, 0.0f};  ///< The mirror plane's, unit, bind pose.
+  std::vector<bool> carriesSkin;            ///< [bones] skin follows the bone; empty: all.
   float height = 0.0f;                      ///< H, character units; 0: the extent of the joints.
 };
 
-/// A part of a body: a bone, or a piece of one where one bone is two parts.
+/// A bone, or a piece of it where one bone is two parts.
 struct SlotBone {
   int bone = -1;
   SlotConfidence confidence = SlotConfidence::kMissing;
-  float from = 0.0f;  ///< Part of the way from its joint to the next part's.
+  float from = 0.0f;  ///< Fractions of the distance from its joint to the next part's.
   float to = 1.0f;
 
   friend bool operator==(const SlotBone&, const SlotBone&) = default;
@@ -96,7 +94,7 @@ struct SlotBone {
 struct BodySlots {
   BodyKind kind = BodyKind::kUnknown;
   std::array<SlotBone, 35> bones;  ///< In the order of allBodySlots().
-  std::vector<int> trunk;          ///< From the first bone above the hips to the one that carries the arms.
+  std::vector<int> trunk;          ///< From the first bone above the hips to the parent of the arms.
   std::vector<int> neck;           ///< Between trunk and head.
   glm::vec3 left{1.0f, 0.0f, 0.0f};
   glm::vec3 forward{0.0f, 0.0f, 1.0f};
@@ -106,9 +104,9 @@ struct BodySlots {
   [[nodiscard]] int boneOf(Slot slot, BodySide side = BodySide::kLeft) const { return (*this)[{slot, side}].bone; }
 };
 
-/// By names and by where bones lie in the bind pose: legs are the mirrored chains that end lowest, hips what carries
-/// both, arms the other pair, trunk and neck what lies between and above. A quadruped is a body whose trunk lies level
-/// and whose front limbs reach the ground too. What is not clear stays missing. docs/muscles.md.
+/// Finds body parts by the names of bones and their places in the bind pose. Legs are the mirrored chains that end
+/// lowest, the hips carry both, arms are the other pair, trunk and neck lie between and above. A quadruped has a level
+/// trunk and front limbs that reach the ground too. Unclear parts stay missing. docs/muscles.md.
 [[nodiscard]] BodySlots findBodySlots(const Skeleton& skeleton, const SlotHints& hints);
 
 /// "sure", "named", "placed", "missing", "given"

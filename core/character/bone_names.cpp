@@ -1,4 +1,4 @@
-// core/character/bone_names.cpp: keys of names, and the words for each part.
+// core/character/bone_names.cpp: finds side markers and words in names; lists the words for each body part.
 #include "core/character/bone_names.h"
 
 #include <algorithm>
@@ -13,8 +13,6 @@
 
 namespace sinew {
 
-// Words in names, and the sides they mean.
-
 namespace {
 
 struct MarkerPair {
@@ -26,24 +24,24 @@ constexpr MarkerPair kWords{"left", "right"};
 constexpr std::array<MarkerPair, 4> kShort{MarkerPair{"l", "r"}, MarkerPair{"lf", "rt"}, MarkerPair{"fl", "fr"},
                                            MarkerPair{"bl", "br"}};
 
-bool isUpperLetter(char c) { return c >= 'A' && c <= 'Z'; }
+bool isUpper(char c) { return c >= 'A' && c <= 'Z'; }
 bool isLower(char c) { return c >= 'a' && c <= 'z'; }
-bool isAnyLetter(char c) { return isUpperLetter(c) || isLower(c); }
+bool isLetter(char c) { return isUpper(c) || isLower(c); }
 
-/// A new word begins at `at`: after anything but a letter, at a capital after a small letter, and at the last capital
-/// of a run that a small letter follows ("LArm": L, Arm).
+/// A word begins at `at`: after anything but a letter, at a capital after a small letter, or at the last capital of a
+/// run before a small letter ("LArm": L, Arm).
 bool beginsWord(std::string_view name, std::size_t at) {
-  if (at == 0 || !isAnyLetter(name[at - 1])) return true;
-  if (!isUpperLetter(name[at])) return false;
+  if (at == 0 || !isLetter(name[at - 1])) return true;
+  if (!isUpper(name[at])) return false;
   return isLower(name[at - 1]) || (at + 1 < name.size() && isLower(name[at + 1]));
 }
 
-/// Letters of any script that are not ASCII belong to the word they touch.
+/// Letters beyond ASCII belong to the word next to them.
 bool isForeign(std::string_view name, std::size_t at) {
   return at < name.size() && (static_cast<unsigned char>(name[at]) & 0x80u) != 0;
 }
 
-/// "bright", "upright" and "cleft" say nothing of a side: within a word at least three letters must stand before.
+/// Inside a word at least three letters must come before, since "bright", "upright" and "cleft" name no side.
 bool staysApart(std::string_view name, std::size_t at) {
   std::size_t begin = at;
   while (begin > 0 && !beginsWord(name, begin)) --begin;
@@ -61,9 +59,9 @@ void addWholeWords(std::string_view name, const std::string& lower, std::vector<
 
 void addShort(std::string_view name, const std::string& lower, std::vector<SideMarker>& markers) {
   for (std::size_t begin = 0; begin < name.size(); ++begin) {
-    if (!isAnyLetter(name[begin]) || !beginsWord(name, begin) || (begin > 0 && isForeign(name, begin - 1))) continue;
+    if (!isLetter(name[begin]) || !beginsWord(name, begin) || (begin > 0 && isForeign(name, begin - 1))) continue;
     std::size_t end = begin + 1;
-    while (end < name.size() && isAnyLetter(name[end]) && !beginsWord(name, end)) ++end;
+    while (end < name.size() && isLetter(name[end]) && !beginsWord(name, end)) ++end;
     if (isForeign(name, end)) continue;
     const std::string_view word = std::string_view(lower).substr(begin, end - begin);
     for (const MarkerPair& pair : kShort) {
@@ -73,12 +71,11 @@ void addShort(std::string_view name, const std::string& lower, std::vector<SideM
   }
 }
 
-/// `text` written as `like` is: all capitals, a leading capital, or small.
+/// `text` in the case of `like`: all capitals, a leading capital, or lower case.
 std::string inCaseOf(std::string_view text, std::string_view like) {
   std::string result(text);
   for (std::size_t i = 0; i < result.size(); ++i) {
-    const bool upper = i == 0 ? isUpperLetter(like[0]) : isUpperLetter(like[std::min(i, like.size() - 1)]);
-    if (upper) result[i] = static_cast<char>(result[i] - 'a' + 'A');
+    if (isUpper(like[std::min(i, like.size() - 1)])) result[i] = static_cast<char>(result[i] - 'a' + 'A');
   }
   return result;
 }
@@ -133,15 +130,6 @@ std::optional<std::string> mirroredName(std::string_view name) {
   return result;
 }
 
-// Words in names.
-
-namespace {
-
-bool isUpper(char c) { return c >= 'A' && c <= 'Z'; }
-bool isLetter(char c) { return isUpper(c) || (c >= 'a' && c <= 'z'); }
-
-}  // namespace
-
 std::string lettersOf(std::string_view name) {
   std::string letters;
   for (const char c : name) {
@@ -172,7 +160,7 @@ using Words = std::initializer_list<std::string_view>;
 
 // Keys --------------------------------------------------------------------------------------------------------------
 
-/// Longer ones first: each holds shorter ones.
+/// Longer ones first, since they contain shorter ones.
 constexpr std::array<std::pair<std::string_view, std::string_view>, 29> kJapanese{{
     {"全ての親", " root "},    {"センター", " center "}, {"グルーブ", " groove "}, {"上半身", " upperbody "},
     {"下半身", " lowerbody "}, {"つま先", " toes "},     {"足先EX", " toes "},     {"足首", " foot "},
@@ -190,7 +178,7 @@ bool holds(std::string_view key, Words words) {
   return std::ranges::any_of(words, [&](auto word) { return key.find(word) != std::string_view::npos; });
 }
 
-/// Says of every bone that it is one, or who made it.
+/// Only says that it is a bone, or which program made it.
 bool saysNothing(std::string_view word) {
   return isOneOf(word, {"bip", "def", "mixamorig", "valvebiped", "jnt", "joint", "bone", "skel", "bind", "bn", "cc",
                         "j", "b", "c", "rig", "m", "cf"});
@@ -202,7 +190,7 @@ bool helps(std::string_view word) {
                         "tip",   "effector", "null",  "helper",  "dummy", "poletarget", "twistbone"});
 }
 
-/// Without the side, its markers replaced by spaces. Those of animals' legs leave front or back.
+/// The name with its side markers replaced by spaces; those of animals' legs by front or back.
 std::string withoutSide(std::string_view name) {
   std::string text(name);
   const std::vector<SideMarker> markers = sideMarkers(name);
@@ -236,7 +224,7 @@ Split split(const std::string& full) {
   return result;
 }
 
-/// A first word that most names share says nothing either.
+/// A first word that most names share.
 std::string sharedPrefix(const std::vector<Split>& names) {
   std::map<std::string, std::size_t> counts;
   for (const Split& name : names) {
@@ -317,7 +305,7 @@ std::span<const Vocabulary> vocabularies() {
   return kAll;
 }
 
-/// Or both are parts of the middle.
+/// True also if both are center parts.
 bool isSameLimb(Slot a, Slot b) {
   const auto limb = [](Slot slot) {
     if (slot < kFirstSidedSlot) return 0;

@@ -1,4 +1,4 @@
-// core/character/bone_segments.cpp: from joints to the joints of their children.
+// core/character/bone_segments.cpp: paths between bones, and segments from joints to the joints of their children.
 #include "core/character/bone_segments.h"
 
 #include <algorithm>
@@ -8,8 +8,6 @@
 
 namespace sinew {
 
-// Up to the nearest common ancestor, and down again.
-
 std::vector<int> bonesBetween(const Skeleton& skeleton, int from, int to) {
   const auto upFrom = [&](int bone) {
     std::vector<int> chain;
@@ -18,7 +16,7 @@ std::vector<int> bonesBetween(const Skeleton& skeleton, int from, int to) {
   };
   std::vector<int> a = upFrom(from);
   std::vector<int> b = upFrom(to);
-  // Ancestors that both have lie between them no longer, but for the nearest.
+  // Drops common ancestors but the nearest.
   while (a.size() > 1 && b.size() > 1 && a[a.size() - 2] == b[b.size() - 2]) {
     a.pop_back();
     b.pop_back();

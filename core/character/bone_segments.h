@@ -11,17 +11,15 @@
 
 namespace sinew {
 
-// The bones on the way from one to another.
-
-/// Both bones and those between them in the tree, ascending; the two alone where they have no common ancestor.
+/// Both bones and those between them in the tree, ascending; only the two if they have no common ancestor.
 [[nodiscard]] std::vector<int> bonesBetween(const Skeleton& skeleton, int from, int to);
 
-/// A piece of a straight line; may have no length.
+/// A line segment, possibly of length 0.
 struct Segment {
   glm::vec3 from{0.0f};
-  glm::vec3 along{0.0f};  ///< From its start to its end.
+  glm::vec3 along{0.0f};  ///< From start to end.
 
-  /// Parameter of a point's foot on the whole line: 0 at the start, 1 at the end.
+  /// Parameter of a point's projection onto the infinite line: 0 at the start, 1 at the end.
   [[nodiscard]] float parameter(const glm::vec3& point) const {
     const float squared = glm::dot(along, along);
     return squared > 0.0f ? glm::dot(point - from, along) / squared : 0.0f;
@@ -38,15 +36,15 @@ struct Segment {
   return {from, glm::vec3(bone.bindInWorld * glm::vec4(bone.tip, 1.0f)) - from};
 }
 
-/// Half way from a point to the bone's axis in the bind pose, world: where an anchor under the skin lies.
+/// Half way from a point to the bone's axis in the bind pose, world; for anchors under the skin.
 [[nodiscard]] inline glm::vec3 halfWayToAxis(const Bone& bone, const glm::vec3& point) {
   return 0.5f * (point + bindSegment(bone).nearest(point));
 }
 
-/// A bone as drawn: from its joint to a child's joint, or to its own tip where no child is drawn. World.
+/// A bone as drawn: from its joint to a child's joint, or to its own tip if no child is drawn. World.
 struct BoneSegment {
   int bone = -1;
-  int endBone = -1;  ///< The child whose joint ends it, or the bone itself.
+  int endBone = -1;  ///< The child at its end, or the bone itself.
   glm::vec3 head{0.0f};
   glm::vec3 tail{0.0f};
 

@@ -1,4 +1,4 @@
-// core/character/clip_names.cpp: the clips of a character as a refusal lists them.
+// core/character/clip_names.cpp: ranks clips by words in their names; lists clips in an error.
 #include "core/character/clip_names.h"
 
 #include <algorithm>
@@ -14,11 +14,9 @@
 
 namespace sinew {
 
-// Words in clip names.
-
 namespace {
 
-/// In the order in which they are preferred.
+/// In order of preference.
 enum class ClipKind { kWalk, kIdle, kRun, kOther, kViolent };
 
 template <std::size_t kCount>
@@ -39,13 +37,13 @@ bool isIdle(const std::string& word) {
   return word.starts_with("idle") || word.starts_with("idling") || word.ends_with("idle");
 }
 
-/// Not every word that begins so: "rune", "runway".
+/// Not "rune" or "runway".
 bool isRun(const std::string& word) {
   return word == "run" || word == "runs" || word.starts_with("running") || word.starts_with("runcycle") ||
          word.starts_with("runloop");
 }
 
-/// Says nothing about which movement it is.
+/// Does not name a movement.
 bool isPlain(const std::string& word) {
   constexpr std::array<std::string_view, 10> kPlain{"cycle",  "loop",    "looped", "anim",  "animation",
                                                     "action", "forward", "fwd",    "place", "in"};
@@ -60,7 +58,7 @@ ClipKind kindOf(const std::vector<std::string>& words) {
   return says(isRun) ? ClipKind::kRun : ClipKind::kOther;
 }
 
-/// Less is better. Clips of one rank: the first in the file.
+/// Less is better.
 std::pair<ClipKind, std::ptrdiff_t> rankOf(const AnimationClip& clip) {
   const std::vector<std::string> words = wordsOf(clip.name);
   const ClipKind kind = kindOf(words);

@@ -1,4 +1,4 @@
-// core/character/clip_names.h: what is said of a clip that a character does not have.
+// core/character/clip_names.h: the clip to show first, and the error for a clip that a character does not have.
 #pragma once
 
 #include <span>
@@ -9,18 +9,16 @@
 
 namespace sinew {
 
-// Which clip shows a character when it is opened.
-
-/// Index of a walk, else an idle, else a run, else the first that is neither a death nor an attack, else the first.
-/// By English words in names of any style: "Armature|Walk_Cycle", "walking", "Fox_Run_01". Among several the one with
-/// the fewest other words ("Walk" before "Walk_Left"), then the first in the file. Clips of no length count only where
-/// all are such. -1 without clips.
+/// Index of the clip to show when a character is opened: a walk, else an idle, else a run, else the first that is
+/// neither a death nor an attack, else the first. Reads English words in names of any style: "Armature|Walk_Cycle",
+/// "walking", "Fox_Run_01". Prefers names with fewer other words ("Walk" to "Walk_Left"), then the order in the file.
+/// Clips of no length count only if all are. -1: no clips.
 [[nodiscard]] int firstClip(std::span<const AnimationClip> clips);
 
 inline constexpr const char* kNoClips = "the character has no clips";
 
-/// kNoClips, or the clips that there are and the one that was probably meant.
-/// @param made  names of further clips that may be asked for, such as the range of motion
+/// kNoClips, or a list of the clips and the one probably meant.
+/// @param made  names of further clips that are available, such as the range of motion
 [[nodiscard]] std::string noSuchClip(const std::string& name, const std::vector<AnimationClip>& clips,
                                      const std::vector<std::string>& made = {});
 

@@ -1,23 +1,215 @@
-// core/character/joint_roles.cpp: words in joint names.
+// core/character/joint_roles.cpp: follows limbs from the trunk outwards; looks for words in the names of joints.
 #include "core/character/joint_roles.h"
 
 #include <algorithm>
+#include <array>
 #include <initializer_list>
 #include <string>
 #include <string_view>
+
+#include <glm/geometric.hpp>
 
 #include "core/character/bone_names.h"
 #include "core/geometry/at.h"
 
 namespace sinew {
 
-// Bones that move no skin.
+namespace {
+
+constexpr float kLooseFoot = 0.15f;     ///< Horizontal distance, fraction of H.
+constexpr float kShortestLimb = 0.12f;  ///< Length of unnamed limbs, fraction of H.
+
+/// Length of the longest path down from a bone's joint.
+float reachBelow(const SlotSearch& search, int bone, int depth = 0) {
+  float longest = 0.0f;
+  if (depth > 64) return longest;
+  for (const int child : at(search.skeleton.bones, bone).children) {
+    if (!at(search.active, child)) continue;
+    const float step = glm::distance(at(search.joints, bone), at(search.joints, child));
+    longest = std::max(longest, step + reachBelow(search, child, depth + 1));
+  }
+  return longest;
+}
+
+/// The child that continues a limb, past twists and fingers.
+int nextInLimb(const SlotSearch& search, int bone) {
+  int best = -1;
+  float bestScore = 0.0f;
+  for (const int child : at(search.skeleton.bones, bone).children) {
+    if (!at(search.active, child)) continue;
+    const BoneName& name = at(search.names, child);
+    const std::vector<int>& below = at(search.skeleton.bones, child).children;
+    float score = 1.0f + reachBelow(search, child) / search.height;
+    if (limbWord(name) != LimbWord::kNone) score += 4.0f;
+    if (name.helper) score -= below.empty() ? 3.0f : 0.5f;
+    if (name.digit) score -= 0.9f;
+    if (best < 0 || score > bestScore) {
+      best = child;
+      bestScore = score;
+    }
+  }
+  return bestScore > 0.0f ? best : -1;
+}
+
+LimbWord wordOf(const SlotSearch& search, const std::vector<int>& bones) {
+  std::array<int, 5> counts{};
+  for (const int bone : bones) ++counts[static_cast<std::size_t>(limbWord(at(search.names, bone)))];
+  if (counts[3] > 0) return LimbWord::kFrontLeg;
+  if (counts[4] > 0) return LimbWord::kHindLeg;
+  if (counts[1] == 0 && counts[2] == 0) return LimbWord::kNone;
+  return counts[1] >= counts[2] ? LimbWord::kArm : LimbWord::kLeg;
+}
+
+/// A foot that follows a target and is attached to the root, below a limb's end.
+bool isLooseFoot(const SlotSearch& search, const LimbChain& chain, int bone) {
+  if (!at(search.active, bone) || search.sideOf(bone) <= 0 || search.isAbove(chain.bones.front(), bone)) return false;
+  const LimbWord word = limbWord(at(search.names, bone));
+  if (word == LimbWord::kNone || word == LimbWord::kArm) return false;
+  glm::vec3 away = at(search.joints, bone) - at(search.joints, chain.bones.back());
+  const bool below = away.y < 0.0f;
+  away.y = 0.0f;
+  return below && glm::length(away) < kLooseFoot * search.height;
+}
+
+LimbChain chainFrom(const SlotSearch& search, int first) {
+  LimbChain chain;
+  chain.attach = search.parentOf(first);
+  for (int bone = first; bone >= 0 && chain.bones.size() < 64; bone = nextInLimb(search, bone))
+    chain.bones.push_back(bone);
+  chain.lowest = at(search.joints, first).y;
+  for (std::size_t i = 0; i < chain.bones.size(); ++i) {
+    const Bone& bone = at(search.skeleton.bones, chain.bones[i]);
+    const bool last = i + 1 == chain.bones.size();
+    chain.ends.push_back(last ? glm::vec3(bone.bindInWorld * glm::vec4(bone.tip, 1.0f))
+                              : at(search.joints, chain.bones[i + 1]));
+    chain.length += glm::length(chain.segment(i, search));
+    chain.lowest = std::min(chain.lowest, chain.ends.back().y);
+  }
+  chain.word = wordOf(search, chain.bones);
+  for (int i = 0; i < static_cast<int>(search.joints.size()); ++i) {
+    if (isLooseFoot(search, chain, i)) chain.lowest = std::min(chain.lowest, at(search.joints, i).y);
+  }
+  return chain;
+}
+
+/// Positive if the normal points to the left by the names of bones.
+float leftFromNames(const SlotSearch& search, const glm::vec3& normal) {
+  float sum = 0.0f;
+  for (std::size_t i = 0; i < search.names.size(); ++i) {
+    if (!search.names[i].side) continue;
+    const float along = glm::dot(search.joints[i] - search.joints[0], normal);
+    sum += *search.names[i].side == Side::kLeft ? along : -along;
+  }
+  return sum;
+}
+
+/// Pairs bones whose sides only BoneName recognizes: the twin has the same key at the same depth of the tree.
+void pairByKeys(SlotSearch& search) {
+  const auto depth = [&](int bone) {
+    int steps = 0;
+    for (; bone >= 0; bone = search.parentOf(bone)) ++steps;
+    return steps;
+  };
+  const auto count = static_cast<int>(search.names.size());
+  for (int i = 0; i < count; ++i) {
+    const BoneName& name = at(search.names, i);
+    if (at(search.twinOf, i) >= 0 && at(search.twinOf, i) != i) continue;
+    if (name.side != Side::kLeft || name.key.empty()) continue;
+    for (int j = 0; j < count; ++j) {
+      const BoneName& other = at(search.names, j);
+      const bool free = at(search.twinOf, j) < 0 || at(search.twinOf, j) == j;
+      if (!free || other.side != Side::kRight || other.key != name.key || depth(i) != depth(j)) continue;
+      at(search.twinOf, i) = j;
+      at(search.twinOf, j) = i;
+      break;
+    }
+  }
+}
+
+float middleOf(const SlotSearch& search) {
+  double sum = 0.0;
+  int count = 0;
+  for (std::size_t i = 0; i < search.joints.size(); ++i) {
+    const int twin = at(search.twinOf, static_cast<int>(i));
+    if (twin < 0) continue;
+    sum += 0.5 * static_cast<double>(glm::dot(search.joints[i] + at(search.joints, twin), search.left));
+    ++count;
+  }
+  if (count > 0) return static_cast<float>(sum / count);
+  return search.joints.empty() ? 0.0f : glm::dot(search.joints[0], search.left);
+}
+
+}  // namespace
+
+int SlotSearch::parentOf(int bone) const { return at(skeleton.bones, bone).parent; }
+
+int SlotSearch::sideOf(int bone) const {
+  if (const auto& side = at(names, bone).side) return *side == Side::kLeft ? 1 : -1;
+  const int twin = at(twinOf, bone);
+  if (twin < 0 || twin == bone) return 0;
+  return glm::dot(at(joints, bone), left) > middle ? 1 : -1;
+}
+
+bool SlotSearch::isAbove(int above, int bone) const {
+  while (bone > above) bone = parentOf(bone);
+  return above >= 0 && bone == above;
+}
+
+int SlotSearch::commonAncestor(int a, int b) const {
+  while (a != b && a >= 0 && b >= 0) {
+    int& later = a > b ? a : b;
+    later = parentOf(later);
+  }
+  return a == b ? a : -1;
+}
+
+SlotSearch makeSearch(const Skeleton& skeleton, const SlotHints& hints) {
+  const std::size_t count = skeleton.bones.size();
+  SlotSearch search{skeleton, boneNames(skeleton), bonesThatMoveSkin(skeleton, hints.carriesSkin), hints.twinOf, {}};
+  search.twinOf.resize(count, -1);
+  Bounds bounds;
+  for (const Bone& bone : skeleton.bones) {
+    search.joints.emplace_back(bone.bindInWorld[3]);
+    bounds.add(search.joints.back());
+  }
+  if (count == 0) return search;
+  glm::vec3 normal(hints.planeNormal.x, 0.0f, hints.planeNormal.z);
+  normal = normalizeOr(normal, {1.0f, 0.0f, 0.0f});
+  search.left = leftFromNames(search, normal) < 0.0f ? -normal : normal;
+  pairByKeys(search);
+  search.middle = middleOf(search);
+  search.ground = bounds.low.y;
+  const glm::vec3 extent = bounds.extent();
+  const float most = std::max({extent.x, extent.y, extent.z});
+  search.height = hints.height > 0.0f ? hints.height : (extent.y > 0.2f * most ? extent.y : most);
+  if (!(search.height > 0.0f)) search.height = 1.0f;
+  return search;
+}
+
+glm::vec3 LimbChain::segment(std::size_t i, const SlotSearch& search) const {
+  return ends[i] - at(search.joints, bones[i]);
+}
+
+std::vector<LimbChain> leftLimbs(const SlotSearch& search) {
+  std::vector<LimbChain> limbs;
+  for (std::size_t i = 0; i < search.joints.size(); ++i) {
+    const auto bone = static_cast<int>(i);
+    if (!search.active[i] || search.sideOf(bone) <= 0) continue;
+    const int parent = search.parentOf(bone);
+    if (parent >= 0 && search.sideOf(parent) > 0) continue;
+    LimbChain chain = chainFrom(search, bone);
+    const bool named = chain.word != LimbWord::kNone;
+    if (!named && (chain.bones.size() < 2 || chain.length < kShortestLimb * search.height)) continue;
+    limbs.push_back(std::move(chain));
+  }
+  return limbs;
+}
 
 std::vector<bool> bonesThatMoveSkin(const Skeleton& skeleton, const std::vector<bool>& carriesSkin) {
   const std::size_t count = skeleton.bones.size();
   std::vector<bool> moves = carriesSkin;
   moves.resize(count, carriesSkin.empty());
-  // Children stand behind their parents.
+  // Parents come first.
   for (std::size_t i = count; i-- > 0;) {
     if (moves[i] && skeleton.bones[i].parent >= 0) at(moves, skeleton.bones[i].parent) = true;
   }
@@ -38,11 +230,11 @@ struct JointName {
   std::vector<std::string> words;
   bool sided = false;
 
-  /// One of these is in it, anywhere.
+  /// Contains one of these anywhere.
   [[nodiscard]] bool holds(std::initializer_list<std::string_view> parts) const {
     return std::ranges::any_of(parts, [&](auto part) { return letters.find(part) != std::string::npos; });
   }
-  /// One of these stands in it as a word.
+  /// Contains one of these as a word.
   [[nodiscard]] bool says(std::initializer_list<std::string_view> parts) const {
     return std::ranges::any_of(parts, [&](auto part) { return std::ranges::find(words, part) != words.end(); });
   }
@@ -50,12 +242,12 @@ struct JointName {
 
 JointName jointName(const std::string& given) {
   std::string name = inEnglish(given);
-  // "Armature|mixamorig:Spine": what all names begin with says nothing.
+  // "Armature|mixamorig:Spine" -> "Spine".
   if (const std::size_t cut = name.find_last_of(":|"); cut != std::string::npos) name.erase(0, cut + 1);
   return {lettersOf(name), wordsOf(name), sideNamed(name).has_value()};
 }
 
-/// The tree above a bone, as far as roles are known.
+/// The roles of the bones above a bone.
 struct Above {
   const Skeleton& skeleton;
   const std::vector<JointRole>& roles;
@@ -91,7 +283,7 @@ JointRole legRole(const JointName& name, const Above& above) {
 
 bool movesNothingSeen(const JointName& name, const Bone& bone) {
   if (name.says({"ik", "pole", "target", "ctrl", "control", "socket", "poletarget"})) return true;
-  // "end" alone is a name; "toe end" is the end of a toe.
+  // "toe end" is the end of a toe, but "end" alone a name.
   return bone.children.empty() && name.words.size() > 1 && name.says({"nub", "end", "tip", "effector", "null"});
 }
 
@@ -103,7 +295,7 @@ JointRole roleByName(const Bone& bone, const Above& above) {
   if (limb && name.holds({"finger", "thumb", "index", "middle", "ring", "pinky", "pinkie", "little", "toe", "palm"})) {
     return JointRole::kDigit;
   }
-  // A piece of a limb, which turns with what it hangs on.
+  // A piece of a limb rotates with its parent.
   if (limb && (name.holds({"twist"}) || name.says({"roll", "share"}))) return JointRole::kStill;
   if (name.holds({"tail"})) return JointRole::kTail;
   if (name.holds({"arm", "elbow", "hand", "wrist", "shoulder", "shldr", "clavicle", "collar", "humerus", "scapula"}) &&
@@ -127,45 +319,14 @@ JointRole roleByName(const Bone& bone, const Above& above) {
 }
 
 JointRole roleOfPart(Slot part) {
-  switch (part) {
-    case Slot::kHips:
-      return JointRole::kStill;
-    case Slot::kSpine:
-    case Slot::kChest:
-    case Slot::kUpperChest:
-      return JointRole::kTrunk;
-    case Slot::kNeck:
-    case Slot::kHead:
-      return JointRole::kNeck;
-    case Slot::kTail:
-      return JointRole::kTail;
-    case Slot::kShoulder:
-      return JointRole::kCollar;
-    case Slot::kUpperArm:
-    case Slot::kFrontUpper:
-      return JointRole::kShoulder;
-    case Slot::kLowerArm:
-    case Slot::kFrontLower:
-      return JointRole::kElbow;
-    case Slot::kHand:
-    case Slot::kFrontFoot:
-      return JointRole::kWrist;
-    case Slot::kUpperLeg:
-    case Slot::kHindUpper:
-      return JointRole::kHip;
-    case Slot::kLowerLeg:
-    case Slot::kHindLower:
-      return JointRole::kKnee;
-    case Slot::kFoot:
-    case Slot::kHindFoot:
-      return JointRole::kAnkle;
-    case Slot::kToes:
-      return JointRole::kDigit;
-  }
-  return JointRole::kFree;
+  using enum JointRole;
+  constexpr std::array<JointRole, kSlotCount> kRoles{kStill,  kTrunk,    kTrunk, kTrunk, kNeck, kNeck, kTail,
+                                                     kCollar, kShoulder, kElbow, kWrist, kHip,  kKnee, kAnkle,
+                                                     kDigit,  kShoulder, kElbow, kWrist, kHip,  kKnee, kAnkle};
+  return kRoles[static_cast<std::size_t>(part)];
 }
 
-/// Of most parts of the body, names say nothing.
+/// The names of most body parts are unknown.
 bool sayLittle(const std::vector<JointRole>& roles, std::span<const std::optional<Slot>> parts) {
   int unknown = 0;
   for (std::size_t i = 0; i < parts.size(); ++i) {
@@ -174,7 +335,7 @@ bool sayLittle(const std::vector<JointRole>& roles, std::span<const std::optiona
   return unknown > 0;
 }
 
-/// Bones between the part that they are called as and the next one: "thigh.L.001" above "shin.L" turns with "thigh.L".
+/// Bones between a part of the same name and the next part: "thigh.L.001" above "shin.L" rotates with "thigh.L".
 std::vector<bool> secondPieces(const Skeleton& skeleton, std::span<const std::optional<Slot>> parts) {
   std::vector<bool> pieces(skeleton.bones.size());
   for (std::size_t i = 0; i < parts.size(); ++i) {
@@ -189,7 +350,7 @@ std::vector<bool> secondPieces(const Skeleton& skeleton, std::span<const std::op
   return pieces;
 }
 
-/// Of bones whose names say nothing.
+/// Finds roles of bones with unknown names.
 class RolesByPart {
  public:
   RolesByPart(const Skeleton& skeleton, std::span<const std::optional<Slot>> parts)
@@ -200,7 +361,7 @@ class RolesByPart {
     }
   }
 
-  /// Parents first.
+  /// Must be called for parents first.
   JointRole find(int bone) {
     const auto i = toIndex(bone);
     if (i < parts_.size() && parts_[i]) {
@@ -208,7 +369,7 @@ class RolesByPart {
     } else if (carriesHips_[i]) {
       found_[i] = JointRole::kStill;  // It moves the whole body.
     } else if (const int parent = at(skeleton_.bones, bone).parent; parent >= 0) {
-      // What is on a hand or a foot that only its place tells are fingers or toes.
+      // Children of hands and feet are fingers and toes.
       const auto& above = at(found_, parent);
       const bool onLimbsEnd = above == JointRole::kWrist || above == JointRole::kAnkle || above == JointRole::kDigit;
       if (onLimbsEnd) found_[i] = JointRole::kDigit;

@@ -1,4 +1,4 @@
-// core/character/pose_override.cpp: joints turned by hand.
+// core/character/pose_override.cpp: orthonormal frames of bones, and rotations about them.
 #include "core/character/pose_override.h"
 
 #include <algorithm>
@@ -29,14 +29,14 @@ glm::dmat3 frameOf(const glm::dmat4& boneInWorld) {
   const glm::dmat3 bone(boneInWorld);
   const glm::dvec3 x = unitOr(bone[0], {1.0, 0.0, 0.0});
   glm::dvec3 second = bone[1] - glm::dot(bone[1], x) * x;
-  // What is left of a flattened axis is rounding.
+  // The remainder of a flattened axis is only rounding.
   if (!(glm::length(second) > 1e-6 * glm::length(bone[1]))) second = acrossOf(x);
   const glm::dvec3 y = unitOr(second, acrossOf(x));
   const glm::dvec3 z = glm::cross(x, y);
   return {x, y, glm::determinant(bone) < 0.0 ? -z : z};
 }
 
-/// The orientation that a bone would have under its posed parent if the clip left it as it is bound.
+/// The orientation of a bone with its bind rotation under its posed parent.
 glm::dmat3 boundFrame(const Skeleton& skeleton, const Bone& bone, const Pose& pose) {
   const glm::dmat3 bound = frameOf(glm::dmat4(bone.bindInWorld));
   if (bone.parent < 0) return bound;
@@ -52,14 +52,14 @@ glm::dmat4 about(const glm::dvec3& point, const glm::dmat3& rotation) {
   return turned;
 }
 
-/// How the joint turns in the world, starting from where its parents' turns have carried it.
+/// A joint's turn in the world, after those of its parents.
 glm::dmat4 turnInWorld(const Skeleton& skeleton, const Bone& bone, const Pose& pose, const glm::dmat4& carriedBone,
                        const JointTurn& turn, TurnsFrom from) {
   const glm::dmat3 now = frameOf(carriedBone);
   glm::dmat3 start = now;
   if (from == TurnsFrom::kBindPose) {
     const glm::dmat3 bound = boundFrame(skeleton, bone, pose);
-    // A clip that turns the bone inside out cannot be undone by turning.
+    // A rotation cannot undo a clip that mirrors the bone.
     if ((glm::determinant(bound) < 0.0) == (glm::determinant(now) < 0.0)) start = bound;
   }
   const glm::dmat3 rotation = start * glm::mat3_cast(glm::normalize(glm::dquat(turn.turn))) * glm::transpose(now);
@@ -76,7 +76,7 @@ glm::quat PoseOverrides::turnOf(int bone) const {
 void PoseOverrides::set(int bone, const glm::quat& turn) {
   const float length = glm::length(turn);
   const bool usable = length > 0.0f && std::isfinite(length);
-  // A turn that is set again stays the same to the last bit.
+  // Setting the same turn again must not change a bit.
   const bool isUnit = std::abs(length - 1.0f) < 1e-6f;
   const glm::quat unit = isUnit ? turn : (usable ? turn / length : glm::quat(1.0f, 0.0f, 0.0f, 0.0f));
   const auto found = std::ranges::lower_bound(turns, bone, {}, &JointTurn::bone);
@@ -129,7 +129,7 @@ PoseOverrides startingFrom(TurnsFrom from, const Skeleton& skeleton, const Pose&
       result.set(turn.bone, heldTurn(skeleton, wanted, turn.bone));
       continue;
     }
-    // Parents have their turns already: what is left is this joint's own.
+    // The turns of parents are already in `result`.
     const glm::dmat3 start = frameOf(glm::dmat4(posed(skeleton, sampled, result).boneInWorld[bone]));
     const glm::dmat3 goal = frameOf(glm::dmat4(wanted.boneInWorld[bone]));
     result.set(turn.bone, glm::quat(glm::quat_cast(glm::transpose(start) * goal)));
@@ -142,7 +142,7 @@ glm::quat mirroredTurn(const glm::quat& turn, const Bone& bone, const Bone& twin
   const glm::dmat3 mirror = glm::dmat3(1.0) - 2.0 * glm::outerProduct(n, n);
   const glm::dmat3 frame = frameOf(glm::dmat4(bone.bindInWorld));
   const glm::dmat3 inTwin = glm::transpose(frameOf(glm::dmat4(twin.bindInWorld))) * mirror * frame;
-  // A reflection keeps the angle and turns the axis as a pseudovector.
+  // A reflection keeps the angle and transforms the axis as a pseudovector.
   const glm::dquat q(turn);
   const glm::dvec3 axis = glm::determinant(inTwin) * (inTwin * glm::dvec3(q.x, q.y, q.z));
   return glm::quat(glm::normalize(glm::dquat(q.w, axis.x, axis.y, axis.z)));

@@ -1,4 +1,4 @@
-// core/character/range_of_motion.cpp: which joints turn about which axes, and the clip of it.
+// core/character/range_of_motion.cpp: finds the axes about which joints turn and writes the keys.
 #include "core/character/range_of_motion.h"
 
 #include <algorithm>
@@ -24,11 +24,11 @@ constexpr float kRadians = kPi / 180.0f;
 constexpr int kMotionFramesPerSecond = 30;
 constexpr int kOneWayFrames = 30;
 constexpr int kBothWaysFrames = 45;
-constexpr float kPlaceTolerance = 0.02f;  ///< How nearly twins lie opposite, fraction of the skeleton's size.
+constexpr float kPlaceTolerance = 0.02f;  ///< Between a twin and the mirror image, fraction of the skeleton's size.
 
-// What each kind of joint does --------------------------------------------------------------------------------------
+// Movements by role -------------------------------------------------------------------------------------------------
 
-enum class Way { kBend, kSide, kTwist };  ///< Towards the reference; outwards (or upwards); about the bone itself.
+enum class Way { kBend, kSide, kTwist };  ///< Towards the reference; outwards or upwards; about the bone itself.
 
 struct Swing {
   Way way;
@@ -49,35 +49,9 @@ std::span<const Swing> swingsOf(JointRole role) {
   static constexpr Swing kAnkle[] = {{kBend, -45, 30}, {kSide, -20, 20}};
   static constexpr Swing kDigit[] = {{kBend, 0, 75}};
   static constexpr Swing kFree[] = {{kBend, -45, 45}, {kSide, -45, 45}, {kTwist, -45, 45}};
-  switch (role) {
-    case JointRole::kStill:
-      return {};
-    case JointRole::kTrunk:
-      return kTrunk;
-    case JointRole::kNeck:
-      return kNeck;
-    case JointRole::kTail:
-      return kTail;
-    case JointRole::kCollar:
-      return kCollar;
-    case JointRole::kShoulder:
-      return kShoulder;
-    case JointRole::kElbow:
-      return kElbow;
-    case JointRole::kWrist:
-      return kWrist;
-    case JointRole::kHip:
-      return kHip;
-    case JointRole::kKnee:
-      return kKnee;
-    case JointRole::kAnkle:
-      return kAnkle;
-    case JointRole::kDigit:
-      return kDigit;
-    case JointRole::kFree:
-      return kFree;
-  }
-  return {};
+  static constexpr std::span<const Swing> kSwings[] = {{},     kTrunk, kNeck, kTail,  kCollar, kShoulder, kElbow,
+                                                       kWrist, kHip,   kKnee, kAnkle, kDigit,  kFree};  // [JointRole]
+  return kSwings[static_cast<std::size_t>(role)];
 }
 
 // The body ----------------------------------------------------------------------------------------------------------
@@ -98,7 +72,7 @@ struct Body {
 
 constexpr glm::vec3 kUp(0.0f, 1.0f, 0.0f);
 
-/// Twins by place, across the plane x = that of the first root: mirrored origins, parents that are twins or the same.
+/// Twins by place, across the plane through the first root normal to x: mirrored origins, parents twins or the same.
 std::vector<int> twinsByPlace(const Skeleton& skeleton) {
   Bounds bounds;
   for (const Bone& bone : skeleton.bones) bounds.add(glm::vec3(bone.bindInWorld[3]));
@@ -126,7 +100,7 @@ std::vector<int> twinsByPlace(const Skeleton& skeleton) {
   return twins;
 }
 
-/// The normal, turned towards what names call left, else towards `known`.
+/// The normal or its negative, towards the left by names, else towards `known`.
 glm::vec3 towardsLeft(const Skeleton& skeleton, const glm::vec3& normal, const std::optional<glm::vec3>& known) {
   double sum = 0.0;
   bool named = false;
@@ -142,7 +116,7 @@ glm::vec3 towardsLeft(const Skeleton& skeleton, const glm::vec3& normal, const s
   return sum < 0.0 ? -normal : normal;
 }
 
-/// A bone moves if its role lets it and it is no helper.
+/// Bones with a moving role that are no helpers.
 std::vector<bool> movingBones(const Skeleton& skeleton, const std::vector<JointRole>& roles,
                               const std::vector<bool>& carriesSkin) {
   std::vector<bool> moves = bonesThatMoveSkin(skeleton, carriesSkin);
@@ -159,7 +133,7 @@ Body bodyOf(const Skeleton& skeleton, const RangeOfMotionHints& hints) {
             {},
             {},
             {}};
-  // Skin that follows an end moves after all.
+  // An end moves if skin follows it.
   for (std::size_t i = 0; i < hints.carriesSkin.size() && i < body.roles.size(); ++i) {
     const bool end = body.roles[i] == JointRole::kStill && skeleton.bones[i].children.empty();
     if (end && hints.carriesSkin[i] && skeleton.bones[i].parent >= 0) body.roles[i] = JointRole::kFree;
@@ -173,12 +147,12 @@ Body bodyOf(const Skeleton& skeleton, const RangeOfMotionHints& hints) {
 
 // Axes --------------------------------------------------------------------------------------------------------------
 
-/// World directions about which a joint swings, in the bind pose.
+/// Axes of a joint's movements, world, bind pose.
 struct Axes {
   glm::vec3 bend, side, twist;
 };
 
-/// Where the bone goes: to its tip, else as its parent does.
+/// Direction of a bone to its tip, else that of its parent.
 glm::vec3 directionOf(const Body& body, int bone) {
   for (int i = bone; i >= 0; i = body.bone(i).parent) {
     const glm::vec3 along = glm::mat3(body.bone(i).bindInWorld) * body.bone(i).tip;
@@ -187,7 +161,7 @@ glm::vec3 directionOf(const Body& body, int bone) {
   return kUp;
 }
 
-/// Where a joint bends to first, and what serves where the bone already points there.
+/// Direction towards which a joint bends; another one if the bone already points there.
 glm::vec3 referenceOf(const Body& body, JointRole role, const glm::vec3& along, float side) {
   glm::vec3 first = body.forward;
   glm::vec3 second = kUp;
@@ -222,7 +196,7 @@ Axes axesOf(const Body& body, int bone) {
   axes.twist = along;
   axes.bend = normalizeOr(glm::cross(along, referenceOf(body, role, along, side)), body.left);
   if ((role == JointRole::kElbow || role == JointRole::kKnee) && parent >= 0) {
-    // A limb drawn bent goes on bending in its own plane.
+    // A limb that is bent in the bind pose bends further in its own plane.
     const glm::vec3 before = normalizeOr(body.origin(bone) - body.origin(parent), along);
     const glm::vec3 natural = glm::cross(before, along);
     const float sine = glm::length(natural);
@@ -240,7 +214,7 @@ JointMovement movementOf(const Body& body, int bone, const Swing& swing) {
   const glm::vec3 inWorld = swing.way == Way::kBend ? axes.bend : (swing.way == Way::kSide ? axes.side : axes.twist);
   const glm::mat3 frame = turnFrame(body.bone(bone).bindInWorld);
   glm::vec3 axis = glm::transpose(frame) * inWorld;
-  if (glm::determinant(frame) < 0.0f) axis = -axis;  // Seen in a mirrored frame a turn goes the other way round.
+  if (glm::determinant(frame) < 0.0f) axis = -axis;  // A mirrored frame reverses rotations.
   return {bone, normalizeOr(axis, {1, 0, 0}), swing.from * kRadians, swing.to * kRadians};
 }
 
@@ -250,7 +224,7 @@ JointMovement mirrored(const Body& body, const JointMovement& movement, int twin
   return {twin, normalizeOr(glm::vec3(other.x, other.y, other.z), movement.axis), movement.from, movement.to};
 }
 
-/// Joints that move as one: the bone and its twin, or all digits, or the whole tail.
+/// Joints that move together: the bone and its twin, all digits, or the whole tail.
 std::vector<int> companions(const Body& body, int bone) {
   const JointRole role = body.role(bone);
   const int twin = at(body.twinOf, bone);
@@ -275,8 +249,8 @@ MovementStep stepOf(const Body& body, std::span<const int> group, const Swing& s
 
 // The clip ----------------------------------------------------------------------------------------------------------
 
-/// Angle at a share of a step: out to `to`, back, out to `from`, back; or out and back where only one of them is.
-/// Comes to rest at both ends and wherever it turns round.
+/// Angle at a fraction of a step: to `to`, back, to `from` and back; or to the only one that is not 0 and back. At rest
+/// at both ends and wherever it reverses.
 float angleAt(const JointMovement& movement, float share) {
   const auto hump = [](float u) { return 0.5f - 0.5f * std::cos(2.0f * kPi * u); };
   if (movement.from == 0.0f) return movement.to * hump(share);
@@ -303,10 +277,9 @@ void addKeys(Channel& channel, const JointMovement& movement, int begin, int fra
 
 }  // namespace
 
-/// Writes the script: each joint's role (joint_roles.h) says in which ways it turns and how far. Axes come from where
-/// the bones lie and where the character faces, not from the joints' own axes, which every exporter sets differently.
-/// Twins move in one step, the second as the mirror image of the first, and so do all digits and the whole tail: the
-/// clip stays short.
+/// Roles of joints (joint_roles.h) give the movements. Axes follow from the places of bones and the direction in which
+/// the character faces, not from the joints' own axes, which every exporter sets differently. Twins move together, the
+/// second as the mirror image of the first.
 std::vector<MovementStep> rangeOfMotionSteps(const Skeleton& skeleton, const RangeOfMotionHints& hints) {
   std::vector<MovementStep> steps;
   if (skeleton.bones.empty()) return steps;

@@ -1,5 +1,5 @@
-// core/character/skinning_kernel.cpp: vertices follow their bones, compiled once per instruction set. Every lane does
-// the same operations in the same order, whatever the set.
+// core/character/skinning_kernel.cpp: linear blend skinning, compiled once per instruction set. Every lane does the
+// same operations in the same order with every set.
 #include "core/character/skinning_kernel.h"
 
 #include <algorithm>
@@ -12,15 +12,15 @@
 #define HWY_TARGET_INCLUDE "core/character/skinning_kernel.cpp"
 #include "hwy/foreach_target.h"
 //
-#include "core/geometry/lane_rows.h"
+#include "core/geometry/lanes.h"
 #include "hwy/highway.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace sinew::HWY_NAMESPACE {
 
-constexpr std::size_t kNumbers = 16;  ///< A matrix's, column by column.
+constexpr std::size_t kNumbers = 16;  ///< Numbers of a matrix, column by column.
 
-/// The weighted sum of a vertex's matrices, with as few vectors as hold it.
+/// The weighted sum of a vertex's matrices, in as few SIMD vectors as possible.
 HWY_INLINE void blend(std::span<const Influence> influences, const glm::mat4* matrices, float* to) {
   static_assert(sizeof(glm::mat4) == kNumbers * sizeof(float) && kNumbers == kLanes);
   for (std::size_t i = 0; i < kNumbers; i += width()) {
@@ -32,12 +32,12 @@ HWY_INLINE void blend(std::span<const Influence> influences, const glm::mat4* ma
   }
 }
 
-/// The first three rows of a matrix a lane.
+/// The first three rows of one matrix per lane.
 struct LaneMatrix {
   V3 column[4];
 };
 
-/// As normalMatrix of base/geometry.h carries it.
+/// As by normalMatrix() of sinew/geometry/geometry.h.
 HWY_INLINE V3 carry(const V3& direction, const LaneMatrix& matrix) {
   const V3(&m)[4] = matrix.column;
   const V3 cofactors[3] = {cross(m[1], m[2]), cross(m[2], m[0]), cross(m[0], m[1])};
@@ -52,7 +52,7 @@ HWY_INLINE V3 move(const V3& point, const LaneMatrix& matrix) {
   return (m[0] * point.x + m[1] * point.y) + (m[2] * point.z + m[3]);
 }
 
-/// @param vertex  of a lane.
+/// @param vertex  function of the lane
 template <class Vertex>
 HWY_INLINE LaneMatrix blendLanes(const ControlMesh& mesh, std::span<const glm::mat4> matrices, Vertex vertex) {
   alignas(64) float blended[kLanes * kNumbers];
@@ -84,7 +84,7 @@ void skinVertices(const SkinInputs& inputs, std::size_t begin, std::size_t end) 
   }
 }
 
-/// The first `used` of the wedges that are listed; the others are any of them.
+/// The first `used` of the listed wedges; the others must be valid, but are not written.
 void skinListed(const WedgeInputs& inputs, const std::array<std::size_t, kLanes>& listed, std::size_t used) {
   const auto wedge = [&](std::size_t lane) -> const Wedge& { return inputs.wedges[listed[lane]]; };
   const LaneMatrix matrix =
@@ -114,8 +114,6 @@ constexpr SkinKernels kKernels{&skinVertices, &skinWedges};
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
-#include "core/geometry/dispatch.h"
-
 namespace sinew {
 
 SkinKernels skinKernels(InstructionSet set) { SINEW_RETURN_BY_SET(set, kKernels) }

@@ -1,4 +1,4 @@
-// core/character/skinning_kernel.h: linear blend skinning, a vertex a lane, by instruction set.
+// core/character/skinning_kernel.h: linear blend skinning with one vertex per SIMD lane, for each instruction set.
 #pragma once
 
 #include <span>
@@ -9,23 +9,23 @@
 
 namespace sinew {
 
-/// What skinning.h passes to the kernel. All but `matrices` are [V]. Nothing is allocated.
+/// Arguments for vertices. All but `matrices` are [V]. Nothing is allocated.
 struct SkinInputs {
   const ControlMesh* mesh = nullptr;
   std::span<const glm::mat4> matrices;    ///< [bindings] from the bind pose to the pose.
-  std::span<const glm::vec3> positions;   ///< Bind pose; empty: not asked for.
-  std::span<const glm::vec3> directions;  ///< Bind pose, unit; carried as normals are.
+  std::span<const glm::vec3> positions;   ///< Bind pose; empty: only directions.
+  std::span<const glm::vec3> directions;  ///< Bind pose, unit; transformed as normals.
   std::span<glm::vec3> outPositions;      ///< [positions]
   std::span<glm::vec3> outDirections;     ///< Unit.
 };
 
-/// What skinWedgeNormals (skinning.h) passes: a wedge that is not creased keeps what `out` holds.
+/// Arguments for wedges. Wedges that are not creased keep their value in `out`.
 struct WedgeInputs {
   const ControlMesh* mesh = nullptr;
   std::span<const glm::mat4> matrices;
-  std::span<const Wedge> wedges;                  ///< [W] theirs are the mesh's vertices.
-  std::span<const glm::vec3> fanNormals;          ///< [fans] instead of a wedge's normal,
-  const std::vector<bool>* fanChanged = nullptr;  ///< [fans] where true; null: nowhere.
+  std::span<const Wedge> wedges;                  ///< [W] with vertices of the mesh.
+  std::span<const glm::vec3> fanNormals;          ///< [fans] replace the normals of wedges,
+  const std::vector<bool>* fanChanged = nullptr;  ///< [fans] where this is true; null: nowhere.
   std::span<glm::vec3> out;                       ///< [W] unit.
 
   [[nodiscard]] const glm::vec3& normalOf(const Wedge& wedge) const {
@@ -35,11 +35,12 @@ struct WedgeInputs {
 };
 
 struct SkinKernels {
-  void (*vertices)(const SkinInputs& inputs, std::size_t begin, std::size_t end) = nullptr;  ///< Of `directions`.
+  void (*vertices)(const SkinInputs& inputs, std::size_t begin,
+                   std::size_t end) = nullptr;  ///< A range of `directions`.
   void (*wedges)(const WedgeInputs& inputs) = nullptr;
 };
 
-/// All give the same bits.  @param set  not kScalar; one that this machine runs.
+/// The results do not depend on the set, bit for bit.  @param set  not kScalar; available on this machine.
 [[nodiscard]] SkinKernels skinKernels(InstructionSet set);
 
 }  // namespace sinew

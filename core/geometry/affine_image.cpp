@@ -1,4 +1,4 @@
-// core/geometry/affine_image.cpp: principal axes by Jacobi; a canonical rotation for turn-overs.
+// core/geometry/affine_image.cpp: principal axes by Jacobi; a canonical rotation for reflections.
 #include "core/geometry/affine_image.h"
 
 #include <algorithm>
@@ -13,13 +13,13 @@
 namespace sinew {
 namespace {
 
-constexpr double kEven = 1e-6;     // Lengths and angles that differ less are equal: below what a float file can say.
+constexpr double kEven = 1e-6;     // Relative tolerance of lengths and angles: below the precision of floats in a file.
 constexpr int kJacobiSweeps = 40;  // At most about eight are needed.
 
-/// Rotation of the image, for `axes` = mirror * rotation of improper orthogonal columns: some axes must be turned
-/// round, all three or one. Which, is said by the map itself, so that the map and its inverse agree.
+/// Rotation of the image under an improper orthogonal map. Either one axis or all three must be negated; the map
+/// decides which, so that the map and its inverse agree.
 glm::dquat properRotation(const glm::dmat3& linear, const glm::dquat& rotation) {
-  // p = -linear as a rotation; near the unit quaternion: all three are turned round, near i, j or k: that axis.
+  // p = -linear as a rotation: near the unit quaternion all three are negated, near i, j or k that axis.
   const glm::dquat p = glm::normalize(glm::quat_cast(-linear));
   const std::array<double, 4> parts{p.w, p.x, p.y, p.z};
   std::size_t largest = 0;
@@ -29,12 +29,12 @@ glm::dquat properRotation(const glm::dmat3& linear, const glm::dquat& rotation) 
   glm::dquat turned(0.0, 0.0, 0.0, 0.0);
   (largest == 0 ? turned.w : (largest == 1 ? turned.x : (largest == 2 ? turned.y : turned.z))) = 1.0;
   glm::dquat image = p * rotation * turned;
-  // The identity's image has w > 0; so the way back undoes the sign as well.
+  // The identity's image has w > 0, so that the inverse undoes the sign as well.
   const double identityW = (p * turned).w;
   return identityW < 0.0 ? -image : image;
 }
 
-/// Cyclic one-sided Jacobi: turns the columns until they stand at right angles. Columns that already do stay.
+/// Cyclic one-sided Jacobi: rotates the columns until they are perpendicular.
 void orthogonalise(glm::dmat3& columns) {
   for (int sweep = 0; sweep < kJacobiSweeps; ++sweep) {
     bool still = true;
@@ -54,7 +54,7 @@ void orthogonalise(glm::dmat3& columns) {
   }
 }
 
-/// The linear part is a turn-over with even scale: lengths and angles of its columns, within what floats can say.
+/// The scale of a map that is a rotation or reflection with uniform scale, up to kEven.
 std::optional<double> evenScale(const glm::dmat3& m) {
   const double scale = std::cbrt(std::abs(glm::determinant(m)));
   for (int i = 0; i < 3; ++i) {
@@ -64,19 +64,19 @@ std::optional<double> evenScale(const glm::dmat3& m) {
   return std::abs(scale - 1.0) <= kEven ? 1.0 : scale;
 }
 
-/// The columns as a shape keeps them: y as it is, the others square to it and to each other.
+/// Keeps y and makes the other columns perpendicular to it and to each other.
 void orthogonaliseAround(glm::dmat3& columns) {
   const glm::dvec3 along = glm::normalize(columns[1]);
   glm::dmat3 across = columns;
   for (const int i : {0, 2}) across[i] -= along * glm::dot(along, across[i]);
-  across[1] = along * glm::length(across[0]);  // At right angles already: stays.
+  across[1] = along * glm::length(across[0]);  // Perpendicular already, so it stays.
   orthogonalise(across);
   columns[0] = across[0];
   columns[2] = across[2];
 }
 
-/// The image's shape, after its rotation and radii. Numbers along an axis turn round with it; under uneven stretch
-/// those across are parts of a vector that the map carries.
+/// The shape of the image, whose rotation and radii are known. Numbers along an axis change sign with it; under
+/// non-uniform scale those across are components of a vector that is mapped.
 Shape shapeImage(const Placement& from, const glm::dmat3& linear, bool even, const Placement& image) {
   Shape shape = from.shape;
   if (shape.isPlain()) return shape;
@@ -102,7 +102,7 @@ Shape shapeImage(const Placement& from, const glm::dmat3& linear, bool even, con
   return shape;
 }
 
-/// Any affine map: the principal axes of the image, each nearest to the image of the axis of its number.
+/// For any affine map: the principal axes of the image, each nearest to the image of the same axis.
 void placeByAxes(const Placement& from, const glm::dmat3& linear, Placement& image) {
   const glm::dmat3 axes = linear * glm::mat3_cast(glm::normalize(glm::dquat(from.rotation)));
   glm::dmat3 columns;
@@ -114,9 +114,7 @@ void placeByAxes(const Placement& from, const glm::dmat3& linear, Placement& ima
     unit[i] = columns[i] / length;
     image.radii[i] = static_cast<float>(length);
   }
-  // Columns of negative determinant are an improper map of the identity's axes.
-  const bool improper = glm::determinant(unit) < 0.0;
-  if (!improper) {
+  if (!(glm::determinant(unit) < 0.0)) {
     image.rotation = glm::quat(glm::normalize(glm::quat_cast(unit)));
     return;
   }
@@ -151,7 +149,7 @@ Placement withLongAxisY(const Placement& placement) {
   if (!placement.shape.isPlain()) return placement;
   if (r.y >= r.x && r.y >= r.z) return placement;
   Placement turned = placement;
-  // Third turns about (1, 1, 1): the new axes are the old x to y to z to x, or back.
+  // A third of a turn about (1, 1, 1), either way.
   const float side = r.x >= r.z ? -0.5f : 0.5f;
   turned.rotation = glm::normalize(placement.rotation * glm::quat(0.5f, side, side, side));
   turned.radii = side < 0.0f ? glm::vec3(r.z, r.x, r.y) : glm::vec3(r.y, r.z, r.x);

@@ -1,6 +1,4 @@
-// core/geometry/ellipsoid.cpp: placements through bone matrices.
-#include "sinew/geometry/ellipsoid.h"
-
+// core/geometry/ellipsoid.cpp: placements under bone matrices; boxes, normalizing, the matrix of normals.
 #include <algorithm>
 #include <cmath>
 
@@ -8,13 +6,15 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "core/geometry/normals.h"
+#include "sinew/geometry/ellipsoid.h"
+#include "sinew/geometry/geometry.h"
 
 namespace sinew {
 namespace {
 
-constexpr double kRound = 4e-6;  ///< Relative: rounding in a bone's matrix does not unmake a sphere.
+constexpr double kRound = 4e-6;  ///< Relative tolerance for rounding in a bone's matrix.
 
-/// The radius of the ball that the axes span, or 0 if they are not alike and square to each other.
+/// The radius of the ball that the axes span, or 0 if they are not equally long and perpendicular.
 double ballRadius(const glm::dmat3& axes) {
   const double radius = std::cbrt(std::abs(glm::determinant(axes)));
   const double square = radius * radius;
@@ -34,7 +34,7 @@ glm::vec3 UnitBallMap::shapedSlope(const glm::vec3& fromCenter) const {
 }
 
 UnitBallMap unitBallMap(const Placement& inBone, float reach, const glm::mat4& boneInWorld) {
-  // In double: a bone in meters under a parent scaled by 0.01 loses digits that the field would show.
+  // In double, since a bone in meters under a parent scaled by 0.01 would lose visible digits.
   const glm::dmat3 bone{glm::mat3(boneInWorld)};
   const glm::dmat3 rotation = glm::mat3_cast(glm::dquat(inBone.rotation));
   glm::dmat3 axes = bone * rotation;
@@ -50,7 +50,7 @@ UnitBallMap unitBallMap(const Placement& inBone, float reach, const glm::mat4& b
     return map;
   }
   if (const double radius = map.isPlain() ? ballRadius(axes) : 0.0; radius > 0.0) {
-    // However it is turned, a sphere is the same: no rotation is left in its map.
+    // Without rotation, which makes no difference to a sphere.
     map.form = UnitForm::kSphere;
     map.inverseRadius = static_cast<float>(1.0 / radius);
     map.toUnit = glm::mat3(map.inverseRadius);
@@ -69,6 +69,38 @@ UnitBallMap unitBallMap(const Placement& inBone, float reach, const glm::mat4& b
 glm::mat4 shapeInWorld(const Placement& inBone, float scale, const glm::mat4& boneInWorld) {
   const glm::mat4 moved = glm::translate(boneInWorld, inBone.center) * glm::mat4_cast(inBone.rotation);
   return glm::scale(moved, inBone.radii * scale);
+}
+
+Bounds boundsOf(std::span<const glm::vec3> points) {
+  Bounds box;
+  for (const glm::vec3& p : points) box.add(p);
+  return box;
+}
+
+glm::vec3 normalizeOr(const glm::vec3& v, const glm::vec3& fallback) {
+  const float squared = glm::dot(v, v);
+  if (squared > 1e-20f && squared < 1e20f) return v / std::sqrt(squared);
+  // Scales first, so that tiny and huge vectors do not lose their direction to under- or overflow.
+  const float largest = std::max(std::abs(v.x), std::max(std::abs(v.y), std::abs(v.z)));
+  if (!(largest > std::numeric_limits<float>::min()) || !std::isfinite(largest)) return fallback;
+  const glm::vec3 scaled = v / largest;
+  return scaled / std::sqrt(glm::dot(scaled, scaled));
+}
+
+glm::mat3 normalMatrix(const glm::mat3& m) {
+  const glm::mat3 cofactors(glm::cross(m[1], m[2]), glm::cross(m[2], m[0]), glm::cross(m[0], m[1]));
+  return glm::dot(m[0], cofactors[0]) < 0.0f ? -1.0f * cofactors : cofactors;
+}
+
+bool isFinite(const glm::vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
+
+bool isFinite(const glm::mat4& m) {
+  for (int column = 0; column < 4; ++column) {
+    for (int row = 0; row < 4; ++row) {
+      if (!std::isfinite(m[column][row])) return false;
+    }
+  }
+  return true;
 }
 
 }  // namespace sinew

@@ -1,4 +1,4 @@
-// core/geometry/index_table.h: a hash table of indices whose keys lie elsewhere.
+// core/geometry/index_table.h: a hash table of indices whose keys are stored elsewhere, and hashes for it.
 #pragma once
 
 #include <cassert>
@@ -8,11 +8,17 @@
 #include <string>
 #include <vector>
 
-#include "core/geometry/split_mix.h"
-
 namespace sinew {
 
-// Counts for people.
+inline constexpr std::uint64_t kSplitMixStep = 0x9e3779b97f4a7c15ULL;
+
+/// One step of SplitMix64 from this state (Steele, Lea and Flood 2014); the same on every machine.
+[[nodiscard]] constexpr std::uint64_t splitMix64(std::uint64_t state) {
+  std::uint64_t x = state + kSplitMixStep;
+  x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9ULL;
+  x = (x ^ (x >> 27)) * 0x94d049bb133111ebULL;
+  return x ^ (x >> 31);
+}
 
 /// 12345 -> "12,345".
 [[nodiscard]] inline std::string grouped(long long number) {
@@ -38,11 +44,11 @@ namespace sinew {
   return bits;
 }
 
-/// Open addressing with linear probing; never holds more than half its slots. Order of lookups does not depend on
-/// addresses, so the same input gives the same result everywhere.
+/// Open addressing with linear probing, at most half full. Does not depend on addresses, so the same input gives the
+/// same result everywhere.
 class IndexTable {
  public:
-  /// @param most entries that will be inserted at most; more is the caller's mistake.
+  /// @param most  largest number of entries (asserted)
   explicit IndexTable(std::size_t most) {
     std::size_t slots = 16;
     while (slots < 2 * most) slots *= 2;
@@ -58,7 +64,7 @@ class IndexTable {
     return kEmpty;
   }
 
-  /// The entry equal to it if there is one, else `entry`, which is put in.
+  /// The equal entry if there is one, else inserts and returns `entry`.
   template <class Equals>
   int findOrInsert(std::uint64_t hash, int entry, Equals&& equals) {
     std::size_t slot = hash & mask();

@@ -1,4 +1,4 @@
-// core/geometry/instruction_set.cpp: what this machine runs.
+// core/geometry/instruction_set.cpp: detects and chooses instruction sets.
 #include "core/geometry/instruction_set.h"
 
 #include <algorithm>

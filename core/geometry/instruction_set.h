@@ -1,4 +1,4 @@
-// core/geometry/instruction_set.h: which vector instructions are used.
+// core/geometry/instruction_set.h: the choice of vector instructions.
 #pragma once
 
 #include <span>
@@ -7,26 +7,26 @@
 
 namespace sinew {
 
-/// kAuto: the widest this machine has. kScalar: the projection goes vertex by vertex, in double precision: the
-/// reference of its vectors, and the way for what they give up; all other stages take it for kAuto.
+/// kAuto: the widest available. kScalar: projects vertex by vertex in double precision, as the reference for the vector
+/// code and as its fallback; other stages treat it as kAuto.
 enum class InstructionSet { kAuto, kScalar, kSse4, kAvx2, kAvx512 };
 
 [[nodiscard]] const char* nameOf(InstructionSet set);
 
-/// Error: this processor lacks SSE4, without which no kernel runs.
+/// Error: the processor lacks SSE4, which every kernel needs.
 [[nodiscard]] Result<void> checkProcessor();
 
-/// Those that this machine runs, kScalar first; kAuto is not among them.
+/// Sets that this machine runs, kScalar first, without kAuto.
 [[nodiscard]] std::span<const InstructionSet> availableInstructionSets();
 
-/// What kAuto means to this process. For tests and measurements: all sets but kScalar give the same bits.
+/// The chosen set, never kAuto. All sets but kScalar give the same results bit for bit.
 [[nodiscard]] InstructionSet chosenInstructionSet();
-/// The same for stages that have kernels alone. checkProcessor() must have succeeded.
+/// The chosen set for stages that only have kernels. checkProcessor() must have succeeded.
 [[nodiscard]] InstructionSet chosenVectorSet();
-/// Returns what was chosen before.
+/// For tests and measurements. Returns the previous choice.
 InstructionSet chooseInstructionSet(InstructionSet set);
 
-/// Chooses a set while it lives; then what was chosen before.
+/// Chooses a set for its lifetime.
 class InstructionSetScope {
  public:
   explicit InstructionSetScope(InstructionSet set) : former_(chooseInstructionSet(set)) {}

@@ -1,4 +1,4 @@
-// core/geometry/lane_blocks.h: blocks of four numbers, as vectors in space lie in memory. Included once per instruction
+// core/geometry/lane_blocks.h: blocks of four numbers, the layout of vectors in memory. Included once per instruction
 // set.
 #if defined(SINEW_LANE_BLOCKS_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef SINEW_LANE_BLOCKS_H
@@ -16,7 +16,7 @@ HWY_BEFORE_NAMESPACE();
 namespace sinew::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// kCount blocks of four numbers, in as few vectors as hold them.
+/// kCount blocks of four numbers, in as few SIMD vectors as possible.
 template <std::size_t kCount>
 struct Blocks {
   using Tag = hn::CappedTag<float, 4 * kCount>;

@@ -1,4 +1,4 @@
-// core/geometry/lane_floats.h: sixteen numbers, for vectors of any width up to that.
+// core/geometry/lane_floats.h: sixteen numbers, for SIMD vectors of any width up to that.
 #pragma once
 
 #include <array>
@@ -8,7 +8,7 @@ namespace sinew {
 
 inline constexpr std::size_t kLanes = 16;
 
-/// One number a lane.
+/// One number per lane.
 struct alignas(64) LaneFloats {
   std::array<float, kLanes> lane;
 

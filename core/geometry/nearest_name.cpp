@@ -7,11 +7,11 @@
 namespace sinew {
 namespace {
 
-constexpr std::size_t kLeastPart = 3;      ///< Letters of a word that is looked for inside names.
+constexpr std::size_t kLeastPart = 3;      ///< Shortest word to look for inside names.
 constexpr std::size_t kLongestWord = 256;  ///< The distance is quadratic.
 
-/// "upperarml" of "Upper_Arm.L". Bytes of other letters stay.
-std::string lettersOf(std::string_view text) {
+/// "Upper_Arm.L" -> "upperarml"; bytes beyond ASCII are kept.
+std::string keptLetters(std::string_view text) {
   std::string letters;
   for (const char c : text) {
     const char lower = toLower(c);
@@ -21,7 +21,7 @@ std::string lettersOf(std::string_view text) {
   return letters;
 }
 
-/// Letters that are wrong, missing, too many, or swapped with their neighbour.
+/// Number of letters that are wrong, missing, too many, or swapped with their neighbour.
 std::size_t editsBetween(const std::string& a, const std::string& b) {
   std::vector<std::size_t> before(b.size() + 1), last(b.size() + 1), now(b.size() + 1);
   for (std::size_t j = 0; j <= b.size(); ++j) last[j] = j;
@@ -42,21 +42,21 @@ std::size_t editsBetween(const std::string& a, const std::string& b) {
 }  // namespace
 
 std::string nearestName(std::string_view word, const std::vector<std::string>& names) {
-  const std::string wanted = lettersOf(word);
+  const std::string wanted = keptLetters(word);
   if (wanted.empty() || wanted.size() > kLongestWord) return {};
   const std::size_t most = std::max<std::size_t>(wanted.size() / 3, 1);
   std::size_t least = most + 1;
   const std::string* nearest = nullptr;
   const std::string* holder = nullptr;
   for (const std::string& name : names) {
-    const std::string letters = lettersOf(name);
+    const std::string letters = keptLetters(name);
     if (wanted.size() >= kLeastPart && letters.find(wanted) != std::string::npos &&
         (holder == nullptr || name.size() < holder->size())) {
       holder = &name;
     }
     if (letters.empty() || letters.size() > wanted.size() + most) continue;
     const std::size_t edits = editsBetween(wanted, letters);
-    // Of a short word something has to be right.
+    // At least one letter must be right.
     if (edits >= least || edits >= std::max(wanted.size(), letters.size())) continue;
     least = edits;
     nearest = &name;

@@ -1,4 +1,4 @@
-// core/geometry/nearest_name.h: the name that a misspelled word was probably meant as.
+// core/geometry/nearest_name.h: the name probably meant by a misspelled word; lists and cases of words.
 #pragma once
 
 #include <algorithm>
@@ -8,8 +8,6 @@
 #include <vector>
 
 namespace sinew {
-
-// Names as a sentence has them.
 
 /// "a, b or c" @param word  before the last: "or", "and"
 [[nodiscard]] inline std::string listed(const std::vector<std::string>& names, std::string_view word) {
@@ -21,7 +19,7 @@ namespace sinew {
   return text;
 }
 
-// Small letters for capitals, ASCII alone: bytes of other letters stay what they are.
+// Lower case for ASCII; bytes of other letters are kept.
 
 [[nodiscard]] constexpr char toLower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
 
@@ -31,16 +29,16 @@ namespace sinew {
   return lower;
 }
 
-/// ".glb" of "OUT.GLB".
+/// "OUT.GLB" -> ".glb".
 [[nodiscard]] inline std::string lowerEnding(const std::filesystem::path& file) {
   return lowerCase(file.extension().string());
 }
 
-/// The name nearest to the word: capitals and signs do not count, up to a third of the letters may be wrong, missing or
-/// swapped; else one that has the word as a part. "" where none is near.
+/// The name nearest to the word, ignoring case and punctuation, with up to a third of the letters wrong, missing or
+/// swapped; else one that contains the word. "": none is near.
 [[nodiscard]] std::string nearestName(std::string_view word, const std::vector<std::string>& names);
 
-/// `; did you mean "Walk"?`, or "" where no name is near.
+/// `; did you mean "Walk"?`, or "" if no name is near.
 [[nodiscard]] std::string didYouMean(std::string_view word, const std::vector<std::string>& names);
 
 }  // namespace sinew

@@ -1,4 +1,4 @@
-// core/geometry/normals.h: vertex normals from faces.
+// core/geometry/normals.h: vertex normals from faces, creases, and flat matrices.
 #pragma once
 
 #include <span>
@@ -10,21 +10,33 @@
 
 namespace sinew {
 
-// Whether a matrix leaves three dimensions.
+/// The crease angle without creases.
+inline constexpr float kNoCreases = 180.0f;
 
-/// The columns span no volume, but for what rounding to float leaves: their determinant is at most a millionth of the
-/// product of their lengths. Scale, even or uneven along the columns, does not matter. True for what is not finite.
-/// One answer for all: a bone whose muscles can be edited is one whose muscles can be mirrored and are seen.
+/// The same mesh with its wedges split at creases; everything else stays bit for bit. The corners of a vertex form fans
+/// of faces, joined by edges across which the surface bends by at most `degrees` (to 0.01 degrees, in the bind pose).
+/// If a vertex has more than one fan, its wedges are creased, each with the angle-weighted normal of its fan. Borders
+/// join nothing. At an edge with more than two triangles, those that continue each other smoothly are joined. A
+/// triangle without area has the direction of its neighbor across its longest edge.
+/// @param mesh welded, no wedge creased.  @param degrees 0..180; kNoCreases gives the mesh itself.
+[[nodiscard]] ControlMesh creased(const ControlMesh& mesh, float degrees);
+
+/// Whether any wedge is creased.
+[[nodiscard]] bool hasCreases(const ControlMesh& mesh);
+
+/// The columns span no volume up to rounding of floats: the determinant is at most a millionth of the product of their
+/// lengths. Independent of scale along the columns. True for matrices that are not finite. The only test of this kind,
+/// so that muscles of a bone can be edited exactly if they can be mirrored and are visible.
 [[nodiscard]] bool isFlat(const glm::dmat3& matrix);
 
-/// One unit normal per vertex: face normals weighted by the corner's angle (Thuermer & Wuethrich 1998), so that it does
-/// not depend on how the faces are cut into triangles. A vertex whose faces cancel or have no area gets +Y.
+/// One unit normal per vertex: face normals weighted by the angle of the corner (Thuermer & Wuethrich 1998), so that it
+/// does not depend on how faces are triangulated. +Y for a vertex whose faces cancel or have no area.
 /// @param positions [V] any space.  @return [V] same space.
 [[nodiscard]] std::vector<glm::vec3> vertexNormals(std::span<const glm::vec3> positions,
                                                    std::span<const ControlTriangle> triangles);
 
 /// The same for some vertices only.
-/// @param asked [V] which.  @param normals [V] only those asked for are written.
+/// @param asked [V] which vertices.  @param normals [V] only theirs are written.
 void updateVertexNormals(std::span<const glm::vec3> positions, std::span<const ControlTriangle> triangles,
                          const std::vector<bool>& asked, std::span<glm::vec3> normals);
 

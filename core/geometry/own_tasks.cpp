@@ -1,5 +1,5 @@
 // core/geometry/own_tasks.cpp: loops by oneTBB, or on one thread where Sinew was built without it.
-#include "core/geometry/own_tasks.h"
+#include "core/geometry/parallel.h"
 
 #ifdef SINEW_WITH_TBB
 
@@ -16,7 +16,7 @@
 namespace sinew::parallel {
 namespace {
 
-/// oneTBB hands work over inside of its library, where ThreadSanitizer sees nothing: it is told here.
+/// Tells ThreadSanitizer of the synchronization inside oneTBB's library, which it does not see.
 class HandOver {
  public:
   void give() {
@@ -31,7 +31,7 @@ class HandOver {
   }
 };
 
-/// This thread's arena, kept for its next calls: one may run inside another.
+/// This thread's arena, kept for later calls; arenas may nest.
 tbb::task_arena& limitedArena(int threads) {
   thread_local std::map<int, tbb::task_arena> arenas;
   return arenas.try_emplace(threads, threads).first->second;

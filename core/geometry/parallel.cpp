@@ -1,11 +1,10 @@
-// core/geometry/parallel.cpp: who works on a loop: this thread alone, a game's task system, or Sinew's own threads.
+// core/geometry/parallel.cpp: runs a loop on this thread, a game's task system, or Sinew's own threads.
 #include "core/geometry/parallel.h"
 
 #include <algorithm>
 #include <atomic>
 #include <exception>
 
-#include "core/geometry/own_tasks.h"
 #include "sinew/geometry/task_system.h"
 
 namespace sinew {
@@ -14,10 +13,10 @@ namespace {
 thread_local int mostThreads = 0;  // 0: no limit.
 TaskSystem gameTasks;              // Without run(): Sinew's own threads.
 
-/// More tasks than threads, so that one that comes late does not keep the others waiting.
+/// More tasks than threads, so that a late thread does not delay the others.
 constexpr std::size_t kTasksPerThread = 4;
 
-/// A loop as tasks of a game. What a range throws waits here: it must not pass through the game's code.
+/// A loop as tasks of a game. Keeps exceptions, which must not pass through the game's code.
 struct TaskLoop {
   std::size_t count;
   std::size_t tasks;
@@ -39,7 +38,7 @@ struct TaskLoop {
 
 void runOnGameThreads(std::size_t count, std::size_t least, int threads, int limit, void* use, parallel::Call call) {
   const std::size_t pieces = (count + least - 1) / std::max<std::size_t>(least, 1);
-  // With a limit there are no more tasks than may run at once.
+  // With a limit, no more tasks than may run at once.
   const std::size_t most = static_cast<std::size_t>(threads) * (limit > 0 ? 1 : kTasksPerThread);
   TaskLoop loop{count, std::min(pieces, most), limit, use, call};
   gameTasks.run(

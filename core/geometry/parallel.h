@@ -1,4 +1,4 @@
-// core/geometry/parallel.h: loops whose rounds do not need each other, on all cores.
+// core/geometry/parallel.h: parallel loops of independent iterations.
 #pragma once
 
 #include <algorithm>
@@ -11,9 +11,7 @@
 
 namespace sinew {
 
-// Memory that takes none until it is written.
-
-/// Items without values: reading one that was not written is an error. A copy starts without any.
+/// Uninitialized items: reading one before it is written is an error. A copy is empty.
 template <class Item>
 requires std::is_trivially_default_constructible_v<Item>
 class ScratchArray {
@@ -28,7 +26,7 @@ class ScratchArray {
   ScratchArray& operator=(ScratchArray&&) noexcept = default;
   ~ScratchArray() = default;
 
-  /// Loses what was written where the size changes.
+  /// Loses the items if the size changes.
   void resize(std::size_t size) {
     if (size == size_) return;
     items_ = std::make_unique_for_overwrite<Item[]>(size);
@@ -47,12 +45,16 @@ using Call = void (*)(void* use, std::size_t begin, std::size_t end);
 
 void run(std::size_t count, std::size_t least, void* use, Call call);
 
+/// Cores that this process may use; 1 where Sinew was built without oneTBB.
+[[nodiscard]] int ownThreads();
+/// run() on that many of Sinew's own threads. @param limit  this thread's limit, which holds inside too
+void runOnOwnThreads(std::size_t count, std::size_t least, int threads, int limit, void* use, Call call);
+
 }  // namespace parallel
 
 /// Calls use(begin, end) for ranges that make up 0..count, on up to threadCount() threads; only ranges longer than
-/// `least` are divided.
-/// A range's results must not depend on how far the others are: then they do not depend on the number of threads. What
-/// is thrown is thrown again here.
+/// `least` are divided. Results of a range must not depend on the others, so that they do not depend on the number of
+/// threads. Rethrows exceptions.
 template <class Use>
 void forRanges(std::size_t count, std::size_t least, Use&& use) {
   parallel::run(count, least, &use, [](void* object, std::size_t begin, std::size_t end) {
@@ -68,14 +70,12 @@ void forEachIndex(std::size_t count, std::size_t least, Use&& use) {
   });
 }
 
-// Lists that several threads write, in the order of one.
-
-/// Has 0..count-1 listed in blocks, on all cores, and closes up what the blocks have left. Allocates nothing.
-/// @param least  for one thread; blocks begin at multiples of 64.
+/// Selects items of 0..count-1 in parallel blocks and compacts the blocks in order. Allocates nothing.
+/// @param least  smallest block; blocks begin at multiples of 64.
 /// @param out  room for `count`.
-/// @param list  (begin, end, out): writes what it lists of begin..end-1, at most end - begin, and returns how many;
-///              it may also write anything up to out[end - begin - 1].
-/// @return  how many are listed
+/// @param list  (begin, end, out): writes the items selected from begin..end-1 and returns how many; may write anything
+///              up to out[end - begin - 1].
+/// @return  number of selected items
 template <class T, class List>
 std::size_t listInBlocks(std::size_t count, std::size_t least, T* out, const List& list) {
   constexpr std::size_t kMostBlocks = 64;

@@ -1,13 +1,11 @@
-// core/geometry/potential.h: the quartic potential and the constants that follow from the iso value. What relies on
-// its formula beside these functions: CONTRIBUTING.md, Another potential g.
+// core/geometry/potential.h: the quartic potential and the constants that follow from the iso value. Other code that
+// relies on its formula: CONTRIBUTING.md, Another potential g.
 #pragma once
 
 #include <algorithm>
 #include <cmath>
 
 namespace sinew {
-
-// A step without corners.
 
 /// 0 up to `from`, 1 from `to` on, between them 3 t^2 - 2 t^3. from < to.
 [[nodiscard]] inline float smoothstep(float from, float to, float x) {
@@ -41,7 +39,7 @@ template <class Real>
   return std::sqrt(Real(1) - isoRoot(iso));
 }
 
-/// s: factor that puts the iso surface of a lone primitive on its visible ellipsoid, T / g(1 / reach). reach > 1.
+/// s = T / g(1 / reach), with which the iso surface of a single primitive is its visible ellipsoid. reach > 1.
 /// docs/design.md.
 [[nodiscard]] inline float strengthFor(float iso, float reach) { return iso / potential(1.0f / (reach * reach)); }
 

@@ -1,4 +1,4 @@
-// core/geometry/result.cpp: an error as one line.
+// core/geometry/result.cpp: errors as one line of text.
 #include "sinew/geometry/result.h"
 
 #include <initializer_list>

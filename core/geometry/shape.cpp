@@ -1,5 +1,4 @@
-// core/geometry/shape.cpp: the table of numbers, the unit space of a shape, its bounds and volume. Formulas:
-// docs/design.md.
+// core/geometry/shape.cpp: the table of numbers, and a shape's unit space, bounds and volume. Formulas: docs/design.md.
 #include "sinew/geometry/shape.h"
 
 #include <array>
@@ -40,7 +39,7 @@ std::vector<std::span<const ShapeNumber>> byKey() {
 }
 
 constexpr double kMargin = 0.95;        ///< Fraction of the belly at which S would reach 0 at the influence's end.
-constexpr double kStraightShare = 0.6;  ///< Fraction of the sphere's height that onShape() gives a full core.
+constexpr double kStraightShare = 0.6;  ///< Fraction of the sphere's height for a full core in onShape().
 
 /// A shape's constants in double.
 struct Numbers {
@@ -65,13 +64,13 @@ struct Numbers {
     return 2.0 * reach * reach / (nu * (s + root));
   }
 
-  /// Area of the visible section at y over pi.
+  /// Area of the visible section at y, divided by pi.
   [[nodiscard]] double section(double y) const {
     const double beyond = std::max(0.0, std::abs(y) - core) / end;
     return (1.0 - beyond * beyond) / (nu * (1.0 + belly * belly - 2.0 * belly * y));
   }
 
-  /// Integral of the section from `from` to `to`: Gauss and Legendre's eight points.
+  /// Integral of the section: Gauss-Legendre quadrature with eight points.
   [[nodiscard]] double volume(double from, double to) const {
     constexpr std::array<std::pair<double, double>, 4> kPoints{{{0.1834346424956498, 0.3626837833783620},
                                                                 {0.5255324099163290, 0.3137066458778873},
@@ -103,7 +102,7 @@ double ballAroundEllipsoid(const glm::dmat3& axes) {
   return std::min(glm::length(half), frobenius);
 }
 
-/// Largest length that the map of two columns gives a unit vector.
+/// Largest length of the image of a unit vector under the map with these two columns.
 double mostStretch(const glm::dvec3& a, const glm::dvec3& b) {
   const double mean = 0.5 * (glm::dot(a, a) + glm::dot(b, b));
   const double half = 0.5 * (glm::dot(a, a) - glm::dot(b, b));
@@ -209,12 +208,12 @@ double ballAround(const UnitShape& shape, const glm::dmat3& axes) {
   const glm::dvec3 middle = axes[0] * static_cast<double>(shape.bend.x) + axes[2] * static_cast<double>(shape.bend.y);
   const glm::dvec3 curve =
       (axes[0] * static_cast<double>(shape.curve.x) + axes[2] * static_cast<double>(shape.curve.y)) * (along * along);
-  // As a tube around the axis, a parabola that lies within its three control points.
+  // First bound: a tube around the axis, a parabola inside the triangle of its control points.
   const double lateral =
       0.5 * static_cast<double>(shape.high.x - shape.low.x - std::abs(shape.curve.x) * shape.high.y * shape.high.y);
   const double around = mostStretch(axes[0], axes[2]) * lateral;
   double tube = glm::length(middle - curve);
-  // As an ellipsoid as wide as the section could be at the thick end, moved along the core and the bend.
+  // Second bound: an ellipsoid as wide as the section could be at the thick end, moved along the core and the bend.
   const double thinnest = static_cast<double>(shape.lateral) - std::abs(static_cast<double>(shape.taper)) * along;
   const double widest = 1.0 / std::sqrt(thinnest);
   const double end =

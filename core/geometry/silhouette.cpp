@@ -1,5 +1,4 @@
-// core/geometry/silhouette.cpp: the line on a grid over the body where its normals lie across the sight, cell by
-// cell.
+// core/geometry/silhouette.cpp: contours, on a grid over the body, where its normals are perpendicular to the view.
 #include "core/geometry/silhouette.h"
 
 #include <algorithm>
@@ -18,9 +17,9 @@ constexpr int kSilhouetteRows = 28;  ///< From pole to pole.
 constexpr int kColumns = 36;
 constexpr int kPlaces = kSilhouetteRows * kColumns;
 
-/// An edge of the grid: down a column (0) or along a row (1), from a node. Nodes are numbered row by row.
+/// A point of the contour on an edge of the grid, which goes down a column (0) or along a row (1) from a node.
 struct Crossing {
-  std::array<int, 2> next{-1, -1};  ///< Edges of the crossings beside it.
+  std::array<int, 2> next{-1, -1};  ///< Edges of the adjacent crossings.
   glm::vec3 inShape{0.0f};
 };
 
@@ -68,7 +67,7 @@ class Contour {
     return onGrid(static_cast<float>(row), static_cast<float>(column));
   }
 
-  /// > 0 where the surface looks at the eye.
+  /// > 0 where the surface faces the eye.
   [[nodiscard]] float facing(const glm::vec3& p) const {
     return glm::dot(unit_.rSquaredSlope(p), parallel_ ? -eye_ : eye_ - p);
   }
@@ -79,7 +78,7 @@ class Contour {
   static int down(int row, int column) { return 2 * (row * kColumns + column % kColumns); }
   static int along(int row, int column) { return down(row, column) + 1; }
 
-  /// Notes where an edge is crossed, if it is.
+  /// Records the crossing on an edge, if any.
   void cross(int edge, int row, int column, bool isDown, std::array<int, 4>& crossed, int& count) {
     const float a = facingAt(row, column);
     const float b = isDown ? facingAt(row + 1, column) : facingAt(row, column + 1);
@@ -112,7 +111,7 @@ class Contour {
 
   const Shape& shape_;
   const UnitShape& unit_;
-  glm::vec3 eye_;  ///< In the primitive's space divided by its radii; parallel: the direction of sight.
+  glm::vec3 eye_;  ///< In the primitive's unit space; parallel: direction of view.
   bool parallel_;
   std::vector<float> facing_;
   std::vector<Crossing> crossings_;

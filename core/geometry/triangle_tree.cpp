@@ -1,4 +1,4 @@
-// core/geometry/triangle_tree.cpp: halves along the longest side, down to a few triangles.
+// core/geometry/triangle_tree.cpp: splits in halves along the longest side, down to a few triangles.
 #include "core/geometry/triangle_tree.h"
 
 #include <algorithm>
@@ -11,8 +11,8 @@
 namespace sinew {
 namespace {
 
-constexpr int kFewInLeaf = 4;      ///< Triangles that are not divided further.
-constexpr float kFarRadii = 2.0f;  ///< Radii from which a node's triangles count as one.
+constexpr int kFewInLeaf = 4;      ///< Most triangles of a leaf.
+constexpr float kFarRadii = 2.0f;  ///< Distance in radii from which a node's triangles are combined.
 
 /// Solid angle of a triangle (Van Oosterom and Strackee 1983).
 float solidAngle(const TriangleCorners& corners, const glm::vec3& p) {
@@ -27,7 +27,7 @@ float solidAngle(const TriangleCorners& corners, const glm::vec3& p) {
   return above == 0.0f && below == 0.0f ? 0.0f : 2.0f * std::atan2(above, below);
 }
 
-/// Both sides of a ray: where it is inside of the box.
+/// Slab test of a ray and a box.
 bool meetsBox(const Bounds& box, const glm::vec3& from, const glm::vec3& inverse) {
   const glm::vec3 a = (box.low - from) * inverse;
   const glm::vec3 b = (box.high - from) * inverse;
@@ -70,7 +70,7 @@ TriangleTree::TriangleTree(std::span<const TriangleCorners> triangles, std::span
     corners_[i] = at(triangles, order[i]);
     numbers_.push_back(at(numbers, order[i]));
   }
-  // Children come after their parents: sums from the leaves up see only what is done.
+  // Children come after their parents, so sums go backwards.
   for (std::size_t n = nodes_.size(); n-- > 0;) {
     Node& node = nodes_[n];
     if (node.count > 0) {
@@ -85,7 +85,7 @@ TriangleTree::TriangleTree(std::span<const TriangleCorners> triangles, std::span
   }
 }
 
-/// Before it, `corners_` is in the order of the list.
+/// `corners_` is still in the order of the list.
 void TriangleTree::split(int node, int first, int end, std::vector<int>& order, std::span<const glm::vec3> middles) {
   struct Open {
     int node, first, end;
@@ -155,7 +155,7 @@ float TriangleTree::windingAt(const glm::vec3& p) const {
 }
 
 bool TriangleTree::isMetBy(const glm::vec3& from, const glm::vec3& direction) const {
-  // Along an axis: as far as numbers go, which leaves no 0 * infinity.
+  // Clamped for rays along an axis, to avoid 0 * infinity.
   constexpr float kFar = 1e30f;
   glm::vec3 inverse(0.0f);
   for (int k = 0; k < 3; ++k) inverse[k] = std::clamp(1.0f / direction[k], -kFar, kFar);

@@ -1,5 +1,4 @@
-// core/geometry/triangle_tree.h: triangles in a tree of boxes: which is nearest, how far they wind around a point, and
-// whether a ray meets any.
+// core/geometry/triangle_tree.h: a tree of triangles for nearest points, winding numbers and rays.
 #pragma once
 
 #include <array>
@@ -9,13 +8,19 @@
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 
+#include "core/geometry/at.h"
+#include "sinew/geometry/control_mesh.h"
 #include "sinew/geometry/geometry.h"
 
 namespace sinew {
 
-// The point of a triangle that is nearest to another point.
-
 using TriangleCorners = std::array<glm::vec3, 3>;
+
+/// Corners of a control triangle in the bind pose.
+[[nodiscard]] inline TriangleCorners controlCorners(const ControlMesh& mesh, int triangle) {
+  const auto& v = at(mesh.triangles, triangle).vertices;
+  return {at(mesh.positions, v[0]), at(mesh.positions, v[1]), at(mesh.positions, v[2])};
+}
 
 /// The point with these barycentric coordinates.
 [[nodiscard]] inline glm::vec3 mixed(const TriangleCorners& c, const glm::vec3& shares) {
@@ -67,19 +72,19 @@ using TriangleCorners = std::array<glm::vec3, 3>;
 
 /// The nearest point of a tree's triangles.
 struct NearestPoint {
-  int triangle = -1;       ///< As in the list that the tree was made of; -1: none within the distance.
+  int triangle = -1;       ///< Its number in the tree; -1: none within the distance.
   glm::vec3 shares{0.0f};  ///< Barycentric.
   float distance = 0.0f;
 };
 
-/// Triangles that do not move. The same triangles in the same order give the same answers.
+/// Static triangles. The same triangles in the same order give the same results.
 class TriangleTree {
  public:
-  /// @param numbers  what the triangles are called in answers; as many
+  /// @param numbers  numbers of the triangles in results
   TriangleTree(std::span<const TriangleCorners> triangles, std::span<const int> numbers);
 
-  /// The triangle with the least distance + cost(triangle); the first of equal ones.
-  /// @param within  farther ones do not count  @param cost  at least 0
+  /// The triangle with the smallest distance + cost(triangle); the first of equal ones.
+  /// @param within  largest such sum  @param cost  at least 0
   template <class Cost>
   [[nodiscard]] NearestPoint nearest(const glm::vec3& p, float within, Cost cost) const {
     NearestPoint best;
@@ -114,11 +119,11 @@ class TriangleTree {
     return nearest(p, within, [](int) { return 0.0f; });
   }
 
-  /// Generalized winding number (Jacobson et al. 2013): 1 inside of a closed surface, 0 outside; near that where it has
-  /// holes. Triangles far away count as one (Barill et al. 2018).
+  /// Generalized winding number (Jacobson et al. 2013): 1 inside a closed surface, 0 outside, approximately so with
+  /// holes. Distant triangles are combined (Barill et al. 2018).
   [[nodiscard]] float windingAt(const glm::vec3& p) const;
 
-  /// Whether a ray meets any triangle, from either side.  @param direction  any length but 0
+  /// Whether a ray hits any triangle from either side.  @param direction  of any length but 0
   [[nodiscard]] bool isMetBy(const glm::vec3& from, const glm::vec3& direction) const;
 
  private:
@@ -126,8 +131,8 @@ class TriangleTree {
 
   struct Node {
     Bounds box;
-    int first = 0;  ///< Of its triangles, or its first child, with the other after it.
-    int count = 0;  ///< Of triangles; 0: it has children.
+    int first = 0;  ///< First triangle, or first of two consecutive children.
+    int count = 0;  ///< Number of triangles; 0: it has children.
     glm::vec3 center{0.0f};
     glm::vec3 area{0.0f};  ///< Sum of the triangles' area vectors.
     float radius = 0.0f;   ///< Around the center.

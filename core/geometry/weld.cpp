@@ -1,5 +1,4 @@
-// core/geometry/weld.cpp: merging split vertices with a hash grid.
-
+// core/geometry/weld.cpp: merges split vertices with a hash grid; hashes edges by their ends.
 #include "core/geometry/weld.h"
 
 #include <algorithm>
@@ -9,28 +8,81 @@
 #include "core/geometry/at.h"
 #include "core/geometry/index_table.h"
 #include "core/geometry/normals.h"
-#include "core/geometry/topology.h"
 
 namespace sinew {
+
+void findEdges(ControlMesh& mesh) {
+  mesh.edges.clear();
+  IndexTable table(3 * mesh.triangles.size());
+  for (ControlTriangle& triangle : mesh.triangles) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      const int a = triangle.vertices[i];
+      const int b = triangle.vertices[(i + 1) % 3];
+      const std::array<int, 2> ends{std::min(a, b), std::max(a, b)};
+      const std::uint64_t hash = hashCombine(static_cast<std::uint64_t>(ends[0]), static_cast<std::uint64_t>(ends[1]));
+      const int next = static_cast<int>(mesh.edges.size());
+      const int found = table.findOrInsert(hash, next, [&](int e) { return at(mesh.edges, e).vertices == ends; });
+      if (found == next) mesh.edges.push_back({.vertices = ends});
+      ++at(mesh.edges, found).triangleCount;
+      triangle.edges[i] = found;
+    }
+  }
+}
+
+Topology topologyOf(std::span<const std::array<int, 3>> triangles) {
+  std::vector<std::array<int, 2>> edges;
+  std::vector<int> vertices;
+  edges.reserve(3 * triangles.size());
+  vertices.reserve(3 * triangles.size());
+  for (const std::array<int, 3>& triangle : triangles) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      const auto [low, high] = std::minmax(triangle[i], triangle[(i + 1) % 3]);
+      edges.push_back({low, high});
+      vertices.push_back(triangle[i]);
+    }
+  }
+  std::ranges::sort(edges);
+  std::ranges::sort(vertices);
+
+  Topology result;
+  result.triangles = static_cast<int>(triangles.size());
+  result.vertices = static_cast<int>(std::unique(vertices.begin(), vertices.end()) - vertices.begin());
+  for (std::size_t i = 0; i < edges.size();) {
+    std::size_t end = i + 1;
+    while (end < edges.size() && edges[end] == edges[i]) ++end;
+    ++result.edges;
+    if (end - i == 1) result.borderEdges.push_back(edges[i]);
+    if (end - i > 2) result.nonManifoldEdges.push_back(edges[i]);
+    i = end;
+  }
+  return result;
+}
+
+Topology topologyOf(const ControlMesh& mesh) {
+  std::vector<std::array<int, 3>> triangles;
+  triangles.reserve(mesh.triangles.size());
+  for (const ControlTriangle& triangle : mesh.triangles) triangles.push_back(triangle.vertices);
+  return topologyOf(triangles);
+}
+
 namespace {
 
-/// Two weights closer than this are the same: the step of an 8-bit weight is 0.004.
+/// Well below 0.004, the step of an 8-bit weight.
 constexpr float kWeightTolerance = 1e-4f;
-/// Cells are this many tolerances wide: wide enough that a vertex rarely has to look into a neighbor cell.
+/// Width of cells in tolerances, so that a vertex rarely needs neighbor cells.
 constexpr double kCellInTolerances = 8.0;
-/// At most this many cells along the longest axis, so that cell numbers stay exact in double and in 64 bits.
+/// Most cells along the longest axis, so that cell numbers are exact in double and in 64 bits.
 constexpr double kMostCells = 1e15;
-/// So many vertices of one cell are compared by tolerance; in a denser crowd only exactly equal ones merge. It bounds
-/// the work for files that put very many differently bound vertices in one place.
+/// Vertices of one cell that are compared by tolerance; in denser cells only equal ones merge. Bounds the work for
+/// files with very many differently bound vertices at one place.
 constexpr int kMostCompared = 64;
 
 using Cell = std::array<std::int64_t, 3>;
 
-/// Finds for every soup vertex in use the soup vertex that stands for it: one at the same place that follows the same
-/// bones with the same weights. Files split vertices at seams, and pieces that are smoothed separately tear the surface
-/// apart (docs/design.md, Welding). Exact duplicates are found by a hash; what is left is compared within the
-/// tolerance, in order of arrival, with the representatives in the cells of a grid around it. Only representatives are
-/// in the grid, so a chain of near vertices cannot collapse into one.
+/// Finds the representative of every used soup vertex: one at the same place with the same bindings and weights, since
+/// pieces that are smoothed separately would tear the surface apart (docs/design.md, Welding). Exact duplicates are
+/// found by a hash; others are compared, in order of arrival, with the representatives in the grid cells around them.
+/// Only representatives are in the grid, so a chain of near vertices cannot collapse into one.
 class Welder {
  public:
   Welder(const TriangleSoup& soup, float tolerance)
@@ -84,7 +136,7 @@ class Welder {
            });
   }
 
-  /// First representative, in order of arrival within the cells, that lies within the tolerance and is bound alike.
+  /// The first representative, in order of arrival, within the tolerance and with the same bindings.
   [[nodiscard]] int nearest(int vertex) const {
     const glm::dvec3 p = glm::dvec3(at(soup_.positions, vertex));
     const double reach = static_cast<double>(tolerance_ + pieceOf(vertex).place + mostRounded_);
@@ -95,7 +147,6 @@ class Welder {
       for (std::int64_t y = first[1]; y <= last[1]; ++y) {
         for (std::int64_t z = first[2]; z <= last[2]; ++z) {
           const int found = firstAlike(vertex, Cell{x, y, z});
-          // Across cells the earliest wins, whatever the order of the cells.
           if (found >= 0 && (best < 0 || at(order_, found) < at(order_, best))) best = found;
         }
       }
@@ -125,7 +176,7 @@ class Welder {
     });
   }
 
-  /// The same where small weights may have been rounded to none.
+  /// The same if small weights may have been rounded to 0.
   [[nodiscard]] bool followAlike(int a, int b, float most) const {
     const std::span<const Influence> left = influencesOf(a);
     const std::span<const Influence> right = influencesOf(b);
@@ -144,7 +195,7 @@ class Welder {
     return soup_.pieces.empty() ? RoundedPiece{} : at(soup_.pieces, at(soup_.pieceOf, vertex));
   }
 
-  /// What rounding may have put between two vertices: nothing within a piece.
+  /// Largest difference by rounding between two vertices; none within a piece.
   [[nodiscard]] RoundedPiece between(int a, int b) const {
     if (soup_.pieces.empty() || at(soup_.pieceOf, a) == at(soup_.pieceOf, b)) return {};
     const RoundedPiece left = pieceOf(a);
@@ -196,7 +247,7 @@ class Welder {
   int count_ = 0;
 };
 
-/// Soup triangle -> representative corners; dropped ones are left out.
+/// A triangle with its representative corners.
 struct KeptTriangle {
   std::array<int, 3> representatives{};
   std::size_t soupTriangle = 0;

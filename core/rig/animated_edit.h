@@ -3,15 +3,27 @@
 // As in rig_edit.h: a rig is taken by value; indices must be in range (asserted).
 #pragma once
 
+#include <cstddef>
 #include <functional>
+#include <map>
 #include <string>
 #include <unordered_set>
 
-#include "core/rig/rig_edit_several.h"
+#include "core/rig/rig_edit.h"
 #include "sinew/geometry/result.h"
 #include "sinew/rig/rig.h"
 
 namespace sinew {
+
+// Keys of whole clips, of all numbers and channels of a rig.
+
+/// Key tracks that a rig has in the clip of that name.
+[[nodiscard]] std::size_t countKeyTracks(const Rig& rig, const std::string& clip);
+
+/// The rig whose keys follow clips that are called otherwise from now on. A track that had one of the new names for a
+/// clip that is not there gives way.
+/// @param names  from old to new; no two become the same
+[[nodiscard]] Rig withClipsRenamed(Rig rig, const std::map<std::string, std::string>& names);
 
 [[nodiscard]] float& numberIn(Rig& rig, const NumberRef& ref);
 [[nodiscard]] float numberOf(const Rig& rig, const NumberRef& ref);

@@ -6,7 +6,7 @@
 
 #include "core/rig/blending_graph.h"
 #include "core/rig/field.h"
-#include "core/rig/rig_edit_several.h"
+#include "core/rig/rig_edit.h"
 #include "sinew/character/character.h"
 #include "sinew/geometry/result.h"
 #include "sinew/rig/rig.h"

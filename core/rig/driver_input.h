@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/rig/line_pose.h"
-#include "core/rig/rig_edit_several.h"
+#include "core/rig/rig_edit.h"
 #include "sinew/character/character.h"
 #include "sinew/character/pose.h"
 #include "sinew/rig/rig.h"

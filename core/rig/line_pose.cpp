@@ -8,7 +8,7 @@
 
 #include "core/geometry/at.h"
 #include "core/geometry/normals.h"
-#include "core/rig/contraction.h"
+#include "core/rig/line_rest.h"
 #include "sinew/geometry/geometry.h"
 
 namespace sinew {

@@ -20,7 +20,6 @@
 #include "core/geometry/at.h"
 #include "core/geometry/parallel.h"
 #include "core/geometry/triangle_tree.h"
-#include "core/rig/refusals.h"
 #include "core/rig/validation.h"
 
 namespace sinew {
@@ -203,16 +202,11 @@ class LayerGuesser {
   }
 
  private:
-  [[nodiscard]] TriangleCorners cornersOf(int triangle) const {
-    const auto& v = at(mesh_.triangles, triangle).vertices;
-    return {at(mesh_.positions, v[0]), at(mesh_.positions, v[1]), at(mesh_.positions, v[2])};
-  }
-
   void gatherTriangles() {
     for (int t = 0; t < static_cast<int>(mesh_.triangles.size()); ++t) {
       PartFacts& part = at(facts_, at(mesh_.triangles, t).part);
       part.triangles.push_back(t);
-      const TriangleCorners c = cornersOf(t);
+      const TriangleCorners c = controlCorners(mesh_, t);
       part.area += 0.5f * glm::length(glm::cross(c[1] - c[0], c[2] - c[0]));
     }
     const std::size_t most = std::clamp(kAllPartSamples / facts_.size(), kFewPartSamples, kPartSamples);
@@ -224,7 +218,7 @@ class LayerGuesser {
 
   void addSample(std::size_t i, PartFacts& part) const {
     const int t = part.triangles[i];
-    const TriangleCorners c = cornersOf(t);
+    const TriangleCorners c = controlCorners(mesh_, t);
     const glm::vec3 face = glm::cross(c[1] - c[0], c[2] - c[0]);
     const float area = 0.5f * glm::length(face);
     if (!(area > 0.0f)) return;
@@ -260,7 +254,7 @@ class LayerGuesser {
 
   [[nodiscard]] TriangleTree treeOf(const std::vector<int>& triangles) const {
     std::vector<TriangleCorners> corners;
-    for (const int t : triangles) corners.push_back(cornersOf(t));
+    for (const int t : triangles) corners.push_back(controlCorners(mesh_, t));
     return {corners, triangles};
   }
 
@@ -275,7 +269,7 @@ class LayerGuesser {
   }
 
   [[nodiscard]] glm::vec3 normalOf(int triangle) const {
-    const TriangleCorners c = cornersOf(triangle);
+    const TriangleCorners c = controlCorners(mesh_, triangle);
     return normalizeOr(glm::cross(c[1] - c[0], c[2] - c[0]), glm::vec3(0.0f));
   }
 
@@ -293,7 +287,7 @@ class LayerGuesser {
       const NearestPoint found = all.nearest(sample.middle, within, own);
       if (found.triangle < 0) continue;
       nearby += sample.area;
-      const glm::vec3 way = sample.middle - mixed(cornersOf(found.triangle), found.shares);
+      const glm::vec3 way = sample.middle - mixed(controlCorners(mesh_, found.triangle), found.shares);
       const glm::vec3 under = normalOf(found.triangle);
       const float along = glm::dot(way, under);
       const bool isAbove = along > kOverAlong * found.distance && glm::dot(under, sample.normal) > kOverAlong;
@@ -361,11 +355,6 @@ namespace {
 
 /// The layer that wins where parts meet: the enumerators' order.
 static_assert(SkinLayer::kSkin < SkinLayer::kCloth && SkinLayer::kCloth < SkinLayer::kRigid);
-
-TriangleCorners controlCorners(const ControlMesh& mesh, int triangle) {
-  const auto& v = at(mesh.triangles, triangle).vertices;
-  return {at(mesh.positions, v[0]), at(mesh.positions, v[1]), at(mesh.positions, v[2])};
-}
 
 /// 0..1: how much of a vertex's weight is on bones that a triangle's corners follow as much.
 float weightLikeness(const Character& character, int vertex, int triangle) {

@@ -6,8 +6,6 @@
 #include <utility>
 
 #include "core/geometry/at.h"
-#include "core/rig/animated_validation.h"
-#include "core/rig/refusals.h"
 #include "core/rig/validation.h"
 
 namespace sinew {

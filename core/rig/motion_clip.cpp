@@ -1,7 +1,8 @@
-// core/rig/motion_clip.cpp: the range of motion as one more clip.
+// core/rig/motion_clip.cpp: adds the range of motion to a character's clips; sample times of clips.
 #include "core/rig/motion_clip.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "core/character/bindings.h"
@@ -17,7 +18,7 @@ int findClip(const Character& character, std::string_view name) {
 
 namespace {
 
-/// Which bones are which parts: by names and places, or as the file says, and where that has left.
+/// Finds the body parts, by names and places or as the file gives them, and the left side that follows from them.
 void addParts(const Character& character, RangeOfMotionHints& hints) {
   const Skeleton& skeleton = character.skeleton;
   const BodySlots found =
@@ -32,7 +33,7 @@ void addParts(const Character& character, RangeOfMotionHints& hints) {
     if (slot.isSided()) toLeft += slot.side == BodySide::kLeft ? place : -place;
   }
   if (toLeft != glm::vec3(0.0f)) hints.left = normalizeOr(toLeft, {1.0f, 0.0f, 0.0f});
-  if (!character.bodyParts.empty()) return;  // The file knows its own bones.
+  if (!character.bodyParts.empty()) return;
   for (const BodySlot slot : allBodySlots()) {
     const int bone = found[slot].bone;
     if (bone >= 0 && !at(hints.parts, bone)) at(hints.parts, bone) = slot.slot;
@@ -69,6 +70,25 @@ std::shared_ptr<const Character> withRangeOfMotion(std::shared_ptr<const Charact
 
 std::shared_ptr<const Character> withClipNamed(std::shared_ptr<const Character> character, const std::string& clip) {
   return clip == kRangeOfMotionName ? withRangeOfMotion(std::move(character)) : character;
+}
+
+std::vector<ClipTime> sampleTimes(std::span<const AnimationClip> clips, double most) {
+  constexpr float kHertz = 15.0f;
+  // A float: a file may give a clip any duration.
+  const auto stepsOf = [](const AnimationClip& clip, float hertz) {
+    return std::max(1.0f, std::ceil(clip.duration * hertz));
+  };
+  double all = 0.0;
+  for (const AnimationClip& clip : clips) all += static_cast<double>(stepsOf(clip, kHertz));
+  const float hertz = all > most ? static_cast<float>(static_cast<double>(kHertz) * most / all) : kHertz;
+  std::vector<ClipTime> times;
+  for (const AnimationClip& clip : clips) {
+    const int steps = static_cast<int>(stepsOf(clip, hertz));
+    for (int step = 0; step <= steps; ++step) {
+      times.push_back({&clip, clip.duration * static_cast<float>(step) / static_cast<float>(steps)});
+    }
+  }
+  return times;
 }
 
 }  // namespace sinew

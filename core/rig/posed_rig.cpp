@@ -10,7 +10,7 @@
 #include <glm/gtc/quaternion.hpp>
 #include <glm/matrix.hpp>
 
-#include "core/character/morphing.h"
+#include "core/character/skinning.h"
 #include "core/geometry/at.h"
 
 namespace sinew {

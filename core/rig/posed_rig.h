@@ -11,7 +11,7 @@
 #include "core/rig/driver_input.h"
 #include "core/rig/field.h"
 #include "core/rig/line_pose.h"
-#include "core/rig/rig_edit_several.h"
+#include "core/rig/rig_edit.h"
 #include "sinew/character/character.h"
 
 namespace sinew {

@@ -6,7 +6,7 @@
 
 #include "core/character/bindings.h"
 #include "core/geometry/at.h"
-#include "core/geometry/split_mix.h"
+#include "core/geometry/index_table.h"
 #include "sinew/geometry/geometry.h"
 
 namespace sinew {

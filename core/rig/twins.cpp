@@ -15,9 +15,11 @@
 #include "core/character/pose_override.h"
 #include "core/geometry/affine_image.h"
 #include "core/geometry/at.h"
-#include "core/rig/identity.h"
 #include "core/rig/line_edit.h"
+#include "core/rig/motion_clip.h"
+#include "core/rig/references.h"
 #include "core/rig/validation.h"
+#include "sinew/rig/mirror_edit.h"
 #include "sinew/rig/rig_edit.h"
 
 namespace sinew {
@@ -668,6 +670,36 @@ Result<Rig> renameWithTwin(Rig rig, int index, const std::string& name) {
 
 std::string twinName(const Rig& rig, const std::string& name) {
   return freePrimitiveName(rig, mirroredName(name).value_or(name));
+}
+
+// The edits of twins with the character's plan.
+
+struct MirrorEdits::State {
+  MirrorPlan plan;
+};
+
+MirrorEdits::MirrorEdits(const Character& character)
+    : state_(std::make_unique<State>(State{makeMirrorPlan(character)})) {}
+MirrorEdits::~MirrorEdits() = default;
+MirrorEdits::MirrorEdits(MirrorEdits&&) noexcept = default;
+MirrorEdits& MirrorEdits::operator=(MirrorEdits&&) noexcept = default;
+
+bool MirrorEdits::usable() const { return state_->plan.usable(); }
+
+Result<Rig> MirrorEdits::addPair(Rig rig, Primitive primitive) const {
+  return sinew::addPair(std::move(rig), std::move(primitive), state_->plan);
+}
+
+Result<Rig> MirrorEdits::mirrorToOtherSide(Rig rig, int index) const {
+  return sinew::mirrorToOtherSide(std::move(rig), index, state_->plan);
+}
+
+Result<Rig> MirrorEdits::linkTwins(Rig rig, int leader, int follower) const {
+  return sinew::linkTwins(std::move(rig), leader, follower, state_->plan);
+}
+
+AnimationClip rangeOfMotion(const Character& character) {
+  return rangeOfMotion(character.skeleton, motionHints(character));
 }
 
 }  // namespace sinew

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cctype>
+#include <charconv>
 #include <cmath>
 #include <optional>
 #include <span>
@@ -13,12 +14,36 @@
 
 #include "core/character/body_slots.h"
 #include "core/geometry/affine_image.h"
-#include "core/rig/animated_validation.h"
 #include "core/rig/mesh_layers.h"
 #include "core/rig/morphs.h"
-#include "core/rig/refusals.h"
 
 namespace sinew {
+
+// Numbers and names as refusals say them.
+
+std::string numberText(float value) {
+  if (std::isnan(value)) return "NaN";
+  if (std::isinf(value)) return value > 0.0f ? "infinity" : "-infinity";
+  std::array<char, 32> text{};
+  const auto end = std::to_chars(text.data(), text.data() + text.size(), value).ptr;
+  return {text.data(), end};
+}
+
+Error outOfRange(std::string place, const std::string& expected, float value, std::string subject) {
+  return errorAt(std::move(place), "expected " + expected + ", got " + numberText(value), std::move(subject));
+}
+
+std::string ofAxis(const std::string& what, int axis) { return what + ' ' + "XYZ"[axis]; }
+
+std::string quoted(const char* what, const std::string& name) { return what + (" \"" + name + '"'); }
+
+Error named(const char* subject, Error error) {
+  error.subject = subject;
+  return error;
+}
+
+std::string indexed(const char* list, std::size_t index) { return list + ('[' + std::to_string(index) + ']'); }
+
 namespace {
 
 constexpr double kValidationUnitTolerance = 1e-3;  // On a quaternion's length; files written by hand have few digits.

@@ -1,12 +1,13 @@
 // core/surface/preparation.cpp: attaches, refines and reads the bind pose; shares unchanged parts.
+
 #include "core/surface/preparation.h"
 
 #include <algorithm>
 #include <string>
 
 #include "core/geometry/at.h"
-#include "core/geometry/creases.h"
 #include "core/geometry/instruction_set.h"
+#include "core/geometry/normals.h"
 #include "core/geometry/parallel.h"
 #include "core/rig/validation.h"
 #include "core/surface/adaptive_levels.h"

@@ -12,7 +12,7 @@
 #include "core/character/pose_override.h"
 #include "core/geometry/at.h"
 #include "core/geometry/nearest_name.h"
-#include "core/geometry/topology.h"
+#include "core/geometry/weld.h"
 #include "core/rig/morphs.h"
 #include "core/rig/motion_clip.h"
 #include "python/module/arrays.h"

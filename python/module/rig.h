@@ -9,7 +9,7 @@
 
 #include <pybind11/pybind11.h>
 
-#include "core/rig/identity.h"
+#include "core/rig/references.h"
 #include "python/module/character.h"
 #include "sinew/geometry/result.h"
 #include "sinew/rig/rig.h"

@@ -13,7 +13,7 @@
 #include "core/geometry/nearest_name.h"
 #include "core/rig/line_edit.h"
 #include "core/rig/morphs.h"
-#include "core/rig/rig_edit_several.h"
+#include "core/rig/rig_edit.h"
 #include "core/rig/twins.h"
 #include "python/module/errors.h"
 #include "python/module/rig.h"

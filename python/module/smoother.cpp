@@ -13,7 +13,7 @@
 
 #include <pybind11/stl.h>
 
-#include "core/character/morphing.h"
+#include "core/character/skinning.h"
 #include "core/geometry/at.h"
 #include "core/geometry/nearest_name.h"
 #include "core/rig/attachment.h"

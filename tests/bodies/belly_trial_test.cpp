@@ -1,11 +1,10 @@
 // tests/bodies/belly_trial_test.cpp: a trial says of one muscle what check() says of its rig, wherever it begins.
-#include "core/bodies/belly_motion.h"
+#include "core/bodies/check.h"
 
 #include <gtest/gtest.h>
 
-#include "core/bodies/check.h"
 #include "core/bodies/motions.h"
-#include "core/rig/line_fitting.h"
+#include "core/rig/line_edit.h"
 #include "tests/bodies/drawn_muscles.h"
 
 namespace sinew::test {

@@ -7,7 +7,6 @@
 
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "core/bodies/belly_motion.h"
 #include "sinew/files/gltf_import.h"
 #include "sinew/files/rig_json.h"
 #include "sinew/geometry/threads.h"

@@ -8,7 +8,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "core/bodies/belly_motion.h"
+#include "core/bodies/check.h"
 #include "core/character/bindings.h"
 #include "core/character/bone_segments.h"
 #include "core/geometry/affine_image.h"

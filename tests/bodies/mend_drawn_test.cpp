@@ -1,5 +1,6 @@
 // tests/bodies/mend_drawn_test.cpp: drawn muscles that are laid along one bone: where they lie, and that check() finds
 // nothing of them.
+
 #include "core/bodies/mend.h"
 
 #include <gtest/gtest.h>
@@ -8,7 +9,7 @@
 
 #include "core/bodies/check.h"
 #include "core/bodies/relaid_belly.h"
-#include "core/rig/line_fitting.h"
+#include "core/rig/line_edit.h"
 #include "tests/bodies/drawn_muscles.h"
 #include "tests/support/characters/synthetic_characters.h"
 

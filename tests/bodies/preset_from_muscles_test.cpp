@@ -1,5 +1,5 @@
 // tests/bodies/preset_from_muscles_test.cpp: muscles as marks and back on the same body, and on others.
-#include "core/bodies/preset_from_muscles.h"
+#include "core/bodies/muscle_set.h"
 
 #include <algorithm>
 #include <filesystem>

@@ -1,5 +1,5 @@
 // tests/bodies/skin_track_test.cpp: the nearest skin that faces outwards, against a look at every triangle.
-#include "core/bodies/skin_track.h"
+#include "core/bodies/motions.h"
 
 #include <gtest/gtest.h>
 

@@ -9,7 +9,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/geometry/creases.h"
+#include "core/geometry/normals.h"
 #include "sinew/files/gltf_import.h"
 #include "tests/support/characters/characters.h"
 #include "tests/support/characters/gltf_builder.h"

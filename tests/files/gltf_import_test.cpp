@@ -6,7 +6,6 @@
 
 #include <gtest/gtest.h>
 
-#include "core/geometry/topology.h"
 #include "core/geometry/weld.h"
 #include "sinew/character/pose.h"
 #include "tests/support/characters/characters.h"

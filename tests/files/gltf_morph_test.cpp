@@ -5,7 +5,7 @@
 
 #include "core/character/skinning.h"
 #include "core/geometry/at.h"
-#include "core/geometry/creases.h"
+#include "core/geometry/normals.h"
 #include "sinew/character/character_pose.h"
 #include "sinew/files/gltf_import.h"
 #include "tests/support/characters/characters.h"

@@ -9,7 +9,7 @@
 #include <glm/geometric.hpp>
 
 #include "core/character/skinning.h"
-#include "core/geometry/topology.h"
+#include "core/geometry/weld.h"
 #include "sinew/files/gltf_import.h"
 #include "tests/files/mentions.h"
 #include "tests/support/characters/gltf_builder.h"

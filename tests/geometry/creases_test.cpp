@@ -1,6 +1,6 @@
 // tests/geometry/creases_test.cpp: fans and their normals, against shapes known by hand and a slow search.
 
-#include "core/geometry/creases.h"
+#include "core/geometry/normals.h"
 
 #include <algorithm>
 #include <cmath>

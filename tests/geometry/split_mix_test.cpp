@@ -1,5 +1,5 @@
 // tests/geometry/split_mix_test.cpp: the numbers of the published generator.
-#include "core/geometry/split_mix.h"
+#include "core/geometry/index_table.h"
 
 #include <array>
 

@@ -1,6 +1,6 @@
 // tests/geometry/topology_test.cpp: counts on shapes whose topology is known.
 
-#include "core/geometry/topology.h"
+#include "core/geometry/weld.h"
 #include "tests/support/euler_characteristic.h"
 
 #include <algorithm>

@@ -12,7 +12,6 @@
 #include <gtest/gtest.h>
 #include <glm/geometric.hpp>
 
-#include "core/geometry/topology.h"
 #include "tests/geometry/soups.h"
 #include "tests/support/euler_characteristic.h"
 

@@ -8,7 +8,7 @@
 #include "app/editor/blending_edit.h"
 #include "app/panels/blending_layout.h"
 #include "core/rig/blending_graph.h"
-#include "core/rig/rig_edit_several.h"
+#include "core/rig/rig_edit.h"
 #include "core/rig/validation.h"
 #include "tests/support/editor/muscles_named.h"
 

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 #include <glm/geometric.hpp>
 
-#include "core/rig/line_fitting.h"
+#include "core/rig/line_edit.h"
 #include "core/rig/posed_rig.h"
 #include "sinew/files/gltf_import.h"
 #include "sinew/files/rig_json.h"

@@ -1,11 +1,10 @@
 // tests/rig/clip_keys_test.cpp: keys follow clips that are called otherwise.
-#include "core/rig/clip_keys.h"
+#include "core/rig/animated_edit.h"
 
 #include <random>
 
 #include <gtest/gtest.h>
 
-#include "core/rig/animated_edit.h"
 #include "sinew/rig/rig_edit.h"
 
 namespace sinew {

@@ -1,13 +1,12 @@
 // tests/rig/identity_test.cpp: identities are unique, outlive names and survive copies.
 
-#include "core/rig/identity.h"
-
 #include <gtest/gtest.h>
 
 #include <random>
 #include <set>
 
-#include "core/rig/rig_edit_several.h"
+#include "core/rig/references.h"
+#include "core/rig/rig_edit.h"
 #include "sinew/rig/rig_edit.h"
 
 namespace sinew {

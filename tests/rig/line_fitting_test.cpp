@@ -1,11 +1,10 @@
 // tests/rig/line_fitting_test.cpp: lengths learned from poses and clips, via points, a muscle's other end.
 
-#include "core/rig/line_fitting.h"
+#include "core/rig/line_edit.h"
 
 #include <gtest/gtest.h>
 #include <glm/geometric.hpp>
 
-#include "core/rig/line_edit.h"
 #include "core/rig/posed_rig.h"
 #include "core/rig/twins.h"
 #include "core/rig/validation.h"

@@ -11,7 +11,7 @@
 
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "core/rig/contraction.h"
+#include "core/rig/line_rest.h"
 
 namespace sinew::test {
 namespace {

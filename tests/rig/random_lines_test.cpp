@@ -12,8 +12,8 @@
 
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "core/rig/contraction.h"
 #include "core/rig/line_pose.h"
+#include "core/rig/line_rest.h"
 #include "tests/support/allocations.h"
 #include "tests/support/oracle/line.h"
 

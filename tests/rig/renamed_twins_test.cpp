@@ -4,8 +4,8 @@
 #include <gtest/gtest.h>
 
 #include "core/rig/animated_edit.h"
-#include "core/rig/identity.h"
 #include "core/rig/line_edit.h"
+#include "core/rig/references.h"
 #include "core/rig/twins.h"
 #include "core/rig/validation.h"
 #include "sinew/rig/rig_edit.h"

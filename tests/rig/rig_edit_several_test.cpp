@@ -1,6 +1,6 @@
 // tests/rig/rig_edit_several_test.cpp: several primitives changed at once: all of them, nothing else, or nothing.
 
-#include "core/rig/rig_edit_several.h"
+#include "core/rig/rig_edit.h"
 
 #include <gtest/gtest.h>
 

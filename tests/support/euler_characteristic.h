@@ -1,7 +1,7 @@
 // tests/support/euler_characteristic.h: what tells a sphere from a torus.
 #pragma once
 
-#include "core/geometry/topology.h"
+#include "core/geometry/weld.h"
 
 namespace sinew {
 

@@ -1,11 +1,12 @@
 // tests/surface/adaptive_surface_test.cpp: adaptive detail in the pipeline: a function of character and rig alone,
 // closed, within its tolerance, and no more vertices than it needs.
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
 #include "core/geometry/at.h"
-#include "core/geometry/topology.h"
+#include "core/geometry/weld.h"
 #include "core/surface/adaptive_levels.h"
 #include "core/surface/patches/level_fit.h"
 #include "core/surface/smooth.h"

@@ -1,6 +1,6 @@
 // tests/surface/creases_test.cpp: shading normals at creases; the geometry never notices.
 
-#include "core/geometry/creases.h"
+#include "core/geometry/normals.h"
 
 #include <algorithm>
 #include <array>

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/geometry/creases.h"
+#include "core/geometry/normals.h"
 #include "core/surface/projector.h"
 #include "core/surface/smooth.h"
 #include "tests/support/characters/synthetic_characters.h"

@@ -1,9 +1,10 @@
 // app/viewport/gpu/card_pose.cpp: the rig is posed on the processor, which takes microseconds.
+
 #include "app/viewport/gpu/card_pose.h"
 
 #include <algorithm>
 
-#include "core/character/morphing.h"
+#include "core/character/skinning.h"
 #include "core/geometry/at.h"
 #include "core/surface/posed_field.h"
 

@@ -59,11 +59,6 @@ Result<std::uint64_t> writeStage(const Source& source, const PackedGltf& packed,
   return writeFiles(source, files);
 }
 
-Result<std::uint64_t> writeUsd(const Source& source, const PackedGltf& packed, const std::filesystem::path& file,
-                               std::vector<std::string>& left) {
-  return writeStage(source, packed, file, left, nullptr);
-}
-
 // Where all vertices are at each frame, as other programs cache it.
 // PC2 is little endian, MDD big.
 
@@ -141,6 +136,11 @@ constexpr double kTextOfVertex = 96.0;
 using SharedCharacter = std::shared_ptr<const Character>;
 
 }  // namespace
+
+Result<std::uint64_t> writeUsd(const Source& source, const PackedGltf& packed, const std::filesystem::path& file,
+                               std::vector<std::string>& left) {
+  return writeStage(source, packed, file, left, nullptr);
+}
 
 Result<BakedExportReport> bakeCache(Source& source, const SharedCharacter& character, const Rig& rig,
                                     const BakedExportSettings& settings, const std::filesystem::path& file,

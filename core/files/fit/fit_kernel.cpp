@@ -134,8 +134,6 @@ constexpr FitKernels kKernels{&addGrams, &addGains};
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
-#include "core/geometry/dispatch.h"
-
 namespace sinew::exporting {
 
 FitKernels fitKernels(InstructionSet set) { SINEW_RETURN_BY_SET(set, kKernels) }

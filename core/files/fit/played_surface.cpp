@@ -9,7 +9,7 @@
 
 #include <glm/common.hpp>
 
-#include "core/character/morphing.h"
+#include "core/character/skinning.h"
 #include "core/files/fit/poses.h"
 #include "core/geometry/at.h"
 #include "core/geometry/parallel.h"

@@ -10,7 +10,7 @@
 #include <array>
 #include <cstddef>
 
-#include "core/geometry/lane_rows.h"
+#include "core/geometry/lanes.h"
 #include "hwy/highway.h"
 #include "sinew/rig/rig.h"
 #include "sinew/surface/refinement.h"

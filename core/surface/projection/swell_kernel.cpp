@@ -1,4 +1,5 @@
 // core/surface/projection/swell_kernel.cpp: `swell` on tiles of 16 lanes, compiled once per instruction set.
+
 #include "core/surface/projection/tile_projection.h"
 
 #include <cmath>
@@ -328,8 +329,326 @@ void swellTiles(SwellInputs& inputs) {
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
-#include "core/geometry/dispatch.h"
 
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "core/surface/projection/swell_kernel.cpp"
+//
+
+HWY_BEFORE_NAMESPACE();
+namespace sinew::HWY_NAMESPACE {
+
+// heightBelowOverhangs() in lanes.
+
+using LaneEnd = PartEnd<V>;
+
+/// s + psi(s) / sigma along the rays.
+struct SlowFall {
+  const RayLanes& rays;
+  V inverseSigma;
+
+  HWY_INLINE LaneEnd endAt(V s) const {
+    const LaneSample here = rays.sample(s);
+    return {s, s + here.value * inverseSigma, all(1.0f) + here.slope * inverseSigma};
+  }
+};
+
+HWY_INLINE V lowestBetween(const LaneEnd& low, const LaneEnd& high, int step) {
+  const V length = high.at - low.at;
+  if (step % 2 != 0 && step + 1 < Overhang::kNarrowings) return low.at + all(0.5f) * length;
+  const V turns = high.slope - low.slope;
+  const V to =
+      step % 2 == 0 ? (high.slope * length + (low.sum - high.sum)) / turns : zero() - low.slope * length / turns;
+  return low.at + hn::Min(hn::Max(zero(), to), length);
+}
+
+HWY_INLINE LaneEnd select(M mask, const LaneEnd& yes, const LaneEnd& no) {
+  return {select(mask, yes.at, no.at), select(mask, yes.sum, no.sum), select(mask, yes.slope, no.slope)};
+}
+
+/// The least of s + psi(s) / sigma inside a part at whose ends it falls and rises. @param height  in and out
+HWY_INLINE void lowerInside(const SlowFall& fall, LaneEnd low, LaneEnd high, M asked, V& height) {
+  const auto dips = [&]() HWY_ATTR { return both(asked, both(hn::Lt(low.slope, zero()), hn::Gt(high.slope, zero()))); };
+  asked = dips();
+  for (int k = 0; k < Overhang::kNarrowings && any(asked); ++k) {
+    const LaneEnd inside = fall.endAt(lowestBetween(low, high, k));
+    height = select(asked, hn::Min(height, inside.sum), height);
+    const M fallsOn = hn::Lt(inside.slope, zero());
+    low = select(fallsOn, inside, low);
+    high = select(fallsOn, high, inside);
+    asked = dips();
+  }
+}
+
+/// heightBelowOverhangs(). @param t  roots.  @param asked  lanes; others keep t.
+HWY_NOINLINE inline V heightBelowOverhangs(const RayLanes& rays, V t, V sigma, V part, M asked) {
+  const SlowFall fall{rays, all(1.0f) / sigma};
+  LaneEnd from = fall.endAt(zero());
+  V height = select(asked, hn::Min(t, from.sum), t);
+  for (int i = 0; i < Overhang::kMostParts; ++i) {
+    asked = both(asked, hn::Lt(all(static_cast<float>(i)) * part, t));
+    if (!any(asked)) break;
+    const LaneEnd to = fall.endAt(hn::Min(all(static_cast<float>(i + 1)) * part, t));
+    height = select(both(asked, hn::Lt(to.at, t)), hn::Min(height, to.sum), height);
+    lowerInside(fall, from, to, asked, height);
+    from = to;
+  }
+  return hn::Max(height, zero());
+}
+
+/// F on the skin, the blend width and the muscles' mean radius there.
+struct OnSkin {
+  V field;
+  V blendWidth;
+  V radius;
+};
+
+/// Ends of the rays.
+struct Found {
+  V t;
+  M rootless;
+  M known;
+  V risesFrom;  ///< F only falls before this.
+  V radius;     ///< Mean of the muscles' radii.
+};
+
+class TileSweller : TileField {
+ public:
+  explicit TileSweller(SwellInputs& inputs)
+      : TileField(*inputs.tiles, inputs.field, *inputs.scratch),
+        inputs_(inputs),
+        tolerance_(static_cast<float>(inputs.settings.tolerance)),
+        isoRoot_(isoRoot(inputs.settings.iso)),
+        isoRadius_(static_cast<float>(isoRadius(static_cast<double>(inputs.settings.iso)))) {}
+
+  void move(const VertexTile& tile) {
+    start(tile, inputs_.surface->positions);
+    if (!gatherNear()) return;
+    for (first_ = 0; first_ < kLanes; first_ += width()) moveLanes();
+  }
+
+ private:
+  /// Finds the tile's primitives that its rays can meet, as in forEachReachable(). False if there are none.
+  bool gatherNear() {
+    const Bounds box = boundsOfTile();
+    const std::size_t count = static_cast<std::size_t>(tile_->candidateCount);
+    std::vector<carrier_walk::Span>& spans = scratch_.spans;
+    bool overlaps = false;
+    for (std::size_t i = 0; i < count && !overlaps; ++i) {
+      const UnitBallMap& ball = influence(candidate(i).primitive);
+      const glm::vec3 apart = ball.center - glm::clamp(ball.center, box.low, box.high);
+      overlaps = glm::dot(apart, apart) < ball.boundingRadius * ball.boundingRadius;
+    }
+    nearCount_ = 0;
+    if (!overlaps) return false;
+    for (std::size_t i = 0; i < count; ++i) spans[i] = carrier_walk::spanTo(influence(candidate(i).primitive), box);
+    const float extent = carrier_walk::extentOf(std::span(spans).first(count));
+    for (std::size_t i = 0; i < count; ++i) {
+      if (spans[i].gap < extent) scratch_.near[nearCount_++] = static_cast<int>(i);
+    }
+    return nearCount_ > 0;
+  }
+
+  void moveLanes() {
+    const V3 p = points_.load(first_);
+    const OnSkin onSkin = sampleSkin(p);
+    const M active = both(hn::Ne(onSkin.field, zero()), asked());
+    if (!any(active)) return;
+    directions_.gather(inputs_.rise.directions, tile_->vertices, first_);
+    const V3 d = directions_.load(first_);
+    const LaneSkin skin = skinOf(onSkin);
+    fillTerms(p, skin.sign * d, skin, active);
+    const RayLanes rays(scratch_.lanes, cliques_, skin, first_);
+    const LaneRise rise = riseOf(rays, onSkin);
+    const LaneSearch search = rays.bracketFromSkin(rise, active);
+    const LaneRoots roots = rootsIn(rays, search, tolerance_);
+    const M known = both(active, hn::Or(roots.solved, search.rootless));
+    scratch_.counts.projected += static_cast<int>(hn::CountTrue(kTag, known));
+    giveUp(andNot(active, known));
+    const V inverseLimit = touchLimit(onSkin, skin);
+    if (any(known)) {
+      place(p, d, rays, inverseLimit,
+            {select(search.rootless, rise.end, roots.t), search.rootless, known, rise.from, onSkin.radius});
+    }
+  }
+
+  OnSkin sampleSkin(const V3& p) const {
+    LaneScratch& lanes = scratch_.lanes;
+    V carved = zero();
+    V together = zero();
+    V shares = zero();
+    V widths = zero();
+    V radii = zero();
+    for (std::size_t slot = 0; slot < cliques_.slotCount; ++slot) {
+      hn::Store(zero(), kTag, lanes.sums[slot].of[0].at(first_));
+    }
+    for (std::size_t n = 0; n < nearCount_; ++n) {
+      const std::size_t i = static_cast<std::size_t>(scratch_.near[n]);
+      if (!(scratch_.spans[i].gap < 0.0f)) continue;
+      const PosedPrimitive& muscle = primitive(candidate(i).primitive);
+      const UnitBallMap& ball = muscle.influence;
+      if (ball.boundingRadius == 0.0f) continue;
+      const V here = hn::Max(zero(), all(1.0f) - rSquared(ball, p - all(ball.center)));
+      if (!any(hn::Gt(here, zero()))) continue;
+      const V value = weightedStrength(i, muscle) * here * here;
+      shares = shares + hn::Abs(value);
+      radii = radii + hn::Abs(value) * all(muscle.meanRadius);
+      widths = widths + hn::Abs(value) * all(std::min(inputs_.settings.blendWidth, muscle.meanRadius));
+      if (muscle.strength < 0.0f) {
+        carved = carved + value;
+      } else if (cliques_.empty()) {
+        together = together + value;
+      } else {
+        LaneFloats& sum = lanes.sums[static_cast<std::size_t>(candidate(i).slot)].of[0];
+        hn::Store(hn::Load(kTag, sum.at(first_)) + value, kTag, sum.at(first_));
+      }
+    }
+    const LaneSkin none{false, zero(), zero(), zero(), zero(), zero(), zero()};
+    const RayLanes sums(lanes, cliques_, none, first_);
+    for (std::size_t k = 0; k < cliques_.count(); ++k) together = hn::Max(together, sums.sumOf(k, 0));
+    const M seen = hn::Gt(shares, zero());
+    const V most = all(inputs_.settings.blendWidth);
+    return {together + carved, select(seen, widths / shares, most), select(seen, radii / shares, most)};
+  }
+
+  /// Terms, in the search's direction and sign, that some active lane's ray meets ahead. A term adds 0 to the rays that
+  /// do not meet it, so that no lane depends on its neighbors.
+  void fillTerms(const V3& p, const V3& along, const LaneSkin& skin, M active) {
+    LaneScratch& lanes = scratch_.lanes;
+    clearTerms();
+    for (std::size_t n = 0; n < nearCount_; ++n) {
+      const std::size_t i = static_cast<std::size_t>(scratch_.near[n]);
+      const PosedPrimitive& muscle = primitive(candidate(i).primitive);
+      if (muscle.influence.boundingRadius == 0.0f) continue;
+      const V factor = skin.sign * weightedStrength(i, muscle);
+      const M seen = both(active, hn::Ne(factor, zero()));
+      if (addTerm(i, p, along, factor, seen, true, lanes.terms[lanes.termCount])) ++lanes.termCount;
+    }
+  }
+
+  LaneSkin skinOf(const OnSkin& onSkin) const {
+    const M outward = hn::Gt(onSkin.field, zero());
+    return {true,
+            select(outward, all(1.0f), all(-1.0f)),
+            all(1.0f - isoRadius_) / onSkin.blendWidth,
+            all(isoRadius_),
+            all(isoRoot_),
+            select(outward, all(isoRoot_), all(1e30f)),
+            zero()};
+  }
+
+  /// Where terms may rise: a positive one before its middle, a negative one after it; a shape anywhere in its box.
+  LaneRise riseOf(const RayLanes& rays, const OnSkin& onSkin) const {
+    const LaneSkin& skin = rays.skin();
+    const M outward = hn::Gt(skin.sign, zero());
+    LaneRise rise{all(1e30f), zero(), select(outward, onSkin.blendWidth, all(isoRadius_) / skin.inverseWidth)};
+    const auto include = [&](M met, const Range& rising, V leave) HWY_ATTR {
+      rise.end = select(both(met, outward), hn::Max(rise.end, leave), rise.end);
+      const M rises = both(met, hn::Gt(rising.high, zero()));
+      rise.from = select(rises, hn::Min(rise.from, hn::Max(zero(), rising.low)), rise.from);
+      rise.to = select(rises, hn::Max(rise.to, rising.high), rise.to);
+    };
+    for (const LaneTerm& term : rays.terms()) {
+      const V factor = rays.load(term.factor);
+      const V middle = rays.load(term.middle);
+      const Range extent = rays.extentOf(term);
+      const M met = both(hn::Ne(factor, zero()), liesAhead(rays.load(term.a), middle, rays.load(term.peak)));
+      const M adds = hn::Gt(factor, zero());
+      include(met, {select(adds, extent.low, middle), select(adds, middle, extent.high)}, extent.high);
+    }
+    for (const LaneShape& shape : rays.shapes()) {
+      const ShapeOnRays ray = rays.onRays(shape);
+      const Range box = ray.box();
+      include(both(hn::Ne(ray.factor(), zero()), hn::Gt(box.high, zero())), box, box.high);
+    }
+    return rise;
+  }
+
+  /// inverseTouchLimit() of rise.h.
+  V touchLimit(const OnSkin& onSkin, const LaneSkin& skin) const {
+    const float iso = inputs_.settings.iso;
+    const V left = hn::Sqrt(hn::Min(hn::Max(zero(), all(iso) - onSkin.field), all(1.0f)));
+    const V roots = (all(isoRoot_) + left) * (hn::Sqrt(all(1.0f) - left) + all(isoRadius_));
+    const V t = hn::Min(hn::Max(zero(), onSkin.field - all(0.5f * iso)) * all(2.0f / iso), all(1.0f));
+    const V share = all(1.0f) - t * t * (all(3.0f) - all(2.0f) * t);
+    return share * roots * skin.inverseWidth / (all(2.0f) * hn::Abs(onSkin.field));
+  }
+
+  /// The root, or less if psi falls slowly before it. Outwards, the skin's own field is steep enough up to h/2 while F
+  /// does not rise; bounds of the derivative usually prove the rest.
+  V belowOverhangs(const RayLanes& rays, const Found& found, M moved) const {
+    const LaneSkin& skin = rays.skin();
+    const V blendWidth = all(1.0f - isoRadius_) / skin.inverseWidth;
+    const V sigma = all(-Overhang::kSlope) * skin.slope(zero()) * blendWidth / found.radius;
+    const V steep = select(hn::Gt(skin.sign, zero()), hn::Min(all(0.5f) * blendWidth, found.risesFrom), zero());
+    M asked = both(moved, hn::Lt(steep, found.t));
+    if (!any(asked)) return found.t;
+    asked = both(asked, hn::Gt(rays.bounds(steep, found.t).maxSlope, zero() - sigma));
+    if (!any(asked)) return found.t;
+    return heightBelowOverhangs(rays, found.t, sigma, all(Overhang::kPart) * blendWidth, asked);
+  }
+
+  /// @param inverseLimit  1/L, in addition to that of other skin.
+  void place(const V3& p, const V3& d, const RayLanes& rays, V inverseLimit, const Found& found) {
+    const LaneSkin& skin = rays.skin();
+    const V t = found.t;
+    const M moved = both(found.known, hn::Ne(t, zero()));
+    if (!any(moved)) return;
+    const V s = skin.sign * t;
+    normals_.gather(inputs_.surface->normals, tile_->vertices, first_);
+    const V3 n = normals_.load(first_);
+    V field;
+    const V3 gradient = gradientAt(p + s * d, rays, t, field);
+    countResidual(select(andNot(moved, found.rootless), hn::Abs(skin.value(t) + field), zero()));
+    // s grows by 1 along d and not at all along the skin: its gradient is n / (n.d).
+    const V slope = skin.slope(t) / hn::Max(dot(n, d), all(kLeastAlong));
+    const V below = belowOverhangs(rays, found, moved);
+    LaneFloats limits;
+    for (std::size_t lane = first_; lane < first_ + width(); ++lane) {
+      limits.lane[lane] = inputs_.rise.inverseLimits[static_cast<std::size_t>(tile_->vertices[lane])];
+    }
+    const V ofSkin = select(hn::Gt(s, zero()), hn::Load(kTag, limits.at(first_)), zero());
+    const V inverse = hn::Max(inverseLimit, ofSkin);
+    const V limit = all(1.0f) / inverse;
+    const M limited = hn::Gt(below * inverse, all(0.5f));
+    const V size = select(limited, limit - all(0.25f) * limit * limit / below, below);
+    const M lowered = hn::Lt(size, t);
+    const V height = skin.sign * size;
+    const V3 ofField = unitOr(V3{zero(), zero(), zero()} - (slope * n + gradient), n);
+    const V3 normal = select(lowered, unitOr(n + (height / s) * (ofField - n), n), ofField);
+    write(p + height * d, normal, height, moved);
+  }
+
+  void write(const V3& position, const V3& normal, V height, M moved) {
+    LanePoints positions;
+    LaneFloats heights;
+    positions.store(position, first_);
+    normals_.store(normal, first_);
+    hn::Store(height, kTag, heights.at(first_));
+    forEach(moved, first_, [&](std::size_t lane) {
+      const auto v = static_cast<std::size_t>(tile_->vertices[lane]);
+      inputs_.surface->positions[v] = positions.at(lane);
+      inputs_.surface->normals[v] = normals_.at(lane);
+      inputs_.surface->displacement[v] = heights.lane[lane];
+    });
+  }
+
+  SwellInputs& inputs_;
+  float tolerance_;  ///< For roots, world units.
+  float isoRoot_;
+  float isoRadius_;
+  LanePoints directions_;
+  LanePoints normals_;
+};
+
+void swellTiles(SwellInputs& inputs) {
+  TileSweller sweller(inputs);
+  for (const VertexTile& tile : inputs.asked) sweller.move(tile);
+}
+
+}  // namespace sinew::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
 namespace sinew {
 
 SwellKernel swellKernel(InstructionSet set) { SINEW_RETURN_BY_SET(set, swellTiles) }

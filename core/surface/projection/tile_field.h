@@ -6,7 +6,7 @@
 #define SINEW_TILE_FIELD_H
 #endif
 
-#include "core/geometry/lane_points.h"
+#include "core/geometry/lanes.h"
 #include "core/surface/projection/projection_scratch.h"
 #include "core/surface/projection/vertex_tiles.h"
 #include "core/surface/roots/ray_lanes.h"

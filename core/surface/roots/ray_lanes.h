@@ -10,7 +10,7 @@
 #include <limits>
 #include <span>
 
-#include "core/geometry/lane_points.h"
+#include "core/geometry/lanes.h"
 #include "core/surface/roots/lane_terms.h"
 #include "core/surface/roots/shape_lanes.h"
 #include "hwy/highway.h"

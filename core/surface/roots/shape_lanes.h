@@ -7,7 +7,7 @@
 #define SINEW_SHAPE_LANES_H
 #endif
 
-#include "core/geometry/lane_points.h"
+#include "core/geometry/lanes.h"
 #include "core/surface/roots/lane_terms.h"
 #include "hwy/highway.h"
 

@@ -12,7 +12,7 @@
 
 #include "core/character/bindings.h"
 #include "core/geometry/affine_image.h"
-#include "core/geometry/split_mix.h"
+#include "core/geometry/index_table.h"
 
 namespace sinew::test {
 namespace {

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/rig/rig_edit_several.h"
+#include "core/rig/rig_edit.h"
 
 namespace sinew::test {
 

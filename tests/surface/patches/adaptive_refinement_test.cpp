@@ -1,5 +1,6 @@
 // tests/surface/patches/adaptive_refinement_test.cpp: levels by edge and triangle: closed, tiled, without slivers;
 // equal levels are the N-adic refinement to the bit.
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -7,7 +8,7 @@
 #include <map>
 #include <random>
 
-#include "core/geometry/topology.h"
+#include "core/geometry/weld.h"
 #include "core/surface/patches/levels.h"
 #include "core/surface/patches/sample_points.h"
 #include "core/surface/patches/split_triangle.h"

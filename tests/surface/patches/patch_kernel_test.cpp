@@ -1,5 +1,6 @@
 // tests/surface/patches/patch_kernel_test.cpp: patches and directions in lanes: bit for bit those of one vertex after
 // the other.
+
 #include "core/surface/patches/patch.h"
 
 #include <algorithm>
@@ -12,7 +13,7 @@
 #include <glm/geometric.hpp>
 
 #include "core/character/skinning.h"
-#include "core/geometry/creases.h"
+#include "core/geometry/normals.h"
 #include "sinew/files/gltf_import.h"
 #include "tests/support/characters/synthetic_characters.h"
 #include "tests/support/rigs/random_rigs.h"

@@ -38,7 +38,7 @@ inline constexpr float kMostIso = 0.999f;
 inline constexpr float kMostSkinBlend = 10.0f;
 
 /// Which primitive or group: the same through renames, undo and redo for as long as a document is open. Not in the
-/// file. 0: not given yet (core/rig/identity.h).
+/// file. 0: not given yet (core/rig/references.h).
 struct PrimitiveId {
   std::uint32_t value = 0;
 

@@ -1,6 +1,4 @@
-// core/rig/identity.cpp: identities for what edits have added or copied.
-
-#include "core/rig/identity.h"
+// core/rig/references.cpp: identities for what edits have added or copied.
 
 #include <algorithm>
 #include <string_view>

@@ -1,4 +1,4 @@
-// core/rig/rig_edit_several.h: changes of several primitives at once, as pure functions rig -> rig.
+// core/rig/rig_edit.h: changes of several primitives at once, as pure functions rig -> rig.
 //
 // As in rig_edit.h: a rig is taken by value; indices must be in range (asserted).
 #pragma once
