@@ -10,7 +10,6 @@
 
 #include "app/document/export_report.h"
 #include "app/document/folder_listing.h"
-#include "app/document/rig_list.h"
 #include "app/editor/commands.h"
 #include "app/editor/edit.h"
 #include "app/editor/export_error.h"

@@ -6,7 +6,6 @@
 #include <set>
 #include <utility>
 
-#include "app/document/muscle_names.h"
 #include "app/document/shown_names.h"
 #include "app/editor/commands.h"
 #include "app/editor/edit.h"

@@ -5,6 +5,28 @@
 
 namespace sinew::app {
 
+// Play > Check muscles: the list of findings, going to one, mending.
+
+/// Looks through all clips and shows what was found.
+void checkMuscles(EditorState& state);
+void closeCheck(EditorState& state);
+/// Whether the rig is still the one that was checked.
+[[nodiscard]] bool checkIsCurrent(const EditorState& state);
+/// Selects the muscle and goes to the moment. @param finding  index into CheckState::findings
+void goToFinding(EditorState& state, int finding);
+/// One undo step; then checks again.
+void mendFindings(EditorState& state);
+
+// Muscles > Parts of the body: which bone is which part, corrected by hand.
+
+void toggleBodyParts(EditorState& state);
+/// The parts as found, with the rig's corrections.
+[[nodiscard]] BodySlots bodyPartsOf(const EditorState& state);
+/// One undo step: the rig says that this bone is the part. @param bone  -1: the character has no such part
+void setBodyPart(EditorState& state, BodySlot slot, int bone);
+/// One undo step: as it was found.
+void forgetBodyPart(EditorState& state, BodySlot slot);
+
 /// The sets for the body of this character. Error: why there are none. Files that are no sets are named in messages.
 [[nodiscard]] Result<std::vector<Preset>> setsForBody(EditorState& state);
 /// Names of those sets and of their muscles; nothing is laid for them. None where there are no sets.

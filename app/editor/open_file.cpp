@@ -2,24 +2,143 @@
 #include "app/editor/open_file.h"
 
 #include <algorithm>
+#include <array>
+#include <filesystem>
+#include <string>
+#include <string_view>
 #include <system_error>
 #include <utility>
 
-#include "app/document/damaged_file.h"
+#include "app/document/document.h"
+#include "app/document/folder_listing.h"
 #include "app/document/play_range.h"
 #include "app/document/shown_names.h"
 #include "app/editor/clip_commands.h"
+#include "app/editor/commands.h"
 #include "app/editor/edit.h"
 #include "app/editor/pose_commands.h"
 #include "app/editor/session.h"
 #include "app/editor/view_memory.h"
+#include "core/bodies/retarget.h"
 #include "core/character/bindings.h"
 #include "core/character/clip_names.h"
 #include "core/geometry/at.h"
+#include "core/geometry/nearest_name.h"
 #include "core/rig/attachment.h"
 #include "core/rig/motion_clip.h"
+#include "sinew/geometry/result.h"
 
 namespace sinew::app {
+namespace {
+
+// Why a file could not be opened, in the words of who made it.
+
+/// "line 12, column 3" of "byte 61 (line 12, column 3)"; empty for any other place.
+std::string lineOf(const std::string& place) {
+  const std::size_t from = place.find("(line ");
+  if (!place.starts_with("byte ") || from == std::string::npos || !place.ends_with(')')) return "";
+  return place.substr(from + 1, place.size() - from - 2);
+}
+
+/// What the parser says (core/files/json/json.cpp), and what it means.
+struct Meaning {
+  std::string_view said;
+  const char* meant;
+};
+
+constexpr std::array kMeanings{
+    Meaning{"unexpected end of input", "the file ends too early"},
+    Meaning{"missing closing quote", "a text has no closing quote"},
+    Meaning{"UTF-8", "this is no text (not UTF-8)"},
+    Meaning{"invalid number", "this is no number"},
+    Meaning{"control character", "a line break or control character inside a text"},
+    Meaning{"expected end of input", "the file goes on after its end"},
+    Meaning{"'}'; expected", "a \"}\" where something else should be, perhaps after a comma too many"},
+    Meaning{"']'; expected", "a \"]\" where something else should be, perhaps after a comma too many"},
+    Meaning{"; expected '}'", "a comma or a closing bracket is missing before this"},
+    Meaning{"; expected ']'", "a comma or a closing bracket is missing before this"},
+    Meaning{"expected ':'", "a colon is missing before this"},
+};
+
+std::string meaningOf(const std::string& reason) {
+  for (const Meaning& meaning : kMeanings) {
+    if (reason.find(meaning.said) != std::string::npos) return meaning.meant;
+  }
+  return "this cannot be read";
+}
+
+/// Error::plainText(); but of a file that is no JSON: "limb.rig.json is damaged or not a rig: line 12, column 3: the
+/// file ends too early". The command line says what the reader of the file says (Error::text()).
+std::string openErrorText(const Error& error) {
+  const std::string line = lineOf(error.place);
+  if (line.empty()) return error.plainText();
+  const std::string name = std::filesystem::path(error.file).filename().string();
+  const bool rig = name.ends_with(".json");
+  return (name.empty() ? "The file" : name) + " is damaged or not a " + (rig ? "rig" : "character") + ": " + line +
+         ": " + meaningOf(error.reason);
+}
+
+}  // namespace
+
+// The muscles of the open rig on another character.
+
+namespace {
+
+bool isCharacter(const std::filesystem::path& file) { return isCharacterName(lowerCase(file.filename().string())); }
+
+std::string counted(std::size_t count, const char* one) {
+  return std::to_string(count) + ' ' + one + (count == 1 ? "" : "s");
+}
+
+/// What was done, in one line; the list of messages has each muscle.
+void tell(EditorState& state, const Retargeted& done) {
+  for (const auto& [name, why] : done.leftOut)
+    addQuietly(state.session, MessageKind::kWarning, name + " is left out: " + why);
+  for (const std::string& line : done.mended) addQuietly(state.session, MessageKind::kNote, "Mended " + line);
+  std::string text = counted(done.rig.primitives.size(), "muscle") + " kept";
+  if (!done.leftOut.empty()) text += ", " + std::to_string(done.leftOut.size()) + " left out";
+  if (!done.mended.empty()) text += ", " + std::to_string(done.mended.size()) + " mended";
+  say(state, text + (done.leftOut.empty() && done.mended.empty() ? "" : ": see the messages"));
+}
+
+}  // namespace
+
+void dropFile(EditorState& state, const std::filesystem::path& file) {
+  if (!isCharacter(file) || !state.hasCharacter()) return request(state, {IntentKind::kOpenFile, file});
+  const DroppedClips clips = lookForClips(state.document, file);
+  if (clips.nothingElse) {
+    addClips(state, file);
+  } else if (!state.document.rig().primitives.empty()) {
+    state.dialogs.keepMuscles = file;
+    state.dialogs.droppedHasClips = clips.any;
+  } else {
+    request(state, {IntentKind::kOpenFile, file});
+  }
+}
+
+void showRetargetDialog(EditorState& state) {
+  showOpenDialog(state);
+  state.dialogs.file.then = {IntentKind::kOpenWithMuscles, {}};
+  state.dialogs.file.filter = FileFilter::kCharacters;
+}
+
+void openWithMuscles(EditorState& state, const std::filesystem::path& file) {
+  Result<Document> opened = openDocument(file);
+  if (!opened) return addMessage(state.session, MessageKind::kError, openErrorText(opened.error()));
+  const Document& from = state.document;
+  Result<Retargeted> done =
+      retarget(from.rig(), *from.character, *from.mirror, Motions(opened->character), *opened->mirror);
+  if (!done) {
+    const Error error{file.string(), "", done.error().reason, "cannot take the muscles"};
+    return addMessage(state.session, MessageKind::kError, error.plainText());
+  }
+  Rig rig = done->rig;
+  rig.character = opened->rig().character;
+  Document document = std::move(opened).value();
+  document.commands.apply("Muscles of " + from.name(), std::move(rig));
+  if (showDocument(state, std::move(document))) tell(state, done.value());
+}
+
 namespace {
 
 void show(EditorState& state, Document document, LiveSurface live, const Transport& transport) {

@@ -8,7 +8,7 @@
 
 #include "app/editor/commands.h"
 #include "app/editor/edit.h"
-#include "app/editor/hidden_bones.h"
+#include "app/editor/visibility_commands.h"
 #include "core/character/range_of_motion.h"
 #include "core/geometry/at.h"
 #include "core/rig/motion_clip.h"

@@ -9,6 +9,17 @@
 
 namespace sinew::app {
 
+// Help > First steps: five things to try, each done when it is done, in any order.
+
+enum class FirstStep : std::size_t { kTurn, kSelect, kScale, kAdd, kCompare };
+
+/// Opens the first sample and shows the list; or puts it away. Unsaved changes are asked about first.
+void toggleFirstSteps(EditorState& state);
+
+/// Once a frame while the list is shown: ticks off what has been done to the open document since it was opened.
+void followFirstSteps(EditorState& state);
+[[nodiscard]] bool firstStepsDone(const FirstStepsState& steps);
+
 /// A character that comes with the program.
 struct Sample {
   std::string name;  ///< "Horse wrapped"

@@ -16,7 +16,6 @@
 
 #include "app/ui/code_points.h"
 #include "app/ui/keyboard_focus.h"
-#include "app/ui/readable_names.h"
 #include "app/ui/reading_order.h"
 #include "app/ui/style.h"
 

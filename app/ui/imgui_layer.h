@@ -4,9 +4,9 @@
 #include <array>
 #include <string_view>
 
-#include "app/ui/fonts.h"
 #include "app/ui/input_queue.h"
-#include "app/ui/name_texture.h"
+#include "app/ui/letters.h"
+#include "app/ui/style.h"
 
 struct GLFWcursor;
 struct GLFWwindow;

@@ -5,9 +5,8 @@
 #include <span>
 #include <string>
 
-#include "app/ui/elide.h"
-#include "app/ui/fonts.h"
 #include "app/ui/icons.h"
+#include "app/ui/reading_order.h"
 #include "app/ui/style.h"
 #include "app/ui/widget_log.h"
 

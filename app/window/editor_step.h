@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "app/editor/editor_state.h"
-#include "app/ui/fonts.h"
 #include "app/ui/input_queue.h"
+#include "app/ui/style.h"
 #include "app/ui/widget_log.h"
 
 namespace sinew::app {

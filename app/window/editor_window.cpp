@@ -14,12 +14,10 @@
 #include <imgui.h>
 
 #include "app/document/folder_listing.h"
-#include "app/document/thumbnail_files.h"
 #include "app/document/view_files.h"
 #include "app/editor/bindings.h"
 #include "app/editor/commands.h"
 #include "app/editor/edit.h"
-#include "app/editor/keep_muscles.h"
 #include "app/editor/open_file.h"
 #include "app/editor/reference_commands.h"
 #include "app/editor/session.h"
@@ -30,9 +28,7 @@
 #include "app/viewport/render/thumbnails.h"
 #include "app/viewport/render/viewport.h"
 #include "app/window/editor_step.h"
-#include "app/window/moving_resolution.h"
 #include "app/window/picture.h"
-#include "app/window/screen.h"
 #include "app/window/session_keeper.h"
 #include "app/window/state_log.h"
 #include "app/window/surface_on_card.h"

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "app/editor/editor_state.h"
-#include "app/ui/readable_names.h"
+#include "app/ui/code_points.h"
 
 namespace sinew::app {
 

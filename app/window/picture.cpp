@@ -1,19 +1,24 @@
 // app/window/picture.cpp: the viewport's picture.
-
 #include "app/window/picture.h"
 
-#include <imgui.h>
-
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstdint>
 #include <system_error>
 #include <utility>
+#include <vector>
 
+#include <backends/imgui_impl_opengl3.h>
+#include <imgui.h>
+#include <glm/common.hpp>
+
+#include "app/editor/blending_edit.h"
 #include "app/editor/commands.h"
 #include "app/editor/export_error.h"
-#include "app/editor/hidden_bones.h"
-#include "app/editor/layer_commands.h"
-#include "app/editor/territory.h"
+#include "app/editor/visibility_commands.h"
+#include "app/ui/style.h"
+#include "app/viewport/render/gl_objects.h"
 #include "app/viewport/render/png.h"
 #include "app/viewport/tools/axis_triad.h"
 #include "app/viewport/tools/gizmo_draw.h"
@@ -23,6 +28,122 @@
 #include "core/files/disk/atomic_file.h"
 
 namespace sinew::app {
+
+// The window's back buffer, drawn in parts where it still holds the frame before.
+
+namespace {
+
+constexpr int kMarks = 4;
+
+/// Clears in these pixels, low corner and size, rows from below.
+void clear(const glm::ivec4& pixels, float shade) {
+  const Tint back = palette::kBackground;
+  glEnable(GL_SCISSOR_TEST);
+  glScissor(pixels.x, pixels.y, pixels.z, pixels.w);
+  glClearColor(back.r, back.g, back.b + shade, 1.0f);
+  glClear(GL_COLOR_BUFFER_BIT);
+  glDisable(GL_SCISSOR_TEST);
+}
+
+/// Clears what of the rectangle lies outside of `covered`. Both: low x and y, high x and y, from the top left.
+void clearAround(const glm::ivec4& rect, const glm::ivec4& covered, int height) {
+  const glm::ivec2 low(std::max(rect.x, covered.x), std::max(rect.y, covered.y));
+  const glm::ivec2 high(std::min(rect.z, covered.z), std::min(rect.w, covered.w));
+  std::array parts{rect, glm::ivec4(0), glm::ivec4(0), glm::ivec4(0)};
+  if (low.x < high.x && low.y < high.y) {
+    parts = {glm::ivec4(rect.x, rect.y, rect.z, low.y), glm::ivec4(rect.x, high.y, rect.z, rect.w),
+             glm::ivec4(rect.x, low.y, low.x, high.y), glm::ivec4(high.x, low.y, rect.z, high.y)};
+  }
+  for (const glm::ivec4& part : parts) {
+    if (part.x >= part.z || part.y >= part.w) continue;
+    clear({part.x, height - part.w, part.z - part.x, part.w - part.y}, 0.0f);
+  }
+}
+
+/// OpenGL leaves open what the back buffer holds after a swap. One pixel in the corner, which differs from frame to
+/// frame by a step of blue that nobody sees, tells whether it is the frame before.
+void leaveMark(int mark) { clear({0, 0, 1, 1}, static_cast<float>(mark) / 255.0f); }
+
+bool hasMark(int mark) {
+  std::array<std::uint8_t, 4> pixel{};
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, 0);
+  glPixelStorei(GL_PACK_ALIGNMENT, 1);
+  glReadPixels(0, 0, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, pixel.data());
+  const Tint back = palette::kBackground;
+  const std::array<float, 3> wanted{back.r, back.g, back.b + static_cast<float>(mark) / 255.0f};
+  for (std::size_t c = 0; c < wanted.size(); ++c) {
+    if (static_cast<long>(pixel[c]) != std::lround(255.0f * wanted[c])) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+Screen::Screen() : software_(isSoftwareRenderer()) {}
+
+bool Screen::draw(ImDrawData& data, const glm::ivec2& size, std::span<const TextureRevision> textures,
+                  std::span<const glm::vec4> parts, const glm::vec4& covered, bool still) {
+  if (size.x <= 0 || size.y <= 0) return false;
+  glBindFramebuffer(GL_FRAMEBUFFER, 0);
+  glViewport(0, 0, size.x, size.y);
+  if (!software_ || data.FramebufferScale.x != 1.0f || data.FramebufferScale.y != 1.0f) {
+    clear({0, 0, size}, 0.0f);
+    ImGui_ImplOpenGL3_RenderDrawData(&data);
+    return true;
+  }
+  const std::vector<glm::ivec4> changed = tiles_.update(data, size, textures, parts);
+  if (changed.empty() && still) return false;
+  const glm::ivec4 inside(glm::ceil(covered.x), glm::ceil(covered.y), glm::floor(covered.z), glm::floor(covered.w));
+  for (const glm::ivec4& rect : changed) clearAround(rect, inside, size.y);
+  clipDrawing(data, changed);
+  ImGui_ImplOpenGL3_RenderDrawData(&data);
+  mark_ = (mark_ + 1) % kMarks;
+  leaveMark(mark_);
+  return true;
+}
+
+void Screen::noteShown() {
+  if (software_ && !hasMark(mark_)) forget();
+}
+
+// Steps of resolution, with hysteresis.
+
+namespace {
+
+constexpr double kTolerance = 1.1;  ///< Times the goal that are let pass.
+
+double areaRatio(float to, float from) {
+  const double ratio = static_cast<double>(to) / static_cast<double>(from);
+  return ratio * ratio;
+}
+
+}  // namespace
+
+double MovingResolution::room(double other) { return std::max(kFrameGoal - other, 0.5 * kFrameGoal); }
+
+void MovingResolution::change(std::size_t step) {
+  step_ = step;
+  slow_ = fast_ = 0;
+}
+
+void MovingResolution::add(const FrameCost& cost) {
+  const double room = MovingResolution::room(cost.other);
+  const bool slow = cost.drawing > kTolerance * room;
+  least_ = slow_ == 0 ? cost.drawing : std::min(least_, cost.drawing);
+  slow_ = slow ? slow_ + 1 : 0;
+  // At worst all of the drawing grows with the number of pixels, and it has filled what was hidden.
+  const bool fast =
+      step_ > 0 && (cost.drawing + cost.hidden) * areaRatio(kScales[step_ - 1], kScales[step_]) <= room + cost.hidden;
+  fast_ = fast ? fast_ + 1 : 0;
+  if (slow_ >= kFewFrames && step_ + 1 < kScales.size()) {
+    // Far beyond the goal: two steps at once. A single slow frame, of many that are given time, does not count.
+    const bool far = least_ * areaRatio(kScales[step_ + 1], kScales[step_]) > kTolerance * room;
+    change(std::min(step_ + (far ? 2 : 1), kScales.size() - 1));
+  } else if (fast_ >= kManyFrames) {
+    change(step_ - 1);
+  }
+}
+
 namespace {
 
 constexpr double kRestSeconds = 0.2;  ///< A picture that has stood so long is refined.

@@ -9,7 +9,6 @@
 #include <utility>
 
 #include "app/editor/animate.h"
-#include "app/editor/animated_names.h"
 #include "app/ui/keyboard_focus.h"
 #include "app/viewport/render/shading_names.h"
 #include "core/files/json/json.h"

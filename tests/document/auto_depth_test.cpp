@@ -1,5 +1,5 @@
 // tests/document/auto_depth_test.cpp: monotone, bounded, calm.
-#include "app/document/auto_depth.h"
+#include "app/document/playback.h"
 
 #include <cmath>
 #include <limits>
@@ -8,7 +8,7 @@
 
 #include "tests/support/characters/synthetic_characters.h"
 
-namespace sinew {
+namespace sinew::app {
 namespace {
 
 TEST(AutoDepth, GrowsWithTheSizeOnScreenFromOneToTheMost) {
@@ -59,4 +59,4 @@ TEST(AutoDepth, MeanEdgeDoesNotDependOnUnits) {
 }
 
 }  // namespace
-}  // namespace sinew
+}  // namespace sinew::app

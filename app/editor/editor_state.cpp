@@ -1,6 +1,6 @@
-// app/editor/toast.cpp: how long it is shown, and how it goes.
+// app/editor/editor_state.cpp: how long it is shown, and how it goes.
 
-#include "app/editor/toast.h"
+#include "app/editor/editor_state.h"
 
 #include <algorithm>
 
