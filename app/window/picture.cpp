@@ -1,4 +1,4 @@
-// app/window/picture.cpp: the viewport's picture.
+// app/window/picture.cpp: the viewport's picture, its resolution while it moves, and the frame in the window.
 #include "app/window/picture.h"
 
 #include <algorithm>
@@ -29,13 +29,11 @@
 
 namespace sinew::app {
 
-// The window's back buffer, drawn in parts where it still holds the frame before.
-
 namespace {
 
 constexpr int kMarks = 4;
 
-/// Clears in these pixels, low corner and size, rows from below.
+/// @param pixels  low corner and size, rows from below
 void clear(const glm::ivec4& pixels, float shade) {
   const Tint back = palette::kBackground;
   glEnable(GL_SCISSOR_TEST);
@@ -45,7 +43,7 @@ void clear(const glm::ivec4& pixels, float shade) {
   glDisable(GL_SCISSOR_TEST);
 }
 
-/// Clears what of the rectangle lies outside of `covered`. Both: low x and y, high x and y, from the top left.
+/// Clears the rectangle outside of `covered`. Both: low x and y, high x and y, from the top left.
 void clearAround(const glm::ivec4& rect, const glm::ivec4& covered, int height) {
   const glm::ivec2 low(std::max(rect.x, covered.x), std::max(rect.y, covered.y));
   const glm::ivec2 high(std::min(rect.z, covered.z), std::min(rect.w, covered.w));
@@ -60,8 +58,8 @@ void clearAround(const glm::ivec4& rect, const glm::ivec4& covered, int height) 
   }
 }
 
-/// OpenGL leaves open what the back buffer holds after a swap. One pixel in the corner, which differs from frame to
-/// frame by a step of blue that nobody sees, tells whether it is the frame before.
+/// OpenGL leaves the back buffer undefined after a swap. A corner pixel with an invisible step of blue, different in
+/// each frame, shows whether it is the last frame.
 void leaveMark(int mark) { clear({0, 0, 1, 1}, static_cast<float>(mark) / 255.0f); }
 
 bool hasMark(int mark) {
@@ -106,11 +104,9 @@ void Screen::noteShown() {
   if (software_ && !hasMark(mark_)) forget();
 }
 
-// Steps of resolution, with hysteresis.
-
 namespace {
 
-constexpr double kTolerance = 1.1;  ///< Times the goal that are let pass.
+constexpr double kTolerance = 1.1;  ///< Accepted multiple of the goal.
 
 double areaRatio(float to, float from) {
   const double ratio = static_cast<double>(to) / static_cast<double>(from);
@@ -131,12 +127,12 @@ void MovingResolution::add(const FrameCost& cost) {
   const bool slow = cost.drawing > kTolerance * room;
   least_ = slow_ == 0 ? cost.drawing : std::min(least_, cost.drawing);
   slow_ = slow ? slow_ + 1 : 0;
-  // At worst all of the drawing grows with the number of pixels, and it has filled what was hidden.
+  // At worst all drawing, the hidden part included, grows with the number of pixels.
   const bool fast =
       step_ > 0 && (cost.drawing + cost.hidden) * areaRatio(kScales[step_ - 1], kScales[step_]) <= room + cost.hidden;
   fast_ = fast ? fast_ + 1 : 0;
   if (slow_ >= kFewFrames && step_ + 1 < kScales.size()) {
-    // Far beyond the goal: two steps at once. A single slow frame, of many that are given time, does not count.
+    // Two steps at once if all slow frames are far beyond the goal.
     const bool far = least_ * areaRatio(kScales[step_ + 1], kScales[step_]) > kTolerance * room;
     change(std::min(step_ + (far ? 2 : 1), kScales.size() - 1));
   } else if (fast_ >= kManyFrames) {
@@ -146,9 +142,8 @@ void MovingResolution::add(const FrameCost& cost) {
 
 namespace {
 
-constexpr double kRestSeconds = 0.2;  ///< A picture that has stood so long is refined.
+constexpr double kRestSeconds = 0.2;  ///< Rest before a picture is refined.
 
-/// All muscles, or the selected ones alone; these are shown whether muscles are switched on or not.
 PictureKey keyOf(const EditorState& state, const View& view) {
   PictureKey key;
   key.document = state.session.documentsOpened;
@@ -178,7 +173,7 @@ PictureKey keyOf(const EditorState& state, const View& view) {
   return key;
 }
 
-/// What a saved picture shows: all but what answers the pointer, marks the selection and is there to work after.
+/// Without hover, selection and reference pictures.
 PictureKey keyToSave(const EditorState& state) {
   PictureKey key = keyOf(state, state.frame.route.view);
   key.display.skeleton = state.view.display.skeleton;
@@ -241,7 +236,7 @@ void Picture::noteChange(const glm::vec4& shown, bool whole) {
   if (whole) ++revision_;
 }
 
-/// The texture holds what the state is now: nothing has moved since it was drawn.
+/// The texture shows the current state.
 bool Picture::showsNow(const EditorState& state) const {
   return state.hasCharacter() && drawn_.document == state.session.documentsOpened && drawnAt_ > 0.0 &&
          drawn_.surface == shownRevision(state);
@@ -306,8 +301,7 @@ void Picture::draw(EditorState& state, const DrawnOnCard* card, const View& view
     noteChange(state.frame.viewport, viewport_.colorTexture() != before);
   }
   const Document& document = state.document;
-  file_ = document.rigFile.empty() ? document.characterFile : document.rigFile;
-  if (document.commands.modified()) file_.clear();
+  file_ = document.commands.modified() ? std::filesystem::path() : document.file();
   if (viewport_.isRefined()) keepThumbnail();
   const glm::vec4& v = state.frame.viewport;
   const ImVec2 low{v.x, v.y};
