@@ -47,12 +47,6 @@ const Action kFileActions[] = {
     {"file/quit", "Quit", "Close the editor", ctrl(GLFW_KEY_Q), kNone, always, nullptr, quitEditor, true},
 };
 
-}  // namespace
-
-std::span<const Action> fileActions() { return kFileActions; }
-
-namespace {
-
 template <bool LayoutState::*kFlag>
 bool isPanelShown(const State& s) {
   return s.view.layout.*kFlag;
@@ -85,17 +79,11 @@ const Action kWindowActions[] = {
      isPanelShown<&L::bottomShown>, togglePanelShown<&L::bottomShown>},
     {"window/picture", "Only the picture", "Hide all panels, or show them again", ctrl(GLFW_KEY_SPACE), kNone, always,
      pictureAlone, togglePictureAlone},
-    {"window/messages", "Messages", "What an import left out, and what failed", kNone, kNone, hasMessages,
-     messagesShown, toggleMessages, true},
+    {"window/messages", "Messages", "Notes about imports and failures", kNone, kNone, hasMessages, messagesShown,
+     toggleMessages, true},
     {"window/reset-layout", "Reset layout", "Return the panels to their default places and sizes", kNone, kNone, always,
      nullptr, resetLayout, true},
 };
-
-}  // namespace
-
-std::span<const Action> windowActions() { return kWindowActions; }
-
-namespace {
 
 bool hasSheet(const State& s) { return s.dialogs.keySheet; }
 void toggleSheet(State& s) { s.dialogs.keySheet = !s.dialogs.keySheet; }
@@ -112,12 +100,13 @@ const Action kHelpActions[] = {
      kNone, always, hasFirstSteps, toggleFirstSteps},
     {"help/palette", "Find anything...", "Search actions, controls, muscles, bones, sets, samples and pages",
      ctrl(GLFW_KEY_P), kNone, always, nullptr, openPalette},
-    {"help/keys", "Keys and mouse", "What every key and every drag does", key(GLFW_KEY_F1), kNone, always, hasSheet,
-     toggleSheet},
+    {"help/keys", "Keys and mouse", "All keys and mouse drags", key(GLFW_KEY_F1), kNone, always, hasSheet, toggleSheet},
 };
 
 }  // namespace
 
+std::span<const Action> fileActions() { return kFileActions; }
+std::span<const Action> windowActions() { return kWindowActions; }
 std::span<const Action> helpActions() { return kHelpActions; }
 
 }  // namespace sinew::app::table

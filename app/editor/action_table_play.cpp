@@ -1,4 +1,4 @@
-// app/editor/action_table_play.cpp: the Play menu: the clip.
+// app/editor/action_table_play.cpp: the menus Play and Tool.
 #include <iterator>
 #include <utility>
 #include <vector>
@@ -29,7 +29,7 @@ void toEnd(State& s) {
   s.open.transport.time = playRange(s.open.transport, s.character()).to;
   s.open.transport.playing = false;
 }
-/// A range is a step of the history, so no other edit may be under way.
+/// A range is a step of the history: no other edit may be in progress.
 Possible rangeable(const State& s) {
   const Possible plays = playable(s);
   return plays ? idle(s) : plays;
@@ -54,14 +54,11 @@ bool isLooping(const State& s) { return s.open.transport.loop; }
 void toggleLoop(State& s) { s.open.transport.loop = !s.open.transport.loop; }
 
 Possible checkable(const State& s) {
-  const Possible possible = idle(s);
-  if (!possible) return possible;
-  return possible.also(!s.document.rig().primitives.empty(), "There is no muscle to check");
+  return idle(s).also(!s.document.rig().primitives.empty(), "There is no muscle to check");
 }
 
 Possible hasClipFiles(const State& s) {
-  const Possible possible = idle(s);
-  return possible ? possible.also(!s.document.rig().clipFiles.empty(), "No clip file was added") : possible;
+  return idle(s).also(!s.document.rig().clipFiles.empty(), "No clip file was added");
 }
 bool showsClipList(const State& s) { return s.open.clipList.shown; }
 
@@ -85,23 +82,14 @@ const Action kPlayActions[] = {
     {"play/range-of-motion", "Range of motion",
      "Move every joint through its range, one after another: a clip made from the skeleton", kNone, kNone, idle,
      nullptr, playRangeOfMotion, true},
-    {"play/clip-files", "Clip files",
-     "The files whose clips were added: what did not match, to remove or to locate them", kNone, kNone, open,
-     showsClipList, toggleClipList},
-    {"play/read-clip-files", "Read clip files again", "Load what other programs have written into them since", kNone,
+    {"play/clip-files", "Clip files", "Files whose clips were added: see mismatches, remove or locate files", kNone,
+     kNone, open, showsClipList, toggleClipList},
+    {"play/read-clip-files", "Read clip files again", "Reload clip files that other programs have changed", kNone,
      kNone, hasClipFiles, nullptr, readClipFilesAgain},
     {"play/check", "Check muscles",
-     "Look through all clips for muscles that leave the flesh, swell to a ball or reach another limb", kNone, kNone,
+     "Check all clips for muscles that leave the body, bulge into a ball or reach another limb", kNone, kNone,
      checkable, nullptr, checkMuscles},
 };
-
-}  // namespace
-
-std::span<const Action> playActions() { return kPlayActions; }
-
-// The Tool menu.
-
-namespace {
 
 template <std::size_t kIndex>
 bool isTool(const State& s) {
@@ -109,7 +97,7 @@ bool isTool(const State& s) {
 }
 template <std::size_t kIndex>
 void chooseTool(State& s) {
-  endTerritoryMode(s.view.tools);  // It takes the clicks that the tool is chosen for.
+  endTerritoryMode(s.view.tools);  // Which would take the tool's clicks.
   setTool(s.view.tools, static_cast<ToolKind>(kIndex));
 }
 
@@ -142,9 +130,9 @@ const Action kOthers[] = {
      nullptr, dragAtOnce<ToolKind::kRotate>},
     {"tool/size", "Resize", "Scale the selected muscle with the pointer; a click keeps it", kNone, kNone, selected,
      nullptr, dragAtOnce<ToolKind::kScale>},
-    {"tool/axes", "Turn handles", "Handles along the world, then the bone, then the muscle", key(GLFW_KEY_X), kNone,
+    {"tool/axes", "Turn handles", "Align the handles with the world, the bone or the muscle", key(GLFW_KEY_X), kNone,
      idle, nullptr, cycleAxes, true},
-    {"tool/pivot", "Pivot in the middle", "Several muscles turn about their middle, not about the active one",
+    {"tool/pivot", "Pivot in the middle", "Rotate several muscles about their center, not about the active one",
      shift(GLFW_KEY_X), kNone, idle, pivotsOnAll, togglePivot},
     {"tool/box-select", "Box select", "Draw a box around muscles: Shift adds, Alt removes. Ctrl+drag does the same",
      shift(GLFW_KEY_B), kNone, idle, boxing, toggleBox},
@@ -168,7 +156,7 @@ const Action kOthers[] = {
      posing, nullptr, selectChildJoint},
 };
 
-/// One row a tool, then the others.
+/// A row for each tool, then the others.
 template <std::size_t... kIndices>
 std::vector<Action> withTools(std::index_sequence<kIndices...>) {
   std::vector<Action> all{{tools()[kIndices]->id, tools()[kIndices]->label, tools()[kIndices]->hint,
@@ -179,6 +167,8 @@ std::vector<Action> withTools(std::index_sequence<kIndices...>) {
 }
 
 }  // namespace
+
+std::span<const Action> playActions() { return kPlayActions; }
 
 std::span<const Action> toolActions() {
   static const std::vector<Action> all = withTools(std::make_index_sequence<kToolCount>());

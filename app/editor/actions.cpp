@@ -1,4 +1,4 @@
-// app/editor/actions.cpp: finding and running actions. The table itself is action_table.cpp.
+// app/editor/actions.cpp: finding and running actions; keymaps. The table is in action_table*.cpp.
 #include "app/editor/actions.h"
 
 #define GLFW_INCLUDE_NONE
@@ -60,13 +60,13 @@ constexpr std::array kKeyNames{
 std::string nameOfKey(int key) {
   if (const auto found = std::ranges::find(kKeyNames, key, &KeyName::key); found != kKeyNames.end()) return found->name;
   if (key >= GLFW_KEY_F1 && key <= GLFW_KEY_F12) return "F" + std::to_string(key - GLFW_KEY_F1 + 1);
-  // GLFW's codes of these keys are their ASCII characters; other characters are no keys.
+  // GLFW's codes of these keys are their ASCII characters.
   constexpr std::string_view kPrinted = "',-./0123456789;=ABCDEFGHIJKLMNOPQRSTUVWXYZ[\\]`";
   const bool printed = key > 0 && key < 128 && kPrinted.find(static_cast<char>(key)) != std::string_view::npos;
   return printed ? std::string(1, static_cast<char>(key)) : "";
 }
 
-/// The reverse; 0 for none.
+/// 0: none.
 int keyNamed(std::string_view name) {
   for (int key = GLFW_KEY_SPACE; !name.empty() && key <= GLFW_KEY_LAST; ++key) {
     if (nameOfKey(key) == name) return key;
@@ -150,12 +150,11 @@ bool runShortcut(EditorState& state, const RawInput& input) {
   return true;
 }
 
-// Where a keymap differs from the keys in the action table, which are those of Maya's kind.
-
 namespace {
 
 using namespace table;
 
+/// Differences from the keys in the action table.
 constexpr KeyChange kBlender[] = {
     {"edit/duplicate", shift(GLFW_KEY_D), ctrl(GLFW_KEY_D)},
     {"edit/delete", key(GLFW_KEY_X), key(GLFW_KEY_DELETE)},
@@ -184,8 +183,7 @@ constexpr KeyChange kBlender[] = {
 }  // namespace
 
 std::span<const KeyChange> changesOf(Keymap keymap) {
-  if (keymap == Keymap::kBlender) return kBlender;
-  return {};
+  return keymap == Keymap::kBlender ? std::span(kBlender) : std::span<const KeyChange>();
 }
 
 const char* titleOf(Keymap keymap) { return keymap == Keymap::kBlender ? "Blender-like" : "Maya-like"; }

@@ -1,4 +1,4 @@
-// app/editor/animate.cpp: keys and drivers of numbers, by the pure edits of core/rig/animated_edit.h.
+// app/editor/animate.cpp: keys and drivers of numbers, with the edits of core/rig/animated_edit.h.
 #include "app/editor/animate.h"
 
 #include <algorithm>
@@ -13,8 +13,6 @@
 
 namespace sinew::app {
 
-// How the interface and the history call numbers that are keyed or driven, and inputs.
-
 namespace {
 
 std::string ownerName(const Rig& rig, const NumberRef& ref) {
@@ -24,7 +22,7 @@ std::string ownerName(const Rig& rig, const NumberRef& ref) {
   return owner == ParameterOwner::kLine ? rig.lines[index].name : rig.primitives[index].name;
 }
 
-/// "turn about X of ", where it is one of the frame's axes.
+/// "turn about X of " for an axis of the frame.
 std::string turnWords(const glm::vec3& axis) {
   constexpr const char* kWords[][2] = {{"turn about X of ", "turn about -X of "},
                                        {"turn about Y of ", "turn about -Y of "},
@@ -101,9 +99,9 @@ std::string timeText(double seconds) {
 namespace {
 
 constexpr float kStrongBend = 90.0f;  // Degrees.
-constexpr float kShare = 0.2f;        // Change as a fraction of the number, where the input is strong.
+constexpr float kStep = 0.2f;         // Change at a strong input, as a fraction of the number.
 
-/// The same edit of one number after the other. @param change  (Rig, const NumberRef&) -> Result<Rig>
+/// Applies an edit to each number. @param change  (Rig, const NumberRef&) -> Result<Rig>
 template <class Change>
 Result<Rig> withAll(Rig rig, std::span<const NumberRef> refs, Change change) {
   for (const NumberRef& ref : refs) {
@@ -114,7 +112,7 @@ Result<Rig> withAll(Rig rig, std::span<const NumberRef> refs, Change change) {
   return rig;
 }
 
-/// What a new driver adds at a strong input.
+/// Change by a new driver at a strong input.
 float strongStep(const Rig& rig, const NumberRef& ref) {
   const float drawn = numberOf(rig, ref);
   switch (ref.parameter) {
@@ -124,12 +122,12 @@ float strongStep(const Rig& rig, const NumberRef& ref) {
     case Parameter::kCenterY:
     case Parameter::kCenterZ: {
       const glm::vec3& radii = rig.primitives[static_cast<std::size_t>(ref.owner)].placement.radii;
-      return kShare * std::max({radii.x, radii.y, radii.z});
+      return kStep * std::max({radii.x, radii.y, radii.z});
     }
     case Parameter::kMorphWeight:
       return 1.0f;
     default:
-      return kShare * (drawn == 0.0f ? 1.0f : std::abs(drawn));
+      return kStep * (drawn == 0.0f ? 1.0f : std::abs(drawn));
   }
 }
 
@@ -155,7 +153,7 @@ Result<Rig> driven(const Rig& rig, std::span<const NumberRef> refs, const Driver
   });
 }
 
-/// Their curves are in the inspector, which stays where it is scrolled to; a shape's is under its name.
+/// Shows where the curves are: in the inspector, or under a shape's name.
 void showDrivers(EditorState& state, const NumberRef& ref, const std::string& done) {
   if (ownerOf(ref.parameter) == ParameterOwner::kMorph) {
     state.open.shapes.chosen = state.document.rig().morphs[static_cast<std::size_t>(ref.owner)].name;
@@ -238,7 +236,7 @@ int keyNow(const EditorState& state, const KeyTrack& track) {
 
 namespace {
 
-/// The drawn number is still as it was when it was keyed last. Where nobody remembers: as some key has it.
+/// The drawn number is unchanged since the last key; if that is unknown, it equals some key.
 bool untouched(const EditorState& state, const NumberRef& ref, const KeyTrack& track) {
   const Rig& rig = state.document.rig();
   const float drawn = numberOf(rig, ref);

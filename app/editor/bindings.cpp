@@ -1,4 +1,4 @@
-// app/editor/bindings.cpp: changes of keys, stored as differences from the keymap.
+// app/editor/bindings.cpp: the user's keys, stored as differences from the keymap.
 #include "app/editor/bindings.h"
 
 #define GLFW_INCLUDE_NONE
@@ -19,14 +19,14 @@ const Action* actionNamed(std::string_view id) {
   return found == actions().end() ? nullptr : &*found;
 }
 
-/// Each once, none before the first.
+/// Without duplicates, the first key first.
 Keys inOrder(Keys keys) {
   if (keys[1] == keys[0]) keys[1] = {};
   if (keys[0].key == 0) std::swap(keys[0], keys[1]);
   return keys;
 }
 
-/// Keys that equal the keymap's are no difference.
+/// Stores keys that differ from the keymap's.
 void setKeys(Preferences& preferences, const Action& action, Keys keys) {
   keys = inOrder(keys);
   KeyChanges& changes = preferences.keyChanges();
@@ -51,7 +51,7 @@ void takeAway(Preferences& preferences, const Shortcut& shortcut, const Action& 
   }
 }
 
-/// The keys of one entry of the file that can be used; a line on each that cannot.
+/// The usable keys of one entry of the file; adds a note for each other.
 Keys usableKeys(const Action& action, const std::vector<std::string>& texts, Keymap keymap,
                 std::set<std::string>& given, std::vector<std::string>& notes) {
   Keys keys{};
@@ -86,7 +86,7 @@ void dropUnusable(Preferences& preferences, std::vector<std::string>& notes) {
       continue;
     }
     const Keys keys = usableKeys(*known, texts, preferences.keymap, given, notes);
-    // Nothing of it can be used: as if it were not there. An empty list is a wish: no key.
+    // An empty list means no key; a list without a usable key is ignored.
     if (keys[0].key != 0 || texts.empty()) usable.emplace_back(known, keys);
   }
   for (const auto& [known, keys] : usable) setKeys(preferences, *known, keys);
@@ -135,29 +135,12 @@ void giveKey(Preferences& preferences, const Action& action, std::size_t slot, c
   setKeys(preferences, action, keys);
 }
 
-void clearKey(Preferences& preferences, const Action& action, std::size_t slot) {
-  Keys keys = shortcutsOf(action, preferences);
-  keys[slot] = {};
-  setKeys(preferences, action, keys);
-}
-
 void resetKeys(Preferences& preferences, const Action& action) {
   const Keys keys = shortcutsOf(action, preferences.keymap);
   for (const Shortcut& shortcut : keys) {
     if (shortcut.key != 0) takeAway(preferences, shortcut, action);
   }
   setKeys(preferences, action, keys);
-}
-
-std::vector<const Action*> losersToReset(const Preferences& preferences, const Action& action) {
-  std::vector<const Action*> losers;
-  for (const Shortcut& shortcut : shortcutsOf(action, preferences.keymap)) {
-    const Action* owner = ownerOf(shortcut, preferences);
-    if (owner != nullptr && owner != &action && std::ranges::find(losers, owner) == losers.end()) {
-      losers.push_back(owner);
-    }
-  }
-  return losers;
 }
 
 void resetAllKeys(Preferences& preferences) { preferences.keyChanges().clear(); }
@@ -173,9 +156,25 @@ std::vector<std::string> dropUnusableKeys(Preferences& preferences) {
   return notes;
 }
 
-// The steps from a click on a key to another key.
-
 namespace {
+
+void clearKey(Preferences& preferences, const Action& action, std::size_t slot) {
+  Keys keys = shortcutsOf(action, preferences);
+  keys[slot] = {};
+  setKeys(preferences, action, keys);
+}
+
+/// Actions that would lose a key to resetKeys().
+std::vector<const Action*> losersToReset(const Preferences& preferences, const Action& action) {
+  std::vector<const Action*> losers;
+  for (const Shortcut& shortcut : shortcutsOf(action, preferences.keymap)) {
+    const Action* owner = ownerOf(shortcut, preferences);
+    if (owner != nullptr && owner != &action && std::ranges::find(losers, owner) == losers.end()) {
+      losers.push_back(owner);
+    }
+  }
+  return losers;
+}
 
 bool clears(const Shortcut& pressed) {
   const bool plain = !pressed.control && !pressed.shift && !pressed.alt;
@@ -187,8 +186,7 @@ std::string quoted(const Action& action) { return '"' + std::string(action.label
 }  // namespace
 
 void startKeyCapture(EditorState& state, const Action& action, int slot) {
-  KeyCapture& capture = state.dialogs.keyCapture;
-  capture = {KeyCapture::Step::kWaiting, action.id, slot, "", ""};
+  state.dialogs.keyCapture = {KeyCapture::Step::kWaiting, action.id, slot, "", ""};
 }
 
 void captureKey(EditorState& state, const Shortcut& pressed) {

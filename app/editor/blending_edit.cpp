@@ -1,4 +1,4 @@
-// app/editor/blending_edit.cpp: what the two views of the blending graph do to the rig.
+// app/editor/blending_edit.cpp: edits of groups, links and territories.
 #include "app/editor/blending_edit.h"
 
 #include <algorithm>
@@ -16,8 +16,6 @@
 #include "sinew/rig/rig_edit.h"
 
 namespace sinew::app {
-
-// Which bones' skin a muscle may move.
 
 namespace {
 
@@ -132,7 +130,6 @@ void groupSelection(EditorState& state) {
   if (!edit(state, "Group " + what, moveToNewGroup(state.document.rig(), indices, name))) return;
   const GroupId added = at(state.document.rig().groups, findGroup(state.document.rig(), name)).id();
   state.open.blending.group = added;
-  // Its name is typed where groups are listed.
   state.view.outliner.tab = LeftTab::kGroups;
   state.view.layout.leftShown = true;
   state.open.blending.rename = {added, name, true};
@@ -158,17 +155,14 @@ bool moveToGroup(EditorState& state, const std::vector<int>& indices, const std:
 
 void selectMembers(Document& document, const std::string& group) {
   document.selection.clear();
-  for (const int index : membersOf(document.rig(), group)) {
+  for (const int index : membersOf(document.rig(), group))
     document.selection.primitives.push_back(document.idAt(index));
-  }
 }
 
 std::vector<int> draggedMuscles(const Document& document, int grabbed) {
   const auto index = static_cast<std::size_t>(grabbed);
   if (index >= document.rig().primitives.size()) return {};
-  if (document.selection.contains(document.idAt(grabbed))) {
-    return selectedIndices(document);
-  }
+  if (document.selection.contains(document.idAt(grabbed))) return selectedIndices(document);
   return {grabbed};
 }
 

@@ -1,5 +1,5 @@
-// app/editor/muscle_set_commands.cpp: core/bodies on the open document. Changing a slider takes the set's step back and
-// makes it anew, so that there is never more than one.
+// app/editor/muscle_set_commands.cpp: muscle sets, body parts and checks of the open document. A slider of a set undoes
+// its step and makes it again, so that there is only one.
 #include "app/editor/muscle_set_commands.h"
 
 #include <algorithm>
@@ -17,14 +17,20 @@
 
 namespace sinew::app {
 
-// Core/bodies on the open document.
+namespace {
+
+/// Closes the panels that share a place.
+void closePanels(EditorState& state) {
+  state.open.check = {};
+  state.open.muscleSet.shown = state.open.bodyParts.shown = state.open.clipList.shown = false;
+}
+
+}  // namespace
 
 void checkMuscles(EditorState& state) {
   CheckState& check = state.open.check;
   const Rig& rig = state.document.rig();
-  check = {};
-  state.open.muscleSet.shown = false;  // They share a place.
-  state.open.bodyParts.shown = state.open.clipList.shown = false;
+  closePanels(state);
   check.shown = true;
   check.revision = state.document.commands.revision();
   check.findings = sinew::check(rig, Motions(state.document.character));
@@ -55,14 +61,12 @@ void mendFindings(EditorState& state) {
   const Motions motions(state.document.character);
   Result<MendedRig> mended = withMendedRig(state.document.rig(), 0, motions, state.document.mirror.get());
   if (!mended) return refuse(state, mended.error());
-  if (mended->said.empty()) return sayRefusal(state, "Nothing of this can be mended: change these muscles by hand");
+  if (mended->said.empty()) return sayRefusal(state, "None of these can be mended: edit the muscles by hand");
   const std::vector<std::string> said = std::move(mended.value().said);
   edit(state, "Mend muscles", std::move(mended.value().rig));
   for (const std::string& line : said) addMessage(state.session, MessageKind::kNote, "Mended " + line);
   checkMuscles(state);
 }
-
-// The rig's corrections of the parts of the body.
 
 namespace {
 
@@ -74,11 +78,9 @@ Rig withoutCorrection(Rig rig, BodySlot slot) {
 }  // namespace
 
 void toggleBodyParts(EditorState& state) {
-  state.open.bodyParts.shown = !state.open.bodyParts.shown;
-  if (!state.open.bodyParts.shown) return;
-  closeSet(state);  // They would lie under it.
-  closeCheck(state);
-  state.open.clipList.shown = false;
+  const bool shown = !state.open.bodyParts.shown;
+  if (shown) closePanels(state);
+  state.open.bodyParts.shown = shown;
 }
 
 BodySlots bodyPartsOf(const EditorState& state) {
@@ -107,7 +109,7 @@ Result<AddedSet> fitted(const EditorState& state, const Rig& onto) {
   return sinew::addMuscleSet(onto, chosenSet(set), set.tuning, *set.motions, *state.document.mirror);
 }
 
-/// What the panel says of it.
+/// For the panel.
 void remember(EditorState& state, AddedSet added) {
   MuscleSetState& set = state.open.muscleSet;
   set.muscles = std::move(added.fitted.muscles);
@@ -124,7 +126,7 @@ Result<std::vector<Preset>> setsForBody(EditorState& state) {
   if (!document.mirror) return errorAt("", "This character has no left and right bones");
   const BodyKind kind = bodySlots(*document.character, *document.mirror, document.rig().slots).kind;
   if (kind == BodyKind::kUnknown)
-    return errorAt("", "Neither arms nor legs were found: say which bones they are in Muscles > Parts of the body");
+    return errorAt("", "No arms or legs were found: choose their bones in Muscles > Parts of the body");
   MuscleSets all = muscleSets();
   for (const Error& error : all.refused) addQuietly(state.session, MessageKind::kError, error.text());
   std::erase_if(all.sets, [&](const Preset& set) { return set.body != kind; });

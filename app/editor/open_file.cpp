@@ -31,16 +31,14 @@
 namespace sinew::app {
 namespace {
 
-// Why a file could not be opened, in the words of who made it.
-
-/// "line 12, column 3" of "byte 61 (line 12, column 3)"; empty for any other place.
+/// "line 12, column 3" of "byte 61 (line 12, column 3)"; "" for other places.
 std::string lineOf(const std::string& place) {
   const std::size_t from = place.find("(line ");
   if (!place.starts_with("byte ") || from == std::string::npos || !place.ends_with(')')) return "";
   return place.substr(from + 1, place.size() - from - 2);
 }
 
-/// What the parser says (core/files/json/json.cpp), and what it means.
+/// A message of the parser (core/files/json/json.cpp) in plain words.
 struct Meaning {
   std::string_view said;
   const char* meant;
@@ -67,8 +65,8 @@ std::string meaningOf(const std::string& reason) {
   return "this cannot be read";
 }
 
-/// Error::plainText(); but of a file that is no JSON: "limb.rig.json is damaged or not a rig: line 12, column 3: the
-/// file ends too early". The command line says what the reader of the file says (Error::text()).
+/// Error::plainText(), but for invalid JSON "limb.rig.json is damaged or not a rig: line 12, column 3: the file ends
+/// too early".
 std::string openErrorText(const Error& error) {
   const std::string line = lineOf(error.place);
   if (line.empty()) return error.plainText();
@@ -78,24 +76,14 @@ std::string openErrorText(const Error& error) {
          ": " + meaningOf(error.reason);
 }
 
-}  // namespace
-
-// The muscles of the open rig on another character.
-
-namespace {
-
 bool isCharacter(const std::filesystem::path& file) { return isCharacterName(lowerCase(file.filename().string())); }
 
-std::string counted(std::size_t count, const char* one) {
-  return std::to_string(count) + ' ' + one + (count == 1 ? "" : "s");
-}
-
-/// What was done, in one line; the list of messages has each muscle.
-void tell(EditorState& state, const Retargeted& done) {
+/// A summary in a toast; messages name each muscle.
+void reportRetargeted(EditorState& state, const Retargeted& done) {
   for (const auto& [name, why] : done.leftOut)
     addQuietly(state.session, MessageKind::kWarning, name + " is left out: " + why);
   for (const std::string& line : done.mended) addQuietly(state.session, MessageKind::kNote, "Mended " + line);
-  std::string text = counted(done.rig.primitives.size(), "muscle") + " kept";
+  std::string text = withCount(done.rig.primitives.size(), "muscle") + " kept";
   if (!done.leftOut.empty()) text += ", " + std::to_string(done.leftOut.size()) + " left out";
   if (!done.mended.empty()) text += ", " + std::to_string(done.mended.size()) + " mended";
   say(state, text + (done.leftOut.empty() && done.mended.empty() ? "" : ": see the messages"));
@@ -136,7 +124,7 @@ void openWithMuscles(EditorState& state, const std::filesystem::path& file) {
   rig.character = opened->rig().character;
   Document document = std::move(opened).value();
   document.commands.apply("Muscles of " + from.name(), std::move(rig));
-  if (showDocument(state, std::move(document))) tell(state, done.value());
+  if (showDocument(state, std::move(document))) reportRetargeted(state, done.value());
 }
 
 namespace {
@@ -159,8 +147,8 @@ void show(EditorState& state, Document document, LiveSurface live, const Transpo
   setScene(state.view.tools.camera, boundsOf(state.live->surface().positions), state.character().height);
 }
 
-/// Where no skin bends it is said: a mesh that was exported without its skin looks like one with it.
-void tellRigid(EditorState& state) {
+/// Reports a mesh without blended skin weights, which looks like one with them.
+void reportRigid(EditorState& state) {
   const ControlMesh& mesh = state.character().mesh;
   const std::size_t vertices = mesh.positions.size();
   const auto isWhole = [](const Influence& influence) { return !(influence.weight < 1.0f); };
@@ -177,7 +165,7 @@ void tellRigid(EditorState& state) {
   addMessage(state.session, MessageKind::kNote, name + what);
 }
 
-void tellIgnored(EditorState& state) {
+void reportIgnored(EditorState& state) {
   const std::string name = state.document.characterFile.filename().string();
   for (const std::string& ignored : state.character().ignored) {
     addMessage(state.session, MessageKind::kNote, name + ": " + ignored);
@@ -220,20 +208,19 @@ bool showDocument(EditorState& state, Document document) {
   Result<LiveSurface> live = LiveSurface::create(document, transport);
   if (!live) {
     Error error = live.error();
-    error.file = (document.rigFile.empty() ? document.characterFile : document.rigFile).string();
+    error.file = document.file().string();
     addMessage(state.session, MessageKind::kError, error.plainText());
     return false;
   }
   show(state, std::move(document), std::move(live).value(), transport);
   if (view) restoreView(state, *view);
-  tellRigid(state);
-  tellIgnored(state);
+  reportRigid(state);
+  reportIgnored(state);
   return true;
 }
 
 void reopen(EditorState& state) {
-  const std::filesystem::path file =
-      state.document.rigFile.empty() ? state.document.characterFile : state.document.rigFile;
+  const std::filesystem::path file = state.document.file();
   const std::shared_ptr<const Character> before = state.document.character;
   const Transport transport = state.open.transport;
   const Camera camera = state.view.tools.camera;
@@ -242,7 +229,7 @@ void reopen(EditorState& state) {
   state.view.tools.camera = camera;
   state.open.frameWanted = false;
   if (const auto same = carriedOver(transport, *before, state.character())) state.open.transport = *same;
-  // By name: the character may have changed on disk.
+  // By name, because the character may have changed on disk.
   state.open.transport.overrides = turnsOf(turns, transport.overrides.from, state.character().skeleton).overrides;
   state.document.commands.startFrom(state.open.transport.overrides,
                                     keptRanges(state.open.transport.ranges, state.character()));

@@ -1,4 +1,4 @@
-// app/editor/outliner.cpp: what the outliner does to rig and selection.
+// app/editor/outliner.cpp: the outliner's rows, and its edits of rig and selection.
 #include "app/editor/outliner.h"
 
 #include <algorithm>
@@ -17,8 +17,6 @@
 
 namespace sinew::app {
 
-// The tree as a flat list of rows.
-
 namespace {
 
 struct Walk {
@@ -28,7 +26,7 @@ struct Walk {
   std::vector<std::vector<int>> musclesOfBone;
   std::vector<int> unattached;
   std::vector<bool> shown;    ///< [bones]
-  std::vector<bool> matches;  ///< [bones] Its own name does: then all its muscles are shown.
+  std::vector<bool> matches;  ///< [bones] The name matches: all its muscles are shown.
   std::vector<OutlinerRow> rows;
 
   [[nodiscard]] bool filtered() const { return !view.filter.empty(); }
@@ -48,7 +46,7 @@ void sortMuscles(Walk& walk, const std::vector<int>& boneOf) {
   }
 }
 
-/// Children stand behind their parents, so one pass from the end sees every child before its parent.
+/// One pass from the end sees children before their parents.
 void markShown(Walk& walk) {
   const std::size_t count = walk.skeleton.bones.size();
   walk.shown.assign(count, false);
@@ -92,7 +90,7 @@ void addUnattached(Walk& walk) {
   for (const int muscle : shown) walk.rows.push_back({RowKind::kMuscle, muscle, 1});
 }
 
-/// The parts in the order in which they are listed.
+/// Parts in listing order.
 std::vector<std::string> partsInOrder(const Walk& walk, const std::vector<std::string>& partOf) {
   std::vector<std::string> parts;
   if (walk.view.order == OutlinerOrder::kGroups) {
@@ -106,7 +104,7 @@ std::vector<std::string> partsInOrder(const Walk& walk, const std::vector<std::s
   return parts;
 }
 
-/// A flat list: the muscles of each part under its title, by name.
+/// A flat list: each part's muscles by name.
 void addParts(Walk& walk, const std::vector<int>& boneOf) {
   const bool byGroup = walk.view.order == OutlinerOrder::kGroups;
   const std::vector<std::string> ofBones = byGroup ? std::vector<std::string>() : bodyParts(walk.skeleton);
@@ -164,7 +162,7 @@ std::vector<std::string> bodyParts(const Skeleton& skeleton) {
   std::vector<std::string> parts;
   for (std::size_t b = 0; b < skeleton.bones.size(); ++b) {
     words[b] = partWord(roles[b]);
-    // Fingers, and bones of which nothing is known, belong to what they hang on.
+    // Fingers and unknown bones belong to their parent's part.
     const int parent = skeleton.bones[b].parent;
     if (words[b].empty()) words[b] = parent >= 0 ? at(words, parent) : "body";
     const std::optional<Side> side = names[b].side;
@@ -235,7 +233,7 @@ std::vector<int> musclesUnder(int bone, const Skeleton& skeleton, const std::vec
 
 namespace {
 
-/// The row that the keyboard stands on: of the active muscle, else of the bone.
+/// Row of the active muscle, else of the selected bone, or -1.
 int cursorRow(const Document& document, const std::vector<OutlinerRow>& rows) {
   const int active = document.activePrimitive();
   const int bone = document.selection.bone;
@@ -246,7 +244,7 @@ int cursorRow(const Document& document, const std::vector<OutlinerRow>& rows) {
   return found == rows.end() ? -1 : static_cast<int>(found - rows.begin());
 }
 
-/// Muscles between two rows, the one of `to` last, so that it is the active one.
+/// Muscles between two rows, that of `to` last, which makes it active.
 std::vector<PrimitiveId> musclesBetween(const Document& document, const std::vector<OutlinerRow>& rows, int from,
                                         int to) {
   std::vector<PrimitiveId> muscles;
@@ -256,6 +254,11 @@ std::vector<PrimitiveId> musclesBetween(const Document& document, const std::vec
     if (row.kind == RowKind::kMuscle) muscles.push_back(document.idAt(row.index));
   }
   return muscles;
+}
+
+void fold(EditorState& state, const std::string& key, bool folded) {
+  if (folded) state.view.outliner.folded.insert(key);
+  else state.view.outliner.folded.erase(key);
 }
 
 }  // namespace
@@ -269,7 +272,7 @@ void reparentMuscles(EditorState& state, const std::vector<int>& indices, int bo
     const std::optional<int> from = skeleton.findBone(primitive.bone);
     if (from == bone) return;
     if (from) {
-      // On a line the bone is only what placements are measured in, in the bind pose.
+      // On a line, placements are relative to the bone in the bind pose.
       const auto matrixOf = [&](int of) {
         const auto i = static_cast<std::size_t>(of);
         return primitive.line.empty() ? matrices[i] : skeleton.bones[i].bindInWorld;
@@ -294,19 +297,13 @@ void clickMuscle(EditorState& state, const std::vector<OutlinerRow>& rows, int p
     return;
   }
   const PrimitiveId muscle = state.document.idAt(row.index);
-  if (toggle || range) {
-    selection.toggle(muscle);
-  } else {
-    selection.set(muscle);
-  }
+  if (toggle || range) selection.toggle(muscle);
+  else selection.set(muscle);
   state.open.rowAnchor = keyOf(row, rig, skeleton);
 }
 
 void clickBone(EditorState& state, int bone) {
-  if (editsTerritory(state)) {
-    toggleTerritoryBone(state, bone);
-    return;
-  }
+  if (editsTerritory(state)) return toggleTerritoryBone(state, bone);
   state.document.selection.primitives.clear();
   state.document.selection.bone = bone;
   state.open.rowAnchor = "b:" + at(state.character().skeleton.bones, bone).path;
@@ -341,12 +338,7 @@ void selectMuscles(Document& document, const std::vector<int>& indices) {
 void setFolded(EditorState& state, int bone, bool folded, bool all) {
   const Skeleton& skeleton = state.character().skeleton;
   const Bone& own = at(skeleton.bones, bone);
-  std::set<std::string>& paths = state.view.outliner.folded;
-  if (folded) {
-    paths.insert(own.path);
-  } else {
-    paths.erase(own.path);
-  }
+  fold(state, own.path, folded);
   if (!all) return;
   for (const int child : own.children) setFolded(state, child, folded, true);
 }
@@ -368,9 +360,6 @@ void unfoldParts(EditorState& state, int muscle) {
   state.view.outliner.folded.erase(foldedKey(at(parts, *bone)));
 }
 
-void setPartFolded(EditorState& state, const std::string& part, bool folded) {
-  if (folded) state.view.outliner.folded.insert(foldedKey(part));
-  else state.view.outliner.folded.erase(foldedKey(part));
-}
+void setPartFolded(EditorState& state, const std::string& part, bool folded) { fold(state, foldedKey(part), folded); }
 
 }  // namespace sinew::app

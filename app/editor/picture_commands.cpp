@@ -1,4 +1,4 @@
-// app/editor/picture_commands.cpp: where pictures go, and under which name.
+// app/editor/picture_commands.cpp: pictures, turntables and contact sheets as files.
 #include "app/editor/picture_commands.h"
 
 #include <algorithm>
@@ -15,6 +15,7 @@
 #include <utility>
 
 #include "app/document/folder_listing.h"
+#include "app/editor/commands.h"
 #include "app/editor/edit.h"
 #include "app/editor/session.h"
 #include "app/viewport/render/movie.h"
@@ -26,8 +27,6 @@
 
 namespace sinew::app {
 
-// What is seen, as words of the command line.
-
 namespace {
 
 namespace fs = std::filesystem;
@@ -35,11 +34,7 @@ namespace fs = std::filesystem;
 constexpr int kLargestSheet = 16384;  ///< Pixels, as `sinew render --sheet` allows.
 constexpr int kMostPictures = 10000;  ///< As --turntable.
 
-const fs::path& pictureFileOf(const Document& document) {
-  return document.rigFile.empty() ? document.characterFile : document.rigFile;
-}
-
-/// The shortest text that is this number again.
+/// The shortest text that reads back as this number.
 std::string numberText(double number) {
   std::array<char, 32> text{};
   const auto written = std::to_chars(text.data(), text.data() + text.size(), number);
@@ -51,7 +46,7 @@ const AnimationClip* shownClip(const EditorState& state) {
   return clip < 0 ? nullptr : &at(state.character().clips, clip);
 }
 
-/// The clip moves: in a turntable or over a sheet.
+/// The clip plays in the turntable or over the sheet.
 bool moves(const EditorState& state) {
   const PicturesDialogState& dialog = state.dialogs.pictures;
   const AnimationClip* const clip = shownClip(state);
@@ -112,11 +107,11 @@ std::string refusalOf(EditorState& state, const fs::path& file) {
   return "";
 }
 
-/// The rig as it is on the screen, in a folder of its own.
+/// A job on a copy of the rig in a folder of its own.
 Result<PictureJob> jobOf(const EditorState& state) {
   auto folder = JobFolder::make();
   if (!folder) return folder.error();
-  PictureJob job{folder.value(), state.session.program, nameWithoutEnding(pictureFileOf(state.document)) + ".rig.json",
+  PictureJob job{folder.value(), state.session.program, nameWithoutEnding(state.document.file()) + ".rig.json",
                  pictureArguments(state)};
   job.arguments.insert(job.arguments.end(), {"--threads", std::to_string(std::max(1, threadCount() - 1))});
   const fs::path rig = job.folder->path() / job.input;
@@ -131,12 +126,9 @@ void showPicturesDialog(EditorState& state) {
   dialog.shown = true;
   dialog.overwriteAsked = false;
   dialog.error.clear();
-  if (dialog.of == pictureFileOf(state.document)) return;
-  dialog.of = pictureFileOf(state.document);
-  std::error_code ignored;
-  // The program's own folder is no place to work in.
-  const fs::path folder =
-      isSample(dialog.of) ? homeFolder() : fs::absolute(dialog.of, ignored).lexically_normal().parent_path();
+  if (dialog.of == state.document.file()) return;
+  dialog.of = state.document.file();
+  const fs::path folder = workFolder(dialog.of);
   const std::string stem = nameWithoutEnding(dialog.of);
   dialog.turntable = {folder, stem + "_turntable" + dialog.ending};
   dialog.sheetPlace = {folder, stem + "_sheet.png"};
@@ -153,11 +145,7 @@ void browseForPicturesPlace(EditorState& state) {
   const ExportPlace& place = picturesPlace(state.dialogs.pictures);
   const fs::path file = resolveTyped(place.folder, place.name).lexically_normal();
   state.dialogs.pictures.overwriteAsked = false;
-  state.dialogs.file = {};
-  state.dialogs.file.kind = DialogKind::kPicturesPlace;
-  state.dialogs.file.folder = file.parent_path();
-  state.dialogs.file.text = file.filename().string();
-  state.dialogs.file.appearing = true;
+  showPathDialog(state, DialogKind::kPicturesPlace, file.parent_path(), file.filename().string());
 }
 
 void takePicturesPlace(PicturesDialogState& dialog, const fs::path& file) {
@@ -239,9 +227,7 @@ bool confirmPictures(EditorState& state) {
 
 namespace {
 
-namespace fs = std::filesystem;
-
-/// What a line `XDG_PICTURES_DIR="$HOME/Bilder"` says; "" where it is another line.
+/// The folder of a line `XDG_PICTURES_DIR="$HOME/Bilder"`; "" for other lines.
 fs::path pictureLine(std::string_view line) {
   constexpr std::string_view kBegin = "XDG_PICTURES_DIR=\"";
   constexpr std::string_view kHome = "$HOME/";
@@ -266,7 +252,7 @@ fs::path folderForPictures(const EditorState& state) {
   return !last.empty() && fs::is_directory(last, failed) ? last : picturesFolder();
 }
 
-std::string timeText() {
+std::string nowText() {
   const std::time_t now = std::time(nullptr);
   std::tm local{};
   ::localtime_r(&now, &local);
@@ -290,16 +276,13 @@ fs::path withPictureEnding(fs::path file) {
 }
 
 void showPictureDialog(EditorState& state) {
-  state.dialogs.file = {};
-  state.dialogs.file.kind = DialogKind::kSavePicture;
-  state.dialogs.file.folder = folderForPictures(state);
-  state.dialogs.file.text = nameWithoutEnding(state.document.name()) + ".png";
-  state.dialogs.file.appearing = true;
+  showPathDialog(state, DialogKind::kSavePicture, folderForPictures(state),
+                 nameWithoutEnding(state.document.name()) + ".png");
 }
 
 void savePictureNow(EditorState& state) {
   const std::string begin =
-      (folderForPictures(state) / (nameWithoutEnding(state.document.name()) + '-' + timeText())).string();
+      (folderForPictures(state) / (nameWithoutEnding(state.document.name()) + '-' + nowText())).string();
   fs::path file = begin + ".png";
   std::error_code failed;
   for (int again = 2; fs::exists(file, failed); ++again) file = begin + '-' + std::to_string(again) + ".png";

@@ -1,4 +1,4 @@
-// app/editor/picture_commands.h: the picture goes to a file. The window writes it (SessionState::pictureWanted).
+// app/editor/picture_commands.h: saving pictures, turntables and contact sheets.
 #pragma once
 
 #include <filesystem>
@@ -9,45 +9,43 @@
 
 namespace sinew::app {
 
-// File > Export > Turntable or contact sheet: its dialog, and the job that it starts.
+// File > Export > Turntable or contact sheet.
 
-/// Begins with what was chosen before; places begin anew with each document: beside the rig.
+/// Keeps the last choices; paths start beside each document.
 void showPicturesDialog(EditorState& state);
 void closePicturesDialog(Dialogs& dialogs);
 
-/// Where what is chosen goes.
+/// Path of the chosen output.
 [[nodiscard]] ExportPlace& picturesPlace(PicturesDialogState& dialog);
 void browseForPicturesPlace(EditorState& state);
-/// What the path dialog has given. @param file  absolute
+/// Takes the path dialog's file. @param file  absolute
 void takePicturesPlace(PicturesDialogState& dialog, const std::filesystem::path& file);
-/// .webp, .gif or .mp4: the name of the turntable follows.
+/// @param ending  .webp, .gif or .mp4, also for the turntable's name
 void choosePicturesEnding(PicturesDialogState& dialog, const std::string& ending);
-/// The file that is written, with its ending; "" without a name.
+/// The output with its ending; "" without a name.
 [[nodiscard]] std::filesystem::path picturesFile(PicturesDialogState& dialog);
 
-/// How many pictures the job draws.
 [[nodiscard]] int pictureCount(const EditorState& state);
-/// How long the turntable lasts.
 [[nodiscard]] double turntableSeconds(const EditorState& state);
-/// What `sinew render` is told, without input and output: the look of the picture that is shown, from where it is seen,
-/// in its clip.
+/// Arguments of `sinew render` without input and output: look, view and clip as shown.
 [[nodiscard]] std::vector<std::string> pictureArguments(const EditorState& state);
 
-/// What the dialog's button does: the pictures are made in the background. Before it replaces a file it asks, in the
-/// dialog. @return whether the dialog is done; else it says why not.
+/// Starts drawing in the background; asks in the dialog before replacing a file.
+/// @return whether the dialog is done; else it shows why not
 bool confirmPictures(EditorState& state);
 
-/// Asks for a place, first the folder of the last picture.
+// A single picture, which the window writes (SessionState::pictureWanted).
+
+/// Asks for a path, starting in the folder of the last picture.
 void showPictureDialog(EditorState& state);
-/// Into that folder at once, under a name that is free: "fox-2026-11-21-043512.png".
+/// Saves into that folder under a free name: "fox-2026-11-21-043512.png".
 void savePictureNow(EditorState& state);
-/// The window writes the picture there after this frame.
+/// The window writes the picture after this frame.
 void wantPicture(EditorState& state, const std::filesystem::path& file);
 
-/// The user's own folder for pictures: XDG_PICTURES_DIR in $XDG_CONFIG_HOME/user-dirs.dirs, else ~/Pictures, else ~;
-/// the first that is there.
+/// The first existing of XDG_PICTURES_DIR in $XDG_CONFIG_HOME/user-dirs.dirs, ~/Pictures, ~.
 [[nodiscard]] std::filesystem::path picturesFolder();
-/// ".png" is appended unless it ends so.
+/// Appends ".png" if needed.
 [[nodiscard]] std::filesystem::path withPictureEnding(std::filesystem::path file);
 
 }  // namespace sinew::app

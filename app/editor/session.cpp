@@ -1,4 +1,4 @@
-// app/editor/session.cpp: what outlives one document.
+// app/editor/session.cpp: samples, recent files, recovery, help and first steps.
 #include "app/editor/session.h"
 
 #include <algorithm>
@@ -20,8 +20,6 @@
 #include "core/geometry/at.h"
 
 namespace sinew::app {
-
-// Nothing is asked of the tools: what has changed tells what was done.
 
 namespace {
 
@@ -55,7 +53,7 @@ void followFirstSteps(EditorState& state) {
   FirstStepsState& steps = state.view.firstSteps;
   if (!steps.shown || !state.hasCharacter()) return;
   const Camera& camera = state.view.tools.camera;
-  // The character is framed in the first frame.
+  // Starts after the first frame, which frames the character.
   if (steps.document != state.session.documentsOpened || state.open.frameWanted) {
     steps.document = state.session.documentsOpened;
     steps.stand = camera.stand;
@@ -90,7 +88,7 @@ struct KnownSample {
   const char* name;
 };
 
-/// In menu order. A file that is not here gets its name from its stem.
+/// In menu order. Other files are named after their stems.
 constexpr std::array kKnownSamples{
     KnownSample{"humanoid", "Humanoid"},
     KnownSample{"humanoid-flex", "Humanoid flexing"},
@@ -117,7 +115,7 @@ std::size_t rankOf(const std::string& stem) {
   return static_cast<std::size_t>(known - kKnownSamples.begin());
 }
 
-/// Its first heading.
+/// The first heading.
 std::string headingOf(const fs::path& file) {
   std::ifstream in(file);
   for (std::string line; std::getline(in, line);) {
@@ -140,11 +138,11 @@ std::vector<HelpPage> readPages() {
 }
 
 void sayWhereItLies(EditorState& state, const fs::path& file) {
-  addMessage(state.session, MessageKind::kWarning, "Nothing here opens pages. The page is " + file.string(),
+  addMessage(state.session, MessageKind::kWarning, "No program opens this page: " + file.string(),
              MessageAbout::kProgram);
 }
 
-/// Removes it from the list; what it was.
+/// Removes it from the list and returns it.
 LeftBehind takeLeftBehind(EditorState& state, const fs::path& file) {
   const auto found = std::ranges::find(state.session.leftBehind, file, &LeftBehind::file);
   if (found == state.session.leftBehind.end()) return {};
@@ -193,8 +191,13 @@ bool isSample(const fs::path& file) {
   return !file.empty() && fs::equivalent(file.parent_path(), dataFile("assets"), failed) && !failed;
 }
 
+fs::path workFolder(const fs::path& file) {
+  std::error_code ignored;
+  return isSample(file) ? homeFolder() : fs::absolute(file, ignored).lexically_normal().parent_path();
+}
+
 void rememberDocument(EditorState& state) {
-  const fs::path& file = state.document.rigFile.empty() ? state.document.characterFile : state.document.rigFile;
+  const fs::path& file = state.document.file();
   if (!file.empty() && !isSample(file)) rememberFile(state.session.preferences.recentFiles, file);
 }
 
@@ -246,7 +249,7 @@ void jumpToBone(EditorState& state, int bone) {
   state.document.selection.clear();
   state.document.selection.bone = bone;
   state.view.outlinerFilter.clear();
-  // As much of the surroundings as a tenth of the character's height.
+  // With surroundings of a tenth of the character's height.
   const glm::vec3 center(at(state.live->pose().boneInWorld, bone)[3]);
   Bounds bounds;
   bounds.add(center - glm::vec3(0.1f * state.character().height));

@@ -18,8 +18,6 @@
 
 namespace sinew::app {
 
-// Muscles as text, and back.
-
 namespace {
 
 Result<Rig> rigInText(const std::string& text) {
@@ -70,10 +68,10 @@ Result<Pasted> pasteTextOnBone(const Rig& rig, const std::string& text, const Sk
 namespace {
 
 std::string countText(std::size_t count, const std::string& one) {
-  return count == 1 ? one : std::to_string(count) + " muscles";
+  return count == 1 ? one : withCount(count, "muscle");
 }
 
-/// All muscles that may be picked, in rig order.
+/// Pickable muscles, in rig order.
 std::vector<PrimitiveId> pickableMuscles(const Document& document) {
   const Skeleton& skeleton = document.character->skeleton;
   const EffectiveVisibility seen =
@@ -85,7 +83,7 @@ std::vector<PrimitiveId> pickableMuscles(const Document& document) {
   return muscles;
 }
 
-/// Where muscles that were just pasted lie: their bone, and a muscle that hides the first where it lies exactly on one.
+/// Where pasted muscles are: their bone, and a muscle that coincides with the first.
 std::string placesOf(const Document& document, const std::vector<std::string>& names) {
   const Rig& rig = document.rig();
   const Primitive& first = at(rig.primitives, findPrimitive(rig, names.front()));
@@ -101,7 +99,7 @@ std::string placesOf(const Document& document, const std::vector<std::string>& n
   return text;
 }
 
-/// The active muscle stays active if it is among them.
+/// Keeps the active muscle active if it is among them.
 void selectKeepingActive(Document& document, const std::vector<PrimitiveId>& muscles) {
   Selection& selection = document.selection;
   const PrimitiveId active = selection.active();
@@ -125,7 +123,7 @@ void mirrorSelection(EditorState& state) {
   std::size_t done = 0;
   std::set<int> twins;
   for (const int index : selectedIndices(state.document)) {
-    if (twins.contains(index)) continue;  // Both of a pair are selected: the first leads.
+    if (twins.contains(index)) continue;  // Of a selected pair the first leads.
     Result<Rig> mirrored = mirrorToOtherSide(rig, index, *state.document.mirror);
     if (!mirrored) {
       refuse(state, mirrored.error());

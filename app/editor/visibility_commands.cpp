@@ -1,4 +1,4 @@
-// app/editor/visibility_commands.cpp: hide, isolate, before and after.
+// app/editor/visibility_commands.cpp: visibility of muscles and helper bones, and layers of the mesh.
 #include "app/editor/visibility_commands.h"
 
 #include <algorithm>
@@ -12,8 +12,6 @@
 #include "core/rig/mesh_layers.h"
 
 namespace sinew::app {
-
-// Edits of Rig::layers, and the parts that are lit up.
 
 bool hasParts(const EditorState& state) { return state.hasCharacter() && state.character().parts.size() > 1; }
 
@@ -51,8 +49,6 @@ std::vector<LitPart> litParts(const EditorState& state) {
   if (hovered >= 0) lit.push_back({hovered, at(layers, hovered), true});
   return lit;
 }
-
-// The helper bones that the editor leaves out.
 
 std::vector<bool> hiddenBones(const EditorState& state) {
   const std::vector<bool>& helpers = state.open.helperBones;
