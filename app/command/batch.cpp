@@ -16,7 +16,7 @@
 #include <CLI/CLI.hpp>
 
 #include "app/command/shard.h"
-#include "app/document/rig_list.h"
+#include "app/document/folder_listing.h"
 #include "core/files/disk/atomic_file.h"
 #include "sinew/files/rig_json.h"
 #include "sinew/geometry/result.h"

@@ -13,7 +13,7 @@
 #include "app/command/measuring.h"
 #include "app/command/verb.h"
 #include "app/command/whole.h"
-#include "app/document/character_files.h"
+#include "app/document/folder_listing.h"
 #include "app/ui/data_files.h"
 #include "app/ui/offscreen.h"
 #include "app/viewport/gpu/card_figures.h"

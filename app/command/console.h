@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "app/ui/version.h"
+#include "app/ui/data_files.h"
 #include "sinew/geometry/result.h"
 
 namespace sinew::app {

@@ -8,7 +8,7 @@
 
 #include "app/command/batch.h"
 #include "app/command/clip_frames.h"
-#include "app/document/task_needs.h"
+#include "app/document/farm_job.h"
 #include "sinew/geometry/result.h"
 
 namespace sinew::app {

@@ -7,7 +7,7 @@
 
 #include <sched.h>
 
-#include "app/ui/version.h"
+#include "app/ui/data_files.h"
 #include "core/geometry/instruction_set.h"
 
 namespace sinew::app {

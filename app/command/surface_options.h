@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "app/document/detail_override.h"
 #include "app/document/document.h"
+#include "app/document/export_kinds.h"
 #include "sinew/character/pose.h"
 #include "sinew/geometry/result.h"
 

@@ -1,5 +1,4 @@
-// app/document/command_stack.cpp: the one history, of rig, pose and play ranges: undo, redo, gestures.
-
+// app/document/command_stack.cpp: the history of rig, pose and play ranges.
 #include "app/document/command_stack.h"
 
 #include <cassert>
@@ -47,8 +46,7 @@ void CommandStack::endGesture() {
   const std::shared_ptr<const Rig> before = steps_[position_].rig;
   if (current_ == before) return;
   if (*current_ == *before) {
-    // Equal as a value: nothing for watchers to see, so the revision stays.
-    current_ = before;
+    current_ = before;  // Equal as a value, so the revision stays.
     return;
   }
   push({gestureLabel_, current_, pose(), ranges()});

@@ -1,4 +1,4 @@
-// app/document/command_stack.h: the one history, of rig, pose and play ranges: undo, redo, gestures.
+// app/document/command_stack.h: the history of rig, pose and play ranges: undo, redo, gestures.
 #pragma once
 
 #include <cstddef>
@@ -15,14 +15,12 @@
 
 namespace sinew::app {
 
-/// A linear history of rigs, which it alone writes, of poses made by hand and of the parts of clips that play. Each
-/// step is a whole rig (a value of a few kilobytes, shared, never copied on undo), a pose and the ranges.
-/// Every primitive and group in it has an identity that lasts as long as the stack.
+/// A linear history. Each step holds a whole rig (a few kilobytes, shared), the pose made by hand and the play ranges.
+/// Only the stack writes the rig; its primitives and groups have identities that last as long as the stack.
 /// A gesture (one drag) shows its states at once and leaves one step, or none if canceled or without effect.
 class CommandStack {
  public:
-  /// What every edit passes through before it is shown: for what must hold whoever edits (linked twins follow).
-  /// (before the gesture, shown now, wanted) -> what is shown. The three share identities.
+  /// Corrects every edit before it is shown, so that linked twins follow. The three rigs share identities.
   using Keeper = std::function<Rig(const Rig& atStart, const Rig& shown, Rig wanted)>;
 
   explicit CommandStack(Rig rig);
@@ -31,31 +29,28 @@ class CommandStack {
 
   [[nodiscard]] const Rig& rig() const { return *current_; }
   [[nodiscard]] std::shared_ptr<const Rig> sharedRig() const { return current_; }
-  /// The last step's: inside a gesture the rig as it was at its beginning.
+  /// The last step's rig: inside a gesture, the rig from before it.
   [[nodiscard]] const Rig& rigOfStep() const { return *steps_[position_].rig; }
-  /// Grows with every change of rig(), undo and redo included: what watchers compare.
+  /// Grows with every change of rig(), undo and redo included.
   [[nodiscard]] std::size_t revision() const { return revision_; }
 
-  /// One step, redo is forgotten. No step if nothing changes. Ends an open gesture first (kept).
+  /// Adds a step and drops redo. No step if nothing changes. Ends an open gesture first.
   void apply(const std::string& label, Rig rig);
-
-  /// One step that changes the pose made by hand and leaves the rig as it is. No step if nothing changes. Ends an open
-  /// gesture first (kept).
+  /// The same for the pose made by hand.
   void applyPose(const std::string& label, const PoseOverrides& pose);
-  /// The same for the parts of clips that play; a gesture stays open if nothing changes.
+  /// The same for the play ranges; a gesture stays open if nothing changes.
   void applyRanges(const std::string& label, const KeptPlayRanges& ranges);
-  /// Before the user's first step: pose and ranges of all steps so far.
+  /// Sets pose and ranges of all steps so far.
   void startFrom(const PoseOverrides& pose, const KeptPlayRanges& ranges);
-  /// The pose made by hand, as the last step left it. View state: it does not count as a modification.
+  /// The last step's pose and ranges. View state: no modification.
   [[nodiscard]] const PoseOverrides& pose() const { return steps_[position_].pose; }
-  /// View state like the pose.
   [[nodiscard]] const KeptPlayRanges& ranges() const { return steps_[position_].ranges; }
 
   void beginGesture(const std::string& label);
   void updateGesture(Rig rig);  ///< Only inside a gesture.
   void endGesture();
-  void endGesture(const std::string& label);  ///< Called so instead: what was done is known only now.
-  void cancelGesture();                       ///< The rig is as it was at beginGesture.
+  void endGesture(const std::string& label);  ///< Under another label.
+  void cancelGesture();                       ///< Back to the rig from before it.
   [[nodiscard]] bool inGesture() const { return gesture_; }
 
   [[nodiscard]] bool canUndo() const;

@@ -6,7 +6,7 @@
 #include <system_error>
 #include <utility>
 
-#include "app/document/character_files.h"
+#include "app/document/folder_listing.h"
 #include "core/geometry/at.h"
 #include "core/geometry/nearest_name.h"
 #include "core/rig/morphs.h"
@@ -16,7 +16,50 @@
 
 namespace sinew::app {
 
-// A rig is taken up when its revision changes, posed when the pose does.
+bool Selection::contains(PrimitiveId primitive) const {
+  return std::ranges::find(primitives, primitive) != primitives.end();
+}
+
+PrimitiveId Selection::active() const { return primitives.empty() ? PrimitiveId{} : primitives.back(); }
+
+void Selection::set(PrimitiveId primitive) {
+  primitives.assign(1, primitive);
+  bone = -1;
+}
+
+void Selection::toggle(PrimitiveId primitive) {
+  const auto found = std::ranges::find(primitives, primitive);
+  if (found != primitives.end()) {
+    primitives.erase(found);
+  } else {
+    primitives.push_back(primitive);
+  }
+}
+
+void Selection::setAll(std::span<const PrimitiveId> several, bool add) {
+  if (add) remove(several);
+  else clear();
+  for (const PrimitiveId primitive : several) {
+    if (!contains(primitive)) primitives.push_back(primitive);
+  }
+}
+
+void Selection::remove(std::span<const PrimitiveId> several) {
+  std::erase_if(primitives, [&](const PrimitiveId id) { return std::ranges::find(several, id) != several.end(); });
+}
+
+void Selection::invert(std::span<const PrimitiveId> all) {
+  std::vector<PrimitiveId> others;
+  for (const PrimitiveId id : all) {
+    if (!contains(id)) others.push_back(id);
+  }
+  primitives = std::move(others);
+}
+
+void Selection::clear() {
+  primitives.clear();
+  bone = -1;
+}
 
 const std::shared_ptr<const RigPoser>& PosedRigMemo::poser(const Rig& rig, std::size_t revision,
                                                            const std::shared_ptr<const Character>& character) {
@@ -42,7 +85,7 @@ namespace {
 
 Result<Document> openCharacter(const std::filesystem::path& file) {
   Document document;
-  document.characterOnDisk = stampOfFile(file);  // Before it is read, as in openRig().
+  document.characterOnDisk = stampOfFile(file);  // Before reading, as in openRig().
   auto character = importGltf(file);
   if (!character) return character.error();
   document.character = std::move(character).value();
@@ -56,14 +99,14 @@ Result<Document> openCharacter(const std::filesystem::path& file) {
   return document;
 }
 
-/// The rig is sound, but its character cannot be read.
+/// Error of a rig whose character cannot be read.
 Error ofCharacter(const std::filesystem::path& rigFile, const Error& error) {
   const std::string place = error.place.empty() ? error.file : error.file + ": " + error.place;
   const std::string name = error.subject.empty() ? error.file : std::filesystem::path(error.file).filename().string();
   return about("its character " + name, {rigFile.string(), "character: " + place, error.reason, error.subject});
 }
 
-/// @param onDisk  what the rig's file held before the rig was read
+/// @param onDisk  the rig's file before it was read
 Result<Document> openParts(Rig rig, const std::optional<FileStamp>& onDisk, const std::filesystem::path& file,
                            const std::filesystem::path& characterFile) {
   Document document;
@@ -82,7 +125,7 @@ Result<Document> openParts(Rig rig, const std::optional<FileStamp>& onDisk, cons
 }
 
 Result<Document> openRig(const std::filesystem::path& file) {
-  // Before it is read: if it changes in between, saving asks once too often, not once too little.
+  // Before reading: if the file changes in between, saving asks once too often rather than once too little.
   const std::optional<FileStamp> onDisk = stampOfFile(file);
   auto rig = loadRig(file);
   if (!rig) return rig.error();
@@ -112,14 +155,9 @@ const std::string& Document::activeName() const {
   return active < 0 ? kNone : at(rig().primitives, active).name;
 }
 
-std::string Document::name() const {
-  if (!rigFile.empty()) return rigFile.filename().string();
-  if (!characterFile.empty()) return characterFile.filename().string();
-  return "untitled";
-}
+std::string Document::name() const { return file().empty() ? "untitled" : file().filename().string(); }
 
 void loadClipFiles(Document& document) {
-  // Before they are read, as in openRig().
   document.clipFiles.onDisk.clear();
   for (const std::string& file : document.rig().clipFiles) {
     document.clipFiles.onDisk.push_back(stampOfFile(document.clipFiles.folder / std::filesystem::path(file)));
@@ -190,7 +228,7 @@ void prepareMirror(Document& document) {
 
 Rig rigAsIn(const Document& document, const std::filesystem::path& rigFile) {
   Rig written = document.rig();
-  // A path the designer typed as absolute stays; any other follows the rig file to its new folder.
+  // Absolute paths stay; others become relative to the new folder.
   if (!std::filesystem::path(written.character).is_absolute()) {
     written.character = relativeCharacterPath(document.characterFile, rigFile);
   }

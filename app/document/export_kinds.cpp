@@ -16,7 +16,6 @@
 namespace sinew::app {
 namespace {
 
-/// As the command line reads it back.
 std::string numberWord(double number) {
   std::array<char, 32> text{};
   std::snprintf(text.data(), text.size(), "%g", number);
@@ -101,11 +100,11 @@ constexpr ExportKind kKinds[] = {
      runBaked},
 };
 
-/// A setting as the command line says it.
+/// A setting as an option of the command line.
 struct SettingWord {
   const char* option;
   bool ExportFields::*field;
-  std::string (*valueOf)(const ExportSettings& settings);  ///< "": it is not said.
+  std::string (*valueOf)(const ExportSettings& settings);  ///< "": omitted.
 };
 
 constexpr SettingWord kSettings[] = {
@@ -131,7 +130,7 @@ bool isUsual(const SettingWord& setting, const ExportSettings& settings) {
   return setting.valueOf(settings) == setting.valueOf(ExportSettings());
 }
 
-/// Who reads a setting: endings of the kind's word, or else other words.
+/// Kinds that read a setting: endings of the same word, else other words.
 std::string readersOf(bool ExportFields::*field, const ExportKind& kind) {
   std::vector<std::string> words;
   std::vector<ExportForm> forms;
@@ -144,7 +143,7 @@ std::string readersOf(bool ExportFields::*field, const ExportKind& kind) {
   return listed(forms.empty() ? words : exportEndings(forms), "and");
 }
 
-/// With the clips of the file alone: those that were made in memory are at the end.
+/// Without clips made in memory.
 std::shared_ptr<const Character> asInFile(const std::shared_ptr<const Character>& character) {
   if (std::ranges::none_of(character->clips, &AnimationClip::turnsBindPose)) return character;
   auto own = std::make_shared<Character>(*character);
@@ -198,7 +197,7 @@ std::filesystem::path withExportEnding(std::filesystem::path file, const ExportK
 
 std::vector<std::filesystem::path> replacedByExport(const std::filesystem::path& file) {
   std::vector<std::filesystem::path> files = exportedFiles(file);
-  std::ranges::rotate(files, files.end() - 1);  // The one that was asked for first.
+  std::ranges::rotate(files, files.end() - 1);  // The requested file first.
   std::error_code failed;
   std::erase_if(files, [&](const std::filesystem::path& each) { return !std::filesystem::exists(each, failed); });
   return files;

@@ -1,4 +1,4 @@
-// app/document/export_kinds.h: what a character can be exported as, one row a kind. docs/export.md.
+// app/document/export_kinds.h: the kinds of character export. docs/export.md.
 #pragma once
 
 #include <filesystem>
@@ -10,7 +10,6 @@
 #include <variant>
 #include <vector>
 
-#include "app/document/detail_override.h"
 #include "sinew/character/character.h"
 #include "sinew/files/baked_export.h"
 #include "sinew/files/formats.h"
@@ -21,15 +20,34 @@
 
 namespace sinew::app {
 
-/// What is exported, as it was when the export was asked for. The character is shared and read only.
-struct ExportSource {
-  std::filesystem::path characterFile;
-  std::shared_ptr<const Character> character;  ///< May have clips made in memory at its end.
-  Rig rig;
-  std::filesystem::path rigFile{};  ///< Named in errors of the rig; "" where it may differ from its file.
+/// Detail in place of the rig's.
+struct DetailOverride {
+  std::optional<int> depth{};        ///< 1..kMaxDepth; implies uniform detail.
+  std::optional<DetailKind> kind{};  ///< Overrides what depth or tolerance imply.
+  std::optional<float> tolerance{};  ///< kLeastTolerance..kMostTolerance; implies adaptive detail.
+
+  friend bool operator==(const DetailOverride&, const DetailOverride&) = default;
+
+  /// Depth or tolerance switch automatic detail off.
+  void apply(SmoothingSettings& smoothing) const {
+    if (depth) smoothing.depth = *depth;
+    if (tolerance) smoothing.tolerance = *tolerance;
+    if (depth) smoothing.detail = DetailKind::kUniform;
+    else if (tolerance) smoothing.detail = DetailKind::kAdaptive;
+    smoothing.detail = kind.value_or(smoothing.detail);
+    if (depth || tolerance) smoothing.autoDepth = false;
+  }
 };
 
-/// What an export may be told. A kind reads those that its row lists.
+/// The character and rig to export.
+struct ExportSource {
+  std::filesystem::path characterFile;
+  std::shared_ptr<const Character> character;  ///< May end with clips made in memory.
+  Rig rig;
+  std::filesystem::path rigFile{};  ///< For errors; "": the rig may differ from its file.
+};
+
+/// Settings of exports. Each kind reads those in its row.
 struct ExportSettings {
   ExportMesh mesh = ExportMesh::kRefined;
   ExportWeights weights = ExportWeights::kRefitted;
@@ -38,11 +56,10 @@ struct ExportSettings {
   int helpers = kDefaultHelpers;     ///< 0..kMostHelpers
   JointScale jointScale = JointScale::kFull;
   double framesPerSecond = BakedExportSettings().framesPerSecond;  ///< For one clip.
-  int substeps = BakedExportSettings().substeps;                   ///< Baked moments a frame, 1..kMostSubsteps
+  int substeps = BakedExportSettings().substeps;                   ///< Baked samples a frame, 1..kMostSubsteps
   double bound = BakedExportSettings().bound;                      ///< Percent of the height, kLeastBound..kMostBound
 };
 
-/// What came of it.
 using ExportReport = std::variant<SkinnedExportReport, BakedExportReport>;
 
 /// Some of the settings.
@@ -51,59 +68,58 @@ struct ExportFields {
   bool depth = false;
   bool weights = false;
   bool clips = false;
-  bool helpers = false;  ///< And how they may scale.
-  bool oneClip = false;  ///< Exactly one, and its frames a second.
+  bool helpers = false;  ///< With jointScale.
+  bool oneClip = false;  ///< Exactly one clip, with framesPerSecond.
   bool bound = false;
-  bool motion = false;  ///< The one clip may be the range of motion, which no file holds.
+  bool motion = false;  ///< The clip may be the range of motion, which no file holds.
 };
 
 struct ExportKind {
-  const char* word;      ///< Said after --as; several kinds share one if their endings tell them apart.
+  const char* word;      ///< After --as; kinds with different endings may share one.
   const char* title;     ///< "Skinned"
-  const char* purpose;   ///< A sentence: what it is for.
+  const char* purpose;   ///< One sentence.
   ExportForm form;       ///< Has the formats.
   ExportFields fields;   ///< The settings it reads.
-  ExportFields settled;  ///< Those that it has no choice in: they are as without them.
+  ExportFields settled;  ///< Settings that keep their defaults.
   Result<ExportReport> (*run)(const ExportSource& source, const ExportSettings& settings,
                               const std::filesystem::path& file, const ExportProgress& progress);
 };
-/// In the order in which they are offered; the first is what there is without a choice. Never empty.
+/// In menu order; the first is the default. Never empty.
 [[nodiscard]] std::span<const ExportKind> exportKinds();
 
 /// Words of --as, each once.
 [[nodiscard]] std::vector<std::string> exportWords();
-/// ".glb, .gltf or .usda": those of the word's kinds.
+/// ".glb, .gltf or .usda": endings of the word's kinds.
 [[nodiscard]] std::string exportEndingsOf(const std::string& word);
 /// By the word of --as and the file's ending. Error: place is "--output".
 [[nodiscard]] Result<const ExportKind*> findExportKind(const std::string& word, const std::filesystem::path& file);
 
-/// The ending that a new name gets.
+/// Ending of a new name.
 [[nodiscard]] std::string usualEnding(const ExportKind& kind);
-/// The kind's ending is appended unless the name has one of its endings.
+/// Appends the usual ending unless the name has one of the kind's.
 [[nodiscard]] std::filesystem::path withExportEnding(std::filesystem::path file, const ExportKind& kind);
-/// The files that are there already and an export to `file` would replace.
+/// Existing files that an export to `file` would replace.
 [[nodiscard]] std::vector<std::filesystem::path> replacedByExport(const std::filesystem::path& file);
 
-/// Error: an option that the kind has no use for, which would be passed over in silence; place is the option.
-/// @param isGiven  whether the command line has it: "--mesh"
+/// Error: an option that the kind does not read; place is the option.
+/// @param isGiven  the command line has the option: "--mesh"
 [[nodiscard]] Result<void> checkExportSettings(const ExportKind& kind, const ExportSettings& settings,
                                                const std::function<bool(const char* option)>& isGiven);
-/// "--as skinned --mesh original ..." as words; settings that are as without them are left out.
+/// Words for the command line ("--as skinned --mesh original ..."), without defaults.
 [[nodiscard]] std::vector<std::string> exportArguments(const ExportKind& kind, const ExportSettings& settings);
 
 /// Names of the clips that the kind can export.
 [[nodiscard]] std::vector<std::string> exportableClips(const ExportKind& kind, const Character& character);
 
-/// Error: what the rig or the clips that are chosen lack, which runExport() would refuse.
+/// Error: runExport() would refuse the rig or the chosen clips.
 [[nodiscard]] Result<void> checkExportSource(const ExportKind& kind, const ExportSource& source,
                                              const ExportSettings& settings);
 
-/// Frames of the one clip that the kind holds in memory; 0 for kinds that take all clips.
+/// Frames that the kind holds in memory; 0 for kinds that take all clips.
 [[nodiscard]] double heldFrames(const ExportKind& kind, const std::shared_ptr<const Character>& character,
                                 const ExportSettings& settings);
 
-/// The kind's run(), on what all kinds agree: clips it can export, the depth asked for, no muscle without its bone.
-/// Never throws.
+/// Runs the export with the clips that the kind can take and the detail override applied. Never throws.
 [[nodiscard]] Result<ExportReport> runExport(const ExportKind& kind, const ExportSource& source,
                                              const ExportSettings& settings, const std::filesystem::path& file,
                                              const ExportProgress& progress);

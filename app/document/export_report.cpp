@@ -14,9 +14,9 @@ namespace sinew::app {
 namespace {
 
 constexpr const char* kHeader = "  % of the height            poses       rms    99.9 %       max   largest at\n";
-/// Times the bound between frames: more is worth a hint.
+/// Error between frames, in multiples of the bound, that gets a hint.
 constexpr double kLoose = 1.5;
-/// Targets that some engines blend at once; the others are passed over.
+/// Morph targets that some engines blend at most.
 constexpr int kTargetsAtOnce = 8;
 
 Json jsonOf(const ErrorFigures& error) {
@@ -49,7 +49,6 @@ void setSizes(const Report& report, Json& json) {
   json.set("bytes", static_cast<long long>(report.bytes));
 }
 
-/// After file and kind.
 void setMembers(const ExportResult& result, const SkinnedExportReport& report, Json& json) {
   Json error = Json::object();
   error.set("fitted", jsonOf(report.fitted)).set("held_out", jsonOf(report.heldOut));
@@ -79,7 +78,6 @@ void setMembers(const ExportResult& result, const BakedExportReport& report, Jso
   json.set("error_percent_of_height", std::move(error));
 }
 
-/// @param namesClip  the row is of several clips
 void writeRow(std::ostream& out, const std::string& name, const ErrorFigures& error, bool namesClip = false) {
   out << "  " << std::left << std::setw(23) << name << ' ' << std::right << std::setw(6) << error.poses << std::fixed
       << std::setprecision(3);
@@ -161,7 +159,7 @@ const ErrorFigures& largestIn(const SkinnedExportReport& report) {
 
 const ErrorFigures& largestIn(const BakedExportReport& report) { return larger(report.baked, report.between); }
 
-/// How close it comes over its clips; without any over the poses that it was measured in.
+/// Over all clips, else over the fitted poses.
 std::string figuresOf(const SkinnedExportReport& report) {
   const ErrorFigures& error = report.allClips.poses > 0 ? report.allClips : report.fitted;
   std::string text;

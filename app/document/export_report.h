@@ -1,4 +1,4 @@
-// app/document/export_report.h: what an export has made, in words and as JSON.
+// app/document/export_report.h: the result of an export as text and JSON.
 #pragma once
 
 #include <filesystem>
@@ -10,7 +10,6 @@
 
 namespace sinew::app {
 
-/// One that is done.
 struct ExportResult {
   const ExportKind& kind;
   const ExportSettings& settings;
@@ -18,19 +17,20 @@ struct ExportResult {
   const ExportReport& report;
 };
 
-/// A document (docs/formats.md), or lines for people.
+/// docs/formats.md
 [[nodiscard]] std::string exportJson(const ExportResult& result);
+/// A table for people.
 [[nodiscard]] std::string exportText(const ExportResult& result);
 
 /// "RMS 0.15 % of the height, largest 2.2 % in "Walk" at 0.31 s on thigh.L; 24 joints; 660 KB"
 [[nodiscard]] std::string exportFigures(const ExportReport& report);
-/// The figures whose largest distance is the largest over all clips, at keys and between them; null: none was measured.
+/// Figures with the largest distance over all clips, at keys and between; null: nothing was measured.
 [[nodiscard]] const ErrorFigures* farthestOf(const ExportReport& report);
-/// "6.9 % in "Walk" at 0.31 s on thigh.L"; with a place
+/// "6.9 % in "Walk" at 0.31 s on thigh.L"
 [[nodiscard]] std::string largestText(const ErrorFigures& error);
-/// What the file shows; null for baked points, which are the live surface.
+/// The surface that the file shows; null for baked points.
 [[nodiscard]] std::shared_ptr<const ExportedSurface> playedBy(const ExportReport& report);
-/// What of the source file is not in the export, each with the reason.
+/// Parts of the source file that were left out, with reasons.
 [[nodiscard]] const std::vector<std::string>& leftOut(const ExportReport& report);
 
 }  // namespace sinew::app

@@ -1,24 +1,63 @@
-// app/document/farm_job.cpp: one job, four ways to write it down. Tasks resume, so that one that is run again makes
-// only what is missing; but for jobs that are to replace what is there.
+// app/document/farm_job.cpp: the needs of a task, and a job in each format. Tasks resume, so that a rerun makes only
+// what is missing, unless the job replaces files.
 #include "app/document/farm_job.h"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <span>
 #include <string_view>
 #include <system_error>
 
 #include "core/files/json/json.h"
+#include "sinew/character/pose.h"
+#include "sinew/surface/smoother.h"
 
 namespace sinew::app {
+
 namespace {
 
-/// GNU parallel replaces it by the shard's number.
+/// Megabytes of a task, and kilobytes for each refined vertex: about twice what was measured.
+struct Memory {
+  double base;
+  double ofVertex;
+};
+
+Memory memoryOf(const std::string& verb) {
+  if (verb == "export") return {500.0, 6.0};
+  if (verb == "render") return {400.0, 1.5};
+  return {100.0, 1.0};
+}
+
+constexpr double kOfHeldPoint = 0.05;  ///< Kilobytes of a vertex in each frame of a clip held in memory.
+constexpr double kStep = 100.0;        ///< Megabytes; needs are rounded up to it.
+
+}  // namespace
+
+Result<TaskNeeds> taskNeeds(const std::string& verb, const std::shared_ptr<const Character>& character, const Rig& rig,
+                            int threads, double heldFrames) {
+  Smoother smoother(character);
+  if (const auto prepared = smoother.prepare(rig); !prepared) return prepared.error();
+  Surface surface;
+  smoother.smooth(bindPose(character->skeleton), surface);
+  const Memory memory = memoryOf(verb);
+  const double ofVertex = memory.ofVertex + kOfHeldPoint * heldFrames;
+  const double megabytes = memory.base + ofVertex * static_cast<double>(surface.positions.size()) / 1000.0;
+  return TaskNeeds{std::max(threads, 1), static_cast<int>(kStep * std::ceil(megabytes / kStep))};
+}
+
+TaskNeeds larger(const TaskNeeds& a, const TaskNeeds& b) {
+  return {std::max(a.cores, b.cores), std::max(a.megabytes, b.megabytes)};
+}
+
+namespace {
+
+/// GNU parallel replaces it with the shard's number.
 constexpr const char* kShardWord = "SINEW_SHARD";
 
 std::string inFolder(const FarmJob& job) { return "cd " + shellWord(job.folder.string()) + " && "; }
 
-/// The program with its arguments and a shard, which is a word of the shell already.
+/// The program with its arguments. @param shard  quoted for the shell
 std::string commandOf(const FarmJob& job, const std::string& shard) {
   std::string line = shellWord(job.program) + ' ' + shellWord(job.arguments.front()) + " --shard " + shard +
                      (job.resume ? " --resume" : "");
@@ -29,36 +68,6 @@ std::string commandOf(const FarmJob& job, const std::string& shard) {
 std::string shardText(const std::string& index, const FarmJob& job) { return index + '/' + std::to_string(job.tasks); }
 
 std::string nameOf(const FarmJob& job) { return "sinew-" + job.arguments.front(); }
-
-constexpr FarmTarget kTargets[] = {
-    {"slurm", "Slurm", ".sh", "sbatch", slurmScript},
-    {"parallel", "GNU parallel", ".sh", "sh", parallelScript},
-    {"openjd", "OpenJD", ".json", "openjd run, or Deadline Cloud", openJobTemplate},
-    {"commands", "Commands", ".txt", "any shell, or a farm's command script", commandLines},
-};
-
-}  // namespace
-
-std::span<const FarmTarget> farmTargets() { return kTargets; }
-
-const FarmTarget* findFarmTarget(std::string_view word) {
-  const auto* const found = std::ranges::find(kTargets, word, &FarmTarget::word);
-  return found == std::end(kTargets) ? nullptr : found;
-}
-
-std::string thisProgram() {
-  std::error_code failed;
-  const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", failed);
-  return failed ? "sinew" : program.string();
-}
-
-std::string shellWord(const std::string& text) {
-  constexpr std::string_view kPlain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-+=:,./@%";
-  if (!text.empty() && text.find_first_not_of(kPlain) == std::string::npos) return text;
-  std::string quoted = "'";
-  for (const char c : text) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return quoted + '\'';
-}
 
 Result<std::string> commandLines(const FarmJob& job) {
   const auto breaks = [](const std::string& text) { return text.find('\n') != std::string::npos; };
@@ -112,6 +121,36 @@ Result<std::string> openJobTemplate(const FarmJob& job) {
   Json json = Json::object();
   json.set("specificationVersion", "jobtemplate-2023-09").set("name", nameOf(job)).set("steps", Json::array({step}));
   return json.dump(true) + '\n';
+}
+
+constexpr FarmTarget kTargets[] = {
+    {"slurm", "Slurm", ".sh", "sbatch", slurmScript},
+    {"parallel", "GNU parallel", ".sh", "sh", parallelScript},
+    {"openjd", "OpenJD", ".json", "openjd run, or Deadline Cloud", openJobTemplate},
+    {"commands", "Commands", ".txt", "any shell, or a farm's command script", commandLines},
+};
+
+}  // namespace
+
+std::span<const FarmTarget> farmTargets() { return kTargets; }
+
+const FarmTarget* findFarmTarget(std::string_view word) {
+  const auto* const found = std::ranges::find(kTargets, word, &FarmTarget::word);
+  return found == std::end(kTargets) ? nullptr : found;
+}
+
+std::string thisProgram() {
+  std::error_code failed;
+  const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", failed);
+  return failed ? "sinew" : program.string();
+}
+
+std::string shellWord(const std::string& text) {
+  constexpr std::string_view kPlain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-+=:,./@%";
+  if (!text.empty() && text.find_first_not_of(kPlain) == std::string::npos) return text;
+  std::string quoted = "'";
+  for (const char c : text) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return quoted + '\'';
 }
 
 }  // namespace sinew::app

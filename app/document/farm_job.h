@@ -1,51 +1,60 @@
-// app/document/farm_job.h: a batch job as the text that a farm's own tools take. docs/install.md.
+// app/document/farm_job.h: a batch job as text for the tools of a farm. docs/install.md.
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "app/document/task_needs.h"
+#include "sinew/character/character.h"
 #include "sinew/geometry/result.h"
+#include "sinew/rig/rig.h"
 
 namespace sinew::app {
+
+/// What one task of a job takes.
+struct TaskNeeds {
+  int cores = 1;
+  int megabytes = 0;  ///< Peak.
+};
+
+/// For one input. One core unless --threads names more: many tasks on one core each use a machine best.
+/// @param verb  "smooth", "export" or "render"  @param rig  with the changes of the command line
+/// @param threads  of --threads, or 0  @param heldFrames  of a clip held in memory
+/// Error: the rig does not fit the character.
+[[nodiscard]] Result<TaskNeeds> taskNeeds(const std::string& verb, const std::shared_ptr<const Character>& character,
+                                          const Rig& rig, int threads, double heldFrames = 0.0);
+
+/// Enough for both.
+[[nodiscard]] TaskNeeds larger(const TaskNeeds& a, const TaskNeeds& b);
 
 inline constexpr int kMostTasks = 100000;
 
 struct FarmJob {
-  std::string program;                 ///< As the machines of the farm know it.
+  std::string program;                 ///< Path on the machines of the farm.
   std::filesystem::path folder;        ///< Absolute; names in the arguments are relative to it.
-  std::vector<std::string> arguments;  ///< The verb and what follows it, without a shard.
-  int tasks = 1;                       ///< Each makes one shard.
-  bool resume = true;                  ///< Leaves out what is there already when it is run.
+  std::vector<std::string> arguments;  ///< The verb and its arguments, without --shard.
+  int tasks = 1;                       ///< One shard each.
+  bool resume = true;                  ///< Skip outputs that exist.
   TaskNeeds needs{};                   ///< Of one task.
 };
 
-/// What a job is written for.
+/// A format of jobs.
 struct FarmTarget {
-  const char* word;    ///< Said after --to.
+  const char* word;    ///< After --to.
   const char* title;   ///< "GNU parallel"
-  const char* ending;  ///< That the job's file usually has.
+  const char* ending;  ///< Usual ending of the job's file.
   const char* runWith;
-  Result<std::string> (*write)(const FarmJob& job);
+  Result<std::string> (*write)(const FarmJob& job);  ///< Error: the format cannot express the job.
 };
 [[nodiscard]] std::span<const FarmTarget> farmTargets();
-/// By its word; null: there is none.
+/// By its word, or null.
 [[nodiscard]] const FarmTarget* findFarmTarget(std::string_view word);
 
 /// The path of the running program.
 [[nodiscard]] std::string thisProgram();
-
-/// One line per task, for a shell or a farm's command script. Error: a line break in what is to run.
-[[nodiscard]] Result<std::string> commandLines(const FarmJob& job);
-/// A shell script that calls GNU parallel.
-[[nodiscard]] Result<std::string> parallelScript(const FarmJob& job);
-/// A job array for sbatch.
-[[nodiscard]] Result<std::string> slurmScript(const FarmJob& job);
-/// An OpenJD job template, 2023-09. Error: an argument holds "{{", which the template would expand.
-[[nodiscard]] Result<std::string> openJobTemplate(const FarmJob& job);
 
 /// One word of a POSIX shell, quoted where it has to be.
 [[nodiscard]] std::string shellWord(const std::string& text);

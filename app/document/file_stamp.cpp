@@ -1,30 +1,66 @@
 // app/document/file_stamp.cpp: hashing a file, comparing, names that are free.
-
 #include "app/document/file_stamp.h"
 
 #include <array>
 #include <cctype>
+#include <chrono>
 #include <cstdio>
 #include <system_error>
+#include <thread>
+#include <utility>
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <unistd.h>
 
 #include "core/files/clip_files.h"
 #include "core/files/disk/atomic_file.h"
 
 namespace sinew::app {
+
+namespace {
+
+constexpr int kTries = 100;
+constexpr std::chrono::milliseconds kBetweenTries{5};
+
+}  // namespace
+
+FileLock::~FileLock() {
+  if (descriptor_ >= 0) ::close(descriptor_);
+}
+
+FileLock::FileLock(FileLock&& other) noexcept : descriptor_(std::exchange(other.descriptor_, -1)) {}
+
+FileLock& FileLock::operator=(FileLock&& other) noexcept {
+  std::swap(descriptor_, other.descriptor_);
+  return *this;
+}
+
+FileLock lockFolder(const std::filesystem::path& folder) {
+  const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (descriptor < 0) return {};
+  FileLock lock(descriptor);
+  for (int i = 0; i < kTries; ++i) {
+    if (::flock(descriptor, LOCK_EX | LOCK_NB) == 0) return lock;
+    std::this_thread::sleep_for(kBetweenTries);
+  }
+  return {};
+}
+
 namespace {
 
 namespace fs = std::filesystem;
 
 constexpr std::uintmax_t kLargestStampedFile = 1u << 30;
 
-/// Without its buffers: one may name the file itself.
+/// Without buffers.
 std::optional<FileStamp> stampOfItself(const fs::path& file) {
   const Result<std::string> content = readWholeFile(file, kLargestStampedFile);
   if (!content) return std::nullopt;
   return stampOf(content.value());
 }
 
-/// "arm 2" -> "arm": the copy of a copy counts on.
+/// "arm 2" -> "arm"
 std::string withoutNumber(const std::string& stem) {
   std::size_t end = stem.size();
   while (end > 0 && std::isdigit(static_cast<unsigned char>(stem[end - 1])) != 0) --end;

@@ -1,4 +1,4 @@
-// app/document/file_stamp.h: whether a file still holds what it held when it was read or written.
+// app/document/file_stamp.h: whether a file has changed on disk, and locks between running editors.
 #pragma once
 
 #include <cstdint>
@@ -9,24 +9,42 @@
 
 namespace sinew::app {
 
-/// What a file held, as a length and a hash of its bytes. Its date says nothing: copies and version control keep or
-/// change it as they like.
+/// An open file with a lock on it, which the system releases when the process ends.
+class FileLock {
+ public:
+  FileLock() = default;
+  explicit FileLock(int descriptor) : descriptor_(descriptor) {}
+  ~FileLock();
+  FileLock(FileLock&& other) noexcept;
+  FileLock& operator=(FileLock&& other) noexcept;
+
+  [[nodiscard]] bool held() const { return descriptor_ >= 0; }
+
+ private:
+  int descriptor_ = -1;
+};
+
+/// Waits up to half a second for another holder, which needs milliseconds unless it hangs. Not held on timeout or if
+/// the folder cannot be opened.
+[[nodiscard]] FileLock lockFolder(const std::filesystem::path& folder);
+
+/// Length and hash of a file's bytes. Dates are unreliable: copies and version control change them.
 struct FileStamp {
   std::uint64_t bytes = 0;
-  std::uint64_t hash = 0;  ///< FNV-1a, 64 bits: the same in every run.
+  std::uint64_t hash = 0;  ///< FNV-1a, 64 bits.
 
   friend bool operator==(const FileStamp&, const FileStamp&) = default;
 };
 
 [[nodiscard]] FileStamp stampOf(std::string_view content);
-/// Of a .gltf with the buffers that it names. None: there is no such file, or it cannot be read.
+/// Includes the buffers that a .gltf names. nullopt: the file cannot be read.
 [[nodiscard]] std::optional<FileStamp> stampOfFile(const std::filesystem::path& file);
 
-/// As text, for the recovery file; "" for none.
+/// For the recovery file; "" for none.
 [[nodiscard]] std::string textOfStamp(const std::optional<FileStamp>& stamp);
 [[nodiscard]] std::optional<FileStamp> stampFromText(const std::string& text);
 
-/// What the system says of a file without reading it.
+/// Time and size of a file; `looked` is false before the first look.
 struct DiskLook {
   bool looked = false;
   std::filesystem::file_time_type written{};
@@ -38,10 +56,10 @@ struct DiskLook {
 
 enum class OnDisk { kSame, kChanged, kGone };
 
-/// @param known  none: the file was not there, or its content is not known
+/// @param known  nullopt: the file was missing or its content is unknown
 [[nodiscard]] OnDisk compareWithDisk(const std::filesystem::path& file, const std::optional<FileStamp>& known);
 
-/// A name beside the file that nothing has yet: "arm.rig.json" -> "arm 2.rig.json", "arm 3.rig.json" ...
+/// A free name in the same folder: "arm.rig.json" -> "arm 2.rig.json", "arm 3.rig.json" ...
 [[nodiscard]] std::filesystem::path freeNameBeside(const std::filesystem::path& file);
 
 }  // namespace sinew::app

@@ -1,5 +1,4 @@
 // app/document/folder_listing.cpp: folders for the path dialog.
-
 #include "app/document/folder_listing.h"
 
 #include <algorithm>
@@ -11,13 +10,44 @@
 #include <system_error>
 #include <tuple>
 
-#include "app/document/character_files.h"
 #include "core/geometry/nearest_name.h"
 
 namespace sinew::app {
-namespace {
 
 namespace fs = std::filesystem;
+
+std::string nameWithoutEnding(const fs::path& file) {
+  return withoutEnding(file.filename().string()).value_or(file.stem().string());
+}
+
+std::vector<fs::path> rigsIn(const fs::path& folder) {
+  std::vector<fs::path> rigs;
+  std::error_code failed;
+  for (fs::directory_iterator it(folder, failed); !failed && it != fs::directory_iterator(); it.increment(failed)) {
+    const std::string name = it->path().filename().string();
+    std::error_code unknown;
+    if (name.ends_with(".rig.json") && name.find('\n') == std::string::npos && it->is_regular_file(unknown)) {
+      rigs.push_back(it->path());
+    }
+  }
+  std::ranges::sort(rigs);
+  return rigs;
+}
+
+std::string pathWord(const fs::path& folder, const fs::path& file) {
+  const fs::path relative = file.lexically_relative(folder);
+  if (relative.empty() || *relative.begin() == "..") return file.string();
+  const std::string word = relative.string();
+  return std::string("-# \t").find(word.front()) == std::string::npos ? word : "./" + word;
+}
+
+std::string listText(const fs::path& folder, const std::vector<fs::path>& rigs) {
+  std::string text;
+  for (const fs::path& rig : rigs) text += pathWord(folder, rig) + '\n';
+  return text;
+}
+
+namespace {
 
 constexpr std::size_t kMostEntries = 5000;
 constexpr std::array kJobEndings{".sh", ".json", ".txt"};

@@ -1,6 +1,9 @@
-// app/document/folder_listing.h: what the path dialog shows of a folder, and what a typed path means.
+// app/document/folder_listing.h: listings of folders for the path dialog, typed paths, and names of files.
 #pragma once
 
+#include <algorithm>
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <optional>
@@ -10,6 +13,38 @@
 
 namespace sinew::app {
 
+/// "fox" for a/fox.rig.json, a/fox.glb and the like; the stem of other names.
+[[nodiscard]] std::string nameWithoutEnding(const std::filesystem::path& file);
+
+/// Every *.rig.json of a folder, by name, but those with a line break, which a list cannot hold.
+[[nodiscard]] std::vector<std::filesystem::path> rigsIn(const std::filesystem::path& folder);
+
+/// A path for a command that runs in `folder`: relative inside it, never mistaken for an option or comment.
+/// @param folder, file  absolute
+[[nodiscard]] std::string pathWord(const std::filesystem::path& folder, const std::filesystem::path& file);
+
+/// A list for --list, one rig per line.
+[[nodiscard]] std::string listText(const std::filesystem::path& folder, const std::vector<std::filesystem::path>& rigs);
+
+/// Lower case.
+inline constexpr std::array<std::string_view, 3> kCharacterEndings{".glb", ".gltf", ".vrm"};
+
+/// @param lowerName  in lower case
+[[nodiscard]] inline bool isCharacterName(std::string_view lowerName) {
+  return std::ranges::any_of(kCharacterEndings, [&](std::string_view end) { return lowerName.ends_with(end); });
+}
+
+/// "fox" of "fox.rig.json", "fox.glb" ...; nullopt for other names.
+[[nodiscard]] inline std::optional<std::string> withoutEnding(std::string_view name) {
+  const auto stemBefore = [name](std::string_view end) {
+    const bool ends = name.size() > end.size() && name.ends_with(end);
+    return ends ? std::optional(std::string(name.substr(0, name.size() - end.size()))) : std::nullopt;
+  };
+  std::optional<std::string> stem = stemBefore(".rig.json");
+  for (std::size_t i = 0; i < kCharacterEndings.size() && !stem; ++i) stem = stemBefore(kCharacterEndings[i]);
+  return stem;
+}
+
 struct FolderEntry {
   std::string name;
   bool folder = false;
@@ -17,58 +52,54 @@ struct FolderEntry {
   std::uintmax_t bytes = 0;  ///< 0 for folders.
 };
 
-/// Which files; folders are always there.
+/// Which files are listed; folders always are.
 enum class FileFilter { kAll, kRigs, kCharacters, kPictures, kJobs, kReferences, kMovies };
 
-/// Whether the name is that of a picture to work after: .png, .jpg, .jpeg, .webp; capitals too.
+/// A reference picture: .png, .jpg, .jpeg or .webp, in any case.
 [[nodiscard]] bool isReferenceName(const std::string& name);
 
 struct ListingOptions {
   FileFilter filter = FileFilter::kAll;
-  bool hidden = false;       ///< Names that begin with a dot as well.
+  bool hidden = false;       ///< With names that begin with a dot.
   bool newestFirst = false;  ///< Else by name.
 
   friend bool operator==(const ListingOptions&, const ListingOptions&) = default;
 };
 
-/// Folders first, then files that can be opened (.glb, .gltf, .rig.json) pictures (.png; to work after .jpg and .webp
-/// too; of exports .webp, .gif and .mp4 too) or farm jobs (.sh, .json, .txt), as the filter says, each in the order
-/// asked for. At most 5,000. An unreadable folder is empty.
+/// Folders first, then the files that the filter lets through. At most 5,000. An unreadable folder is empty.
 [[nodiscard]] std::vector<FolderEntry> listFolder(const std::filesystem::path& folder, const ListingOptions& options);
 
-/// A folder's entries kept until something changes.
+/// A cached listing.
 struct FolderListing {
   std::vector<FolderEntry> entries;
   std::filesystem::path folder;
   ListingOptions options;
-  std::optional<std::filesystem::file_time_type> changed;  ///< The folder's own time when it was read.
+  std::optional<std::filesystem::file_time_type> changed;  ///< The folder's time when it was read.
 };
-/// Reads again if the folder, the options or the folder's time are others.
+/// Reads again if folder, options or the folder's time differ.
 void refresh(FolderListing& listing, const std::filesystem::path& folder, const ListingOptions& options);
 
-/// Typed text against a folder: absolute paths stay, "~" is the home folder, the rest is relative to the folder.
+/// Path of typed text: absolute, below "~" (the home folder), or relative to the folder.
 [[nodiscard]] std::filesystem::path resolveTyped(const std::filesystem::path& folder, std::string_view text);
 
-/// The text as far as the names in the folder it points into leave no choice; a lone folder with a "/" after it. Case
-/// counts only if it must. Nothing fits: the text.
+/// Completes the text as far as it is unambiguous, ignoring case if it can; a single folder gets a "/". Returns the
+/// text if nothing fits.
 [[nodiscard]] std::string completePath(const std::filesystem::path& folder, const std::string& text,
                                        const ListingOptions& options);
 
-/// The name a rig is saved under: ".rig.json" is appended unless it ends so or in ".json", and takes the place of a
-/// character's ending.
+/// Appends ".rig.json" unless the name ends in ".json"; replaces a character's ending.
 [[nodiscard]] std::filesystem::path withRigEnding(std::filesystem::path file);
 
 /// $HOME, else the working folder.
 [[nodiscard]] std::filesystem::path homeFolder();
 
-/// A place to jump to.
+/// A shortcut of the path dialog.
 struct Place {
   std::string id;  ///< "home", "samples", "root", "recent/0" ...
   std::string name;
   std::filesystem::path folder;
 };
-/// Home, its Documents, Downloads and Desktop if there are such, samples, the folders of recent files, the root: those
-/// that are there, each once.
+/// Home, Desktop, Documents, Downloads, samples, folders of recent files and the root: those that exist, each once.
 [[nodiscard]] std::vector<Place> places(const std::vector<std::filesystem::path>& recentFiles,
                                         const std::filesystem::path& sampleFolder);
 

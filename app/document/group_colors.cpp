@@ -1,5 +1,4 @@
-// app/document/group_colors.cpp: the colors of groups and of territories, the same in picture and panels.
-
+// app/document/group_colors.cpp: colors of groups and territories.
 #include "app/document/group_colors.h"
 
 #include <array>
@@ -27,7 +26,6 @@ glm::vec3 groupColor(int slot) {
   assert(slot >= 0);
   const auto index = static_cast<std::size_t>(slot);
   const glm::vec3 base = kColors[index % kColors.size()];
-  // Further rounds are paler and darker in turn.
   constexpr std::array kPale{0.0f, 0.38f, -0.34f, 0.6f, -0.52f};
   const float pale = kPale[(index / kColors.size()) % kPale.size()];
   return pale >= 0.0f ? glm::mix(base, glm::vec3(0.93f), pale) : base * (1.0f + pale);

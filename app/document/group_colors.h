@@ -1,4 +1,4 @@
-// app/document/group_colors.h: the colors of groups and of territories, the same in picture and panels.
+// app/document/group_colors.h: colors of groups and territories, in picture and panels.
 #pragma once
 
 #include <string>
@@ -9,19 +9,19 @@
 
 namespace sinew::app {
 
-/// Colors that stay apart with protanopia and deuteranopia too, and from kTerritoryColor. Neighbors differ most.
+/// The colors stay distinct with protanopia and deuteranopia, and from kTerritoryColor.
 inline constexpr int kGroupColors = 8;
 
-/// sRGB, 0..1. From kGroupColors on paler and darker turns of the same. @param slot  >= 0
+/// sRGB, 0..1. Paler and darker variants from kGroupColors on. @param slot  >= 0
 [[nodiscard]] glm::vec3 groupColor(int slot);
 
-/// Which color a group has: it keeps it whatever happens to the groups beside it. @param group  index into Rig::groups
+/// The group's color slot, which it keeps for life. @param group  index into Rig::groups
 [[nodiscard]] int colorSlot(const Rig& rig, int group);
 
-/// sRGB, by name; gray for a group that is not there.
+/// sRGB, by name; gray for an unknown group.
 [[nodiscard]] glm::vec3 groupColor(const Rig& rig, const std::string& group);
 
-/// sRGB: the skin that a muscle may move, and the bones it follows.
+/// sRGB: the skin that a muscle may move, and its bones.
 inline constexpr glm::vec3 kTerritoryColor{0.665f, 0.485f, 0.965f};
 
 /// sRGB -> linear.

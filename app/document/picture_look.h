@@ -1,4 +1,4 @@
-// app/document/picture_look.h: how the designer has the picture lit, and what lies behind the character.
+// app/document/picture_look.h: light and background of the picture.
 #pragma once
 
 #include <array>
@@ -17,12 +17,12 @@ inline constexpr std::array kBackdropNames{"studio", "dark", "mid", "light", "gr
 struct PictureLook {
   LightPreset light = LightPreset::kStudio;
   Backdrop backdrop = Backdrop::kStudio;
-  bool occlusion = false;  ///< Crevices are darkened by what is near them in the picture.
+  bool occlusion = false;  ///< Screen-space ambient occlusion.
 
   friend bool operator==(const PictureLook&, const PictureLook&) = default;
 };
 
-/// What files, the command line and the state log call them.
+/// In files, on the command line and in the state log.
 [[nodiscard]] inline const char* nameOf(LightPreset light) { return kLightNames[static_cast<std::size_t>(light)]; }
 [[nodiscard]] inline const char* nameOf(Backdrop backdrop) {
   return kBackdropNames[static_cast<std::size_t>(backdrop)];

@@ -1,4 +1,4 @@
-// app/document/play_range.cpp: which clip is which while clips of other files come and go.
+// app/document/play_range.cpp: identities of clips.
 #include "app/document/play_range.h"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// app/document/play_range.h: which part of each clip plays, and which clip is which while clips come and go.
+// app/document/play_range.h: which part of each clip plays, and identities of clips.
 #pragma once
 
 #include <compare>
@@ -18,10 +18,10 @@ struct PlayRange {
   friend bool operator==(const PlayRange&, const PlayRange&) = default;
 };
 
-/// By the clip's index; a clip that plays as a whole has none.
+/// By clip index; a clip that plays as a whole has none.
 using PlayRanges = std::map<int, PlayRange>;
 
-/// A clip, whichever others are there.
+/// Identity of a clip while clips of other files are added and removed.
 struct ClipId {
   std::string file;  ///< AnimationClip::addedFrom
   int place = 0;     ///< Among the clips of that file.
@@ -29,15 +29,15 @@ struct ClipId {
   friend auto operator<=>(const ClipId&, const ClipId&) = default;
 };
 
-/// The same where clips of other files may come and go: in the history.
+/// Play ranges in the history.
 using KeptPlayRanges = std::map<ClipId, PlayRange>;
 
 /// [clips]
 [[nodiscard]] std::vector<ClipId> clipIds(const Character& character);
-/// Index of the clip, or -1: it is not there now.
+/// Index of the clip, or -1.
 [[nodiscard]] int indexOf(const Character& character, const ClipId& clip);
 
-/// As the history keeps them, and back; those of clips that are not there are left out.
+/// To the history's form and back, without ranges of missing clips.
 [[nodiscard]] KeptPlayRanges keptRanges(const PlayRanges& ranges, const Character& character);
 [[nodiscard]] PlayRanges rangesOf(const KeptPlayRanges& ranges, const Character& character);
 

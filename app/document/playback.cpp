@@ -1,27 +1,31 @@
 // app/document/playback.cpp: clip time -> pose -> surface.
-
 #include "app/document/playback.h"
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
-#include "app/document/auto_depth.h"
+#include <glm/geometric.hpp>
+
+#include "core/geometry/at.h"
 #include "core/geometry/stopwatch.h"
-#include "core/rig/validation.h"
 #include "core/surface/stages.h"
 #include "sinew/character/character_pose.h"
+#include "sinew/rig/rig.h"
 
 namespace sinew::app {
+
 namespace {
 
-/// time in [0, duration): fmod that is right for negative times too.
+constexpr float kDeadBand = 0.75f;  ///< Steps. At 0.5 or less there would be no hysteresis.
+
+/// `time` in [0, duration), for negative times too.
 double wrapped(double time, double duration) {
   const double rest = std::fmod(time, duration);
   return rest < 0.0 ? rest + duration : rest;
 }
 
-/// What a moment plays in: the range, unless it lies after it.
+/// The interval that plays at the current time: the range, or the whole clip after its end.
 PlayRange aroundTime(const Transport& transport, const Character& character) {
   const PlayRange range = playRange(transport, character);
   return transport.time > range.to ? PlayRange{0.0, clipDuration(transport, character)} : range;
@@ -33,6 +37,33 @@ bool samePose(const Transport& a, const Transport& b) {
 }
 
 }  // namespace
+
+float meanEdgeFraction(const ControlMesh& mesh, float height) {
+  if (mesh.edges.empty()) return 1.0f;
+  double sum = 0.0;
+  for (const Edge& edge : mesh.edges) {
+    sum +=
+        static_cast<double>(glm::distance(at(mesh.positions, edge.vertices[0]), at(mesh.positions, edge.vertices[1])));
+  }
+  return static_cast<float>(sum / static_cast<double>(mesh.edges.size())) / height;
+}
+
+int autoDepth(float meanEdgeFraction, float heightPixels, int current) {
+  const float ideal =
+      std::clamp(meanEdgeFraction * heightPixels / kAutoEdgePixels, 1.0f, static_cast<float>(kMaxAutoDepth));
+  if (!std::isfinite(ideal)) return current > 0 ? current : 1;
+  const bool settled =
+      current >= 1 && current <= kMaxAutoDepth && std::abs(ideal - static_cast<float>(current)) <= kDeadBand;
+  return settled ? current : static_cast<int>(std::lround(ideal));
+}
+
+float autoTolerance(float heightPixels, float current) {
+  const float ideal = std::clamp(kAutoErrorPixels / heightPixels, kLeastTolerance, kMostTolerance);
+  if (!std::isfinite(ideal)) return current > 0.0f ? current : kDefaultTolerance;
+  const float step = 2.0f * std::log2(ideal);
+  if (current > 0.0f && std::abs(step - 2.0f * std::log2(current)) <= kDeadBand) return current;
+  return std::clamp(std::exp2(0.5f * std::round(step)), kLeastTolerance, kMostTolerance);
+}
 
 double clipDuration(const Transport& transport, const Character& character) {
   if (transport.clip < 0) return 0.0;
@@ -141,21 +172,17 @@ LiveSurface::Detail LiveSurface::detailFor(const SmoothingSettings& settings, fl
   return followed_ ? detail_ : Detail{settings.depth, settings.tolerance};
 }
 
-/// A drag shows the new surface at once, on the levels that the mesh has; they are found anew when it ends.
+/// A drag keeps the mesh's refinement levels; they are recomputed when it ends.
 Result<bool> LiveSurface::prepareIfChanged(const Document& document, const Detail& detail,
                                            const std::vector<int>& hidden) {
   const bool drags = document.commands.inGesture();
   const bool same = triedRig_ == document.commands.revision() && detail_ == detail && hidden_ == hidden;
   if (same && (drags || !keptLevels_)) return false;
-  // Once an edit, whatever else changes: what keeps twins and the like may have made of it what no edit allows.
-  if (triedRig_ != document.commands.revision()) valid_ = validate(document.rig(), graphs_);
   triedRig_ = document.commands.revision();
   detail_ = detail;
   hidden_ = hidden;
   keptLevels_ = drags;
-  if (!valid_) return valid_.error();
   PreparationOptions options{hidden, {}, detail.tolerance, drags, document.commands.sharedRig(), document.poser()};
-  options.isValid = true;
   if (document.rig().smoothing.detail == DetailKind::kUniform) options.depth = detail.depth;
   Stopwatch watch;
   auto prepared = prepare(tables_, document.rig(), options, preparation_.get(), graphs_);
@@ -199,13 +226,13 @@ Result<bool> LiveSurface::update(const Document& document, const SurfaceView& vi
     made_.waits = true;
   }
   if (stale && view.onCard) {
-    // What does not wrap the body is counted in a pose, and hardly differs from one to the next.
+    // Counted by smoothing in a pose; it hardly differs between poses.
     const int unwrapped = made_.surface.report.unwrapped;
     made_.surface.report = reportOf(*preparation_);
     made_.surface.report.unwrapped = unwrapped;
   } else if (made_.waits && !view.onCard) {
     Stopwatch watch;
-    // While a rig is refused, the surface is that of another rig than the one the document poses.
+    // While a rig is refused, the surface still shows the last accepted rig, which the document does not pose.
     if (preparation_->poser == document.poser()) {
       const PosedRig& rig = document.posedRig(pose_);
       smooth(rig, watch.lap());

@@ -1,4 +1,4 @@
-// app/document/playback.h: clip time -> pose -> surface.
+// app/document/playback.h: from clip time to pose to surface.
 #pragma once
 
 #include <cstddef>
@@ -11,90 +11,110 @@
 #include "core/surface/preparation.h"
 #include "core/surface/smooth.h"
 #include "sinew/character/character.h"
+#include "sinew/geometry/control_mesh.h"
 #include "sinew/geometry/result.h"
 #include "sinew/surface/surface.h"
 
 namespace sinew::app {
 
-inline constexpr double kFrameSeconds = 1.0 / 30.0;  ///< What "one frame" of a clip is when stepping.
+// Automatic detail: refinement depth or tolerance from the character's size on screen (paper 5).
 
-/// Which moment is shown. View state: not part of the document.
+/// Greatest automatic depth: neither the paper (5) nor we see a gain beyond it.
+inline constexpr int kMaxAutoDepth = 8;
+/// Wanted length of a refined edge on screen, pixels.
+inline constexpr float kAutoEdgePixels = 8.0f;
+/// Mean length of the control mesh's edges in the bind pose, as a fraction of the character's height.
+[[nodiscard]] float meanEdgeFraction(const ControlMesh& mesh, float height);
+
+/// Depth at which a mean edge is about kAutoEdgePixels long on screen: 1..kMaxAutoDepth. Keeps `current` until the
+/// ideal depth is more than 3/4 of a step away, so that small camera movements do not flicker.
+/// @param heightPixels  the character's height H on screen  @param current  depth in use, or 0 for none
+[[nodiscard]] int autoDepth(float meanEdgeFraction, float heightPixels, int current);
+
+/// Allowed distance between a triangle of adaptive detail and the surface, pixels.
+inline constexpr float kAutoErrorPixels = 0.5f;
+
+/// Tolerance of adaptive detail that meets kAutoErrorPixels, with the same hysteresis: a power of sqrt(2) within
+/// kLeastTolerance..kMostTolerance, so that a moving camera needs few meshes.  @param current  in use, or 0 for none
+[[nodiscard]] float autoTolerance(float heightPixels, float current);
+
+inline constexpr double kFrameSeconds = 1.0 / 30.0;  ///< One frame of a clip when stepping.
+
+/// Clip, time and pose that are shown. View state: not part of the document.
 struct Transport {
   int clip = -1;      ///< Index into Character::clips, or -1: the bind pose.
   double time = 0.0;  ///< Seconds, 0..duration.
   bool playing = false;
   bool loop = true;
   float speed = 1.0f;         ///< Factor, 0.1..4.
-  PlayRanges ranges{};        ///< Playing keeps to these parts of clips; through setPlayRange.
-  PoseOverrides overrides{};  ///< Joints turned by hand, on top of the clip.
-  float flex = 0.0f;          ///< Pose::flex, and the next Pose::flexedLines.
+  PlayRanges ranges{};        ///< Parts of clips that play; set by setPlayRange.
+  PoseOverrides overrides{};  ///< Joints rotated by hand, on top of the clip.
+  float flex = 0.0f;          ///< Pose::flex
   std::vector<int> flexedLines{};
 };
 
 /// Length of the chosen clip, seconds; 0 for the bind pose.
 [[nodiscard]] double clipDuration(const Transport& transport, const Character& character);
 
-/// What plays of the chosen clip: its range, else all of it.
+/// The chosen clip's range, else the whole clip.
 [[nodiscard]] PlayRange playRange(const Transport& transport, const Character& character);
 
-/// Whether a part of the chosen clip plays, not all of it.
+/// The chosen clip has a range.
 [[nodiscard]] bool hasPlayRange(const Transport& transport);
 
-/// At least one frame long, on whole frames, within the clip; all of the clip is no range.
+/// Snaps the range to whole frames, at least one, within the clip. A range of the whole clip is removed.
 void setPlayRange(Transport& transport, const PlayRange& range, const Character& character);
 
-/// Time passes. At the end of what plays a looping clip goes on from the beginning by what was left over, another stops
-/// there. A moment after the end of the range plays on to the clip's end.
+/// Advances the time. At the end of the range a looping clip starts over, any other stops. A time after the range plays
+/// on to the clip's end.
 void advance(Transport& transport, double seconds, const Character& character);
 
-/// One clip frame (kFrameSeconds) onwards or back, landing on whole frames; wraps when looping; pauses.
+/// Moves by whole frames and pauses; wraps when looping.
 void stepFrames(Transport& transport, int frames, const Character& character);
 
-/// Chooses a clip (or -1) from its start, or the start of its range. Keeps `playing` for a clip that moves.
+/// Chooses a clip (or -1) at the start of its range. Keeps `playing` for a clip that moves.
 void chooseClip(Transport& transport, int clip, const Character& character);
 
-/// Plays or pauses; a clip that stands at the end of what plays starts over. The bind pose cannot play.
+/// Plays or pauses; at its end a clip starts over. The bind pose cannot play.
 void togglePlaying(Transport& transport, const Character& character);
 
-/// The pose the transport points at, turned joints and all: the one place where the editor's poses are made.
+/// The transport's pose, with joints rotated by hand. All poses of the editor are made here.
 [[nodiscard]] Pose poseAt(const Transport& transport, const Character& character);
 
-/// What the surface's picture asks of it. View state: none of it touches the rig.
+/// How the view affects the surface. View state.
 struct SurfaceView {
-  std::optional<glm::vec3> eye;  ///< World: skip what cannot be seen from here (Smoother::smooth); none: all is made.
-  float heightPixels = 0.0f;     ///< The character's H as seen: detail follows it where the rig says so; 0: unknown.
-  std::vector<int> hidden{};     ///< Rig indices of muscles that are left out of the surface, ascending.
-  bool onCard = false;           ///< The graphics card makes what is drawn: this surface waits until it is asked for.
+  std::optional<glm::vec3> eye;  ///< World: skip what cannot be seen from here (Smoother::smooth).
+  float heightPixels = 0.0f;     ///< The character's height H on screen, for automatic detail; 0: unknown.
+  std::vector<int> hidden{};     ///< Rig indices of muscles left out of the surface, ascending.
+  bool onCard = false;           ///< The graphics card computes the surface; this one waits until it is needed.
 };
 
-/// The surface kept in step with rig and time: prepares after an edit, smooths after an edit, when time has moved, or
-/// when an eye it was made for has.
+/// The document's surface: prepared after an edit, smoothed after an edit or when time or eye change.
 class LiveSurface {
  public:
   /// Error: the rig cannot be prepared for its character.
   [[nodiscard]] static Result<LiveSurface> create(const Document& document, const Transport& transport);
 
-  /// Brings the pose to the transport's moment; the surface follows with the next update().
+  /// Poses the character as the transport says; the surface follows with the next update().
   void movePose(const Transport& transport);
 
-  /// Brings the surface up to date with rig, pose and view. True if it changed. Error: the rig was refused; the surface
-  /// then goes on with the last rig that was accepted, and the same rig is not tried again.
-  /// @param document  of the character that this was created with
+  /// Updates the surface to rig, pose and view. @return whether it changed. Error: the rig was refused; the surface
+  /// keeps the last accepted rig, and the same rig is not tried again.  @param document  with the same character
   [[nodiscard]] Result<bool> update(const Document& document, const SurfaceView& view = {});
 
   [[nodiscard]] const Pose& pose() const { return pose_; }
-  /// Of the last update(); made now where it waited (SurfaceView::onCard). The bytes are the same either way.
+  /// Of the last update(), computed now if it waited (SurfaceView::onCard).
   [[nodiscard]] const Surface& surface() const;
-  /// On surface(). While that waits: what is known without it, and no times.
+  /// While surface() waits: without times.
   [[nodiscard]] const SmoothingReport& report() const { return made_.surface.report; }
-  /// Of the last rig that was accepted.
+  /// Of the last accepted rig.
   [[nodiscard]] const std::shared_ptr<const Preparation>& preparation() const { return preparation_; }
-  /// [parts] What the character's parts are where the rig does not say.
+  /// [parts] Layers where the rig names none.
   [[nodiscard]] const std::vector<SkinLayer>& guessedLayers() const { return tables_->guessedLayers; }
-  /// In use: the rig's, or what its size on screen asks for. Differs from the surface's while a rig is refused.
+  /// Detail in use; differs from the surface's while a rig is refused.
   [[nodiscard]] int depth() const { return detail_.depth; }
   [[nodiscard]] float tolerance() const { return detail_.tolerance; }
-  /// Counts smoothings: what a picture of the surface compares.
+  /// Grows with every change of the surface.
   [[nodiscard]] std::size_t revision() const { return revision_; }
   [[nodiscard]] double prepareSeconds() const { return prepareSeconds_; }
 
@@ -102,22 +122,21 @@ class LiveSurface {
   explicit LiveSurface(std::shared_ptr<const Character> character);
   /// @param rig  posed by the preparation's poser
   void smooth(const PosedRig& rig, double posingSeconds) const;
-  /// What is given to prepare() in place of the rig's own.
+  /// Given to prepare() in place of the rig's own.
   struct Detail {
     int depth = 0;  ///< 0: nothing was given yet.
     float tolerance = 0.0f;
     friend bool operator==(const Detail&, const Detail&) = default;
   };
-  /// Follows the size on screen where the rig asks for it and the size is known; else keeps still, or is the rig's.
   [[nodiscard]] Detail detailFor(const SmoothingSettings& settings, float heightPixels) const;
   [[nodiscard]] Result<bool> prepareIfChanged(const Document& document, const Detail& detail,
                                               const std::vector<int>& hidden);
 
   std::shared_ptr<const CharacterTables> tables_;
-  std::shared_ptr<const Preparation> preparation_;  ///< Preparation of the last rig that was accepted.
+  std::shared_ptr<const Preparation> preparation_;
   BlendingGraphMemo graphs_;
   Pose pose_;
-  /// The processor's surface, which may wait for someone to ask.
+  /// The processor's surface; `waits` until it is needed.
   struct Made {
     SmoothingMemory memory;
     PosedRig rig;  ///< The accepted rig in pose_, where the document has not posed it.
@@ -126,15 +145,14 @@ class LiveSurface {
   };
   mutable Made made_;
   std::size_t revision_ = 0;
-  float meanEdge_ = 0.0f;                ///< Mean edge of the control mesh, fraction of H.
+  float meanEdge_ = 0.0f;                ///< meanEdgeFraction()
   Detail detail_;                        ///< Last given to prepare().
   bool followed_ = false;                ///< detail_ came from the size on screen.
-  bool keptLevels_ = false;              ///< Levels of adaptive detail are those from before the drag.
+  bool keptLevels_ = false;              ///< Levels of adaptive detail are from before the drag.
   std::optional<std::size_t> triedRig_;  ///< CommandStack::revision() last given to prepare().
-  Result<void> valid_;                   ///< Whether that rig is.
-  std::vector<int> hidden_;              ///< Last left out of what was given to prepare().
-  std::optional<glm::vec3> eye_;         ///< What the surface is made for.
-  std::optional<Transport> posed_;       ///< What pose_ shows: clip, time, turned joints and flex count.
+  std::vector<int> hidden_;              ///< Last given to prepare().
+  std::optional<glm::vec3> eye_;         ///< Of the surface.
+  std::optional<Transport> posed_;       ///< Of pose_.
   bool moved_ = false;                   ///< pose_ is newer than the last update().
   double prepareSeconds_ = 0.0;
 };

@@ -1,5 +1,4 @@
-// app/document/preferences.cpp: preferences as a small JSON file that forgives.
-
+// app/document/preferences.cpp: preferences as a JSON file, read leniently.
 #include "app/document/preferences.h"
 
 #include <algorithm>
@@ -7,7 +6,7 @@
 #include <cstdlib>
 #include <system_error>
 
-#include "app/document/file_lock.h"
+#include "app/document/file_stamp.h"
 #include "core/files/disk/atomic_file.h"
 #include "core/files/json/json.h"
 
@@ -18,7 +17,7 @@ constexpr std::uintmax_t kLargestPreferences = 1u << 20;
 constexpr float kWidestPanel = 4000.0f;
 constexpr int kFarthestPixel = 100000;
 
-/// The number if it is one within the range, else the value as it was.
+/// Takes a number within the range; else keeps the value.
 template <class Number>
 void read(const Json& json, const std::string& key, double least, double most, Number& value) {
   const double number = json.at(key).number(std::nan(""));
@@ -123,12 +122,12 @@ KeyChanges keysFromJson(const Json& json) {
     const Json& texts = json.at(id);
     if (texts.kind != Json::Kind::kArray) continue;
     std::vector<std::string>& keys = changes[id];
-    for (const Json& key : texts.items()) keys.push_back(key.text("?"));  // No key: dropped with a note.
+    for (const Json& key : texts.items()) keys.push_back(key.text("?"));  // "?" is dropped later, with a note.
   }
   return changes;
 }
 
-/// How many at the front of `mine` are new, or were moved there: what follows stands in `base` in the same order.
+/// Number of items at the front of `mine` that are new or moved: the rest is in `base` in the same order.
 template <class Item>
 std::size_t addedTo(const std::vector<Item>& base, const std::vector<Item>& mine) {
   auto from = base.end();
@@ -149,7 +148,7 @@ std::vector<Item> mergedList(const std::vector<Item>& base, const std::vector<It
     return std::ranges::find(list, item) != list.end();
   };
   std::vector<Item> merged(mine.begin(), mine.begin() + static_cast<std::ptrdiff_t>(addedTo(base, mine)));
-  // A list that is full has lost its oldest without anyone clearing it.
+  // A full list loses its oldest item without being cleared.
   const bool cleared = mine.size() < std::min(base.size(), most);
   for (const Item& item : theirs) {
     const bool gone = cleared && holds(base, item) && !holds(mine, item);
@@ -183,17 +182,17 @@ const char* nameOf(SurfaceBy by) {
   return "automatic";
 }
 
-std::filesystem::path configFolder() {
-  // A relative path there is to be ignored, says the XDG base directory specification.
-  if (const char* folder = std::getenv("XDG_CONFIG_HOME"); folder != nullptr && *folder == '/') {
-    return std::filesystem::path(folder) / "sinew";
-  }
+std::filesystem::path userFolder(const char* variable, const char* inHome) {
+  // The XDG base directory specification ignores relative paths.
+  if (const char* folder = std::getenv(variable); folder != nullptr && *folder == '/') return folder;
   const char* home = std::getenv("HOME");
   std::error_code ignored;
   const std::filesystem::path base =
       home != nullptr && *home != '\0' ? std::filesystem::path(home) : std::filesystem::temp_directory_path(ignored);
-  return base / ".config" / "sinew";
+  return base / inHome;
 }
+
+std::filesystem::path configFolder() { return userFolder("XDG_CONFIG_HOME", ".config") / "sinew"; }
 
 std::filesystem::path preferencesFile() { return configFolder() / "preferences.json"; }
 

@@ -1,4 +1,4 @@
-// app/document/preferences.h: what the editor remembers from one start to the next.
+// app/document/preferences.h: what the editor remembers between runs.
 #pragma once
 
 #include <array>
@@ -17,19 +17,18 @@ namespace sinew::app {
 enum class Keymap { kMaya, kBlender };
 inline constexpr std::array kKeymaps{Keymap::kMaya, Keymap::kBlender};
 
-[[nodiscard]] const char* nameOf(Keymap keymap);  ///< "maya", "blender": what the file says.
+[[nodiscard]] const char* nameOf(Keymap keymap);  ///< "maya", "blender": in the file.
 
-/// Who computes the surface in the picture. Automatic: the graphics card where it was measured to be faster.
+/// Who computes the surface. Automatic: the graphics card where it measures faster.
 enum class SurfaceBy { kAutomatic, kProcessor, kCard };
 inline constexpr std::array kSurfaceBys{SurfaceBy::kAutomatic, SurfaceBy::kProcessor, SurfaceBy::kCard};
 
-[[nodiscard]] const char* nameOf(SurfaceBy by);  ///< "automatic", "processor", "card": what the file says.
+[[nodiscard]] const char* nameOf(SurfaceBy by);  ///< "automatic", "processor", "card": in the file.
 
-/// Keys in place of the keymap's, "Ctrl+D", by the action's id: at most two, an empty list for no key. What actions and
-/// keys there are is known to app/editor/bindings.h.
+/// Keys in place of the keymap's ("Ctrl+D"), by action id: at most two; an empty list for no key.
 using KeyChanges = std::map<std::string, std::vector<std::string>>;
 
-/// Sizes of the panels in design pixels, and which are there.
+/// Sizes of the panels in design pixels, and which are shown.
 struct LayoutState {
   float left = 264.0f;
   float right = 304.0f;
@@ -40,7 +39,7 @@ struct LayoutState {
   bool leftShown = true;
   bool rightShown = true;
   bool bottomShown = true;
-  std::vector<std::string> folded;  ///< Ids of the panels that show their title alone.
+  std::vector<std::string> folded;  ///< Ids of the folded panels.
 
   friend bool operator==(const LayoutState&, const LayoutState&) = default;
 };
@@ -53,14 +52,14 @@ inline constexpr double kMostAutosaveSeconds = 600.0;
 struct Preferences {
   Keymap keymap = Keymap::kMaya;
   std::array<KeyChanges, kKeymaps.size()> keys;  ///< By keymap.
-  float scale = 0.0f;                            ///< The interface's, 0.5..4; 0: what the system says.
+  float scale = 0.0f;                            ///< Of the interface, 0.5..4; 0: the system's.
   double autosaveSeconds = 30.0;
   std::vector<std::filesystem::path> recentFiles;  ///< Absolute, newest first, each once.
-  std::vector<std::string> recentActions;          ///< Ids, newest first: what the palette offers first.
+  std::vector<std::string> recentActions;          ///< Ids, newest first; the palette lists them first.
   bool hiddenFiles = false;                        ///< The file browser shows names that begin with a dot.
   bool newestFirst = false;                        ///< ... and sorts by date.
   PictureLook look;
-  bool fullWhileMoving = false;  ///< Never a lower resolution for what moves.
+  bool fullWhileMoving = false;  ///< Never lower the resolution of a moving picture.
   SurfaceBy surfaceBy = SurfaceBy::kAutomatic;
   std::filesystem::path pictureFolder;  ///< Where the last picture was saved; "": never.
   WindowPlace window;
@@ -73,36 +72,37 @@ struct Preferences {
   friend bool operator==(const Preferences&, const Preferences&) = default;
 };
 
-/// $XDG_CONFIG_HOME/sinew, else ~/.config/sinew. Need not exist.
+/// $VARIABLE if it is an absolute path, else ~/inHome. Need not exist.
+[[nodiscard]] std::filesystem::path userFolder(const char* variable, const char* inHome);
+/// $XDG_CONFIG_HOME/sinew, else ~/.config/sinew.
 [[nodiscard]] std::filesystem::path configFolder();
 /// configFolder()/preferences.json.
 [[nodiscard]] std::filesystem::path preferencesFile();
 
 /// Indented, keys in a fixed order.
 [[nodiscard]] std::string preferencesToJson(const Preferences& preferences);
-/// A key that is absent, of another type or out of its range keeps its default. Error: no JSON object at all.
+/// Missing or unusable values keep their defaults. Error: not a preferences file.
 [[nodiscard]] Result<Preferences> preferencesFromJson(std::string_view text);
 
 struct LoadedPreferences {
   Preferences preferences;
-  std::string complaint;  ///< For the messages; "" if all is well.
+  std::string complaint;  ///< For the messages; "": none.
 };
 
-/// What two windows have changed, together: of each setting the one that differs from `base` counts, mine if both do.
-/// The lists of recent files and actions hold what either has added, mine first, without what I have cleared.
-/// @param base  mine when it was read or written last
+/// Merges the changes of two windows: each setting that differs from `base`, mine if both do. Recent files and actions
+/// of both, mine first, without those that I cleared.  @param base  mine when it was last read or written
 [[nodiscard]] Preferences mergedPreferences(const Preferences& base, const Preferences& mine,
                                             const Preferences& theirs);
 
-/// No file: defaults. A damaged file: defaults, a complaint, and the file is kept as FILE.bad.
+/// Defaults if there is no file; for a damaged one, which is kept as FILE.bad, with a complaint.
 [[nodiscard]] LoadedPreferences loadPreferences(const std::filesystem::path& file);
 /// Atomic; makes the folder.
 [[nodiscard]] Result<void> savePreferences(const Preferences& preferences, const std::filesystem::path& file);
-/// Writes mine together with what other editors have written since (mergedPreferences); one editor at a time.
+/// Writes mine merged with what other editors have written since; locks the folder meanwhile.
 [[nodiscard]] Result<void> saveMergedPreferences(const Preferences& base, const Preferences& mine,
                                                  const std::filesystem::path& file);
 
-/// Puts the file first; made absolute, kMostRecentFiles at most.
+/// Puts the file first, as an absolute path.
 void rememberFile(std::vector<std::filesystem::path>& recent, const std::filesystem::path& file);
 void rememberAction(std::vector<std::string>& recent, const std::string& id);
 

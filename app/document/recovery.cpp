@@ -37,7 +37,7 @@ fs::path absolutePath(const fs::path& file) {
   return file.empty() ? file : fs::absolute(file, failed).lexically_normal();
 }
 
-/// The descriptor is of the file that has this name: nobody has cleared it away between open and lock.
+/// The file was not removed between open and lock.
 bool isStillThere(int descriptor, const fs::path& file) {
   struct stat opened {};
   struct stat named {};
@@ -45,7 +45,7 @@ bool isStillThere(int descriptor, const fs::path& file) {
          opened.st_dev == named.st_dev;
 }
 
-/// Holds the lock if nobody else does. @param flags O_CREAT makes the file.
+/// Held if nobody else holds it. @param flags  O_CREAT makes the file
 FileLock tryLock(const fs::path& file, int flags) {
   const int descriptor = ::open(file.c_str(), O_RDWR | O_CLOEXEC | flags, 0600);
   if (descriptor < 0) return {};
@@ -56,7 +56,7 @@ FileLock tryLock(const fs::path& file, int flags) {
 
 std::string recoveryText(const Document& document) {
   Rig written = document.rig();
-  const fs::path base = absolutePath(document.rigFile.empty() ? document.characterFile : document.rigFile);
+  const fs::path base = absolutePath(document.file());
   written.clipFiles = clipFilesFor(base, written.clipFiles, absolutePath(document.clipFiles.folder));
   const Result<Json> rig = Json::parse(rigToJson(written));
   return Json::object()
@@ -92,7 +92,7 @@ std::optional<LeftBehind> readLeftBehind(const fs::path& file) {
   return left;
 }
 
-/// What the recovered work is a change of: the rig on the disk, else an empty one.
+/// The rig before the recovered edits: the one on disk, else an empty one.
 Rig rigBefore(const LeftBehind& left, const Rig& recovered) {
   if (!left.rigFile.empty()) {
     if (Result<Rig> onDisk = loadRig(left.rigFile)) return std::move(onDisk).value();
@@ -184,9 +184,9 @@ Result<Document> recoverDocument(const LeftBehind& left) {
   document.rigOnDisk = stampFromText(json->at("rig_on_disk").text(""));
   document.commands = CommandStack(withMorphsOf(rigBefore(left, rig.value()), *document.character));
   document.commands.apply("Recover", withMorphsOf(std::move(rig).value(), *document.character));
-  document.clipFiles.folder = (left.rigFile.empty() ? left.characterFile : left.rigFile).parent_path();
+  document.clipFiles.folder = document.file().parent_path();
   loadClipFiles(document);
-  prepareMirror(document);  // After it: what is recovered is taken as it is.
+  prepareMirror(document);  // Last, so that the recovered rig stays as it is.
   return document;
 }
 

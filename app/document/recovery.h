@@ -1,8 +1,7 @@
 // app/document/recovery.h: unsaved work survives a crash.
 //
-// Every running editor has a lock file in the recovery folder, NUMBER.lock, held by flock: the system releases it
-// however the process ends. While its document has unsaved changes, NUMBER.json beside it holds them. A .json whose
-// lock nobody holds was left behind by a crash.
+// Every running editor locks a file NUMBER.lock in the recovery folder (flock, which ends with the process). Unsaved
+// changes are in NUMBER.json beside it. A .json whose lock nobody holds was left behind by a crash.
 #pragma once
 
 #include <filesystem>
@@ -11,7 +10,7 @@
 #include <vector>
 
 #include "app/document/document.h"
-#include "app/document/file_lock.h"
+#include "app/document/file_stamp.h"
 #include "sinew/geometry/result.h"
 
 namespace sinew::app {
@@ -19,18 +18,17 @@ namespace sinew::app {
 /// $XDG_STATE_HOME/sinew/recovery, else recovery/ beside the preferences. Need not exist.
 [[nodiscard]] std::filesystem::path recoveryFolder();
 
-/// This process's place in the folder. Destroying it leaves the work where it is: only an end that was meant to be one
-/// takes it away.
+/// This process's file in the folder. The destructor keeps it; finish() removes it.
 class RecoveryFile {
  public:
-  /// Makes the folder. Error: it cannot be made or written.
+  /// Makes the folder.
   [[nodiscard]] static Result<RecoveryFile> claim(const std::filesystem::path& folder);
 
-  /// Writes the document's rig and its paths, atomically. The rig file itself is never touched.
+  /// Writes the document's rig and paths, atomically.
   [[nodiscard]] Result<void> write(const Document& document);
-  /// Nothing is unsaved any more.
+  /// Removes the unsaved work.
   void remove();
-  /// Clean end: the lock goes too.
+  /// Clean exit: removes the lock too.
   void finish();
 
   [[nodiscard]] const std::filesystem::path& file() const { return file_; }
@@ -55,38 +53,37 @@ struct LeftBehind {
   [[nodiscard]] std::string name() const;  ///< The rig file's, or the character's.
 };
 
-/// Newest first. Damaged ones, which a power cut may leave, are left out; locks that hold nothing are cleared away.
+/// Newest first, without damaged files. Removes unused locks.
 [[nodiscard]] std::vector<LeftBehind> findLeftBehind(const std::filesystem::path& folder);
 
-/// The document as it was: modified, with its rig file's path, and one undo step back to what the file on the disk
-/// holds. The recovery file stays until discardLeftBehind. Error: another editor has it, or the character is gone.
+/// The document as it was: modified, with one undo step back to the file on disk. The recovery file stays until
+/// discardLeftBehind(). Error: another editor has it, or the character is missing.
 [[nodiscard]] Result<Document> recoverDocument(const LeftBehind& left);
 void discardLeftBehind(const LeftBehind& left);
 
 /// "just now", "5 minutes ago", "3 hours ago", "2 days ago".
 [[nodiscard]] std::string ageText(std::filesystem::file_time_type when, std::filesystem::file_time_type now);
 
-/// When to write. At most `interval` seconds of work are ever unwritten, gestures included: a rig in the middle of a
-/// drag is a rig as good as any.
+/// Decides when to write, so that at most `interval` seconds of work are unwritten, gestures included.
 class AutosaveClock {
  public:
   enum class Deed { kNothing, kWrite, kRemove };
 
-  /// Called often. @param now seconds on a clock that only grows; @param document a number that changes with every
-  /// opened document; @param clip the one that is chosen: changing it writes at once.
+  /// Called often. @param now  seconds, monotonic  @param document  changes with every opened document
+  /// @param clip  the chosen one; choosing another writes at once
   [[nodiscard]] Deed look(double now, double interval, const CommandStack& commands, std::size_t document, int clip);
-  /// The next look() wants what is unwritten to be written, whatever the interval.
+  /// The next look() writes unwritten work regardless of the interval.
   void hurry() { hurried_ = true; }
-  /// After a write that succeeded; one that did not is due again an interval later.
+  /// Call after a successful write; a failed one is due again an interval later.
   void wrote(std::size_t revision);
-  /// Seconds until look() may want to write; none: nothing is unwritten.
+  /// Seconds until look() may write; nullopt: nothing is unwritten.
   [[nodiscard]] std::optional<double> secondsLeft(double now, double interval) const;
 
  private:
   std::size_t document_ = 0;
-  std::optional<std::size_t> written_;  ///< Revision of this document that is in the recovery file.
-  std::optional<double> since_;         ///< When the first unwritten change was seen.
-  bool hasFile_ = false;                ///< The recovery file is there, of this document or the one before.
+  std::optional<std::size_t> written_;  ///< Revision in the recovery file.
+  std::optional<double> since_;         ///< Time of the first unwritten change.
+  bool hasFile_ = false;                ///< The recovery file exists.
   int clip_ = -1;
   bool hurried_ = false;
 };

@@ -1,4 +1,4 @@
-// app/document/shape_presets.h: shapes with a name, to begin with.
+// app/document/shape_presets.h: named shapes of new muscles.
 #pragma once
 
 #include "sinew/geometry/ellipsoid.h"
@@ -7,9 +7,9 @@ namespace sinew::app {
 
 enum class ShapePreset { kEllipsoid, kCapsule, kCylinder, kEgg, kCone, kSpindle };
 
-/// "capsule": what a muscle of it is called.
+/// "capsule": name of a muscle with that shape.
 [[nodiscard]] const char* nameOf(ShapePreset preset);
-/// The placement with that shape along its longest axis, which becomes y; an ellipsoid stays as it is.
+/// The placement with that shape along its longest axis, which becomes y. An ellipsoid stays unchanged.
 [[nodiscard]] Placement shaped(ShapePreset preset, const Placement& placement, float reach);
 
 }  // namespace sinew::app

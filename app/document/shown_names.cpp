@@ -1,36 +1,102 @@
-// app/document/shown_names.cpp: names without what all of them share.
-
+// app/document/shown_names.cpp: default names, and names without what all of them share.
 #include "app/document/shown_names.h"
 
 #include <algorithm>
+#include <cassert>
 #include <optional>
 #include <set>
 #include <string_view>
 #include <utility>
 
-#include "app/ui/readable_names.h"
+#include "app/ui/code_points.h"
+#include "core/character/bone_names.h"
+#include "core/geometry/at.h"
 #include "core/geometry/nearest_name.h"
+#include "core/rig/twins.h"
+#include "sinew/rig/rig_edit.h"
 
 namespace sinew::app {
+
+namespace {
+
+/// "", " 2", " L", " R 3": endings that make default names unique.
+bool isAppended(std::string_view rest) {
+  if (rest.starts_with(" L") || rest.starts_with(" R")) rest.remove_prefix(2);
+  if (rest.empty()) return true;
+  if (rest.size() < 2 || rest.front() != ' ') return false;
+  rest.remove_prefix(1);
+  return std::ranges::all_of(rest, [](char c) { return c >= '0' && c <= '9'; });
+}
+
+bool hasDefaultName(const Primitive& primitive, const Skeleton& skeleton) {
+  const std::optional<int> bone = skeleton.findBone(primitive.bone);
+  if (!bone) return false;
+  const std::string name = defaultMuscleName(skeleton, *bone);
+  return primitive.name.starts_with(name) && isAppended(std::string_view(primitive.name).substr(name.size()));
+}
+
+/// Twins get a side if the bone's name has none.
+std::string wantedName(const Primitive& primitive, const Skeleton& skeleton) {
+  std::string name = defaultMuscleName(skeleton, *skeleton.findBone(primitive.bone));
+  const std::optional<Side> side = sideNamed(primitive.name);
+  if (primitive.mirror.empty() || !side || sideNamed(name)) return name;
+  return name + (*side == Side::kLeft ? " L" : " R");
+}
+
+Rig renamed(Rig rig, int index, const std::string& name) {
+  Result<Rig> done = renamePrimitive(rig, index, name);
+  return done ? std::move(done).value() : std::move(rig);
+}
+
+}  // namespace
+
+std::string withCount(std::size_t count, const char* one) {
+  return std::to_string(count) + ' ' + one + (count == 1 ? "" : "s");
+}
+
+std::string namedMuscles(const Rig& rig, std::span<const int> indices) {
+  return indices.size() == 1 ? at(rig.primitives, indices.front()).name : withCount(indices.size(), "muscle");
+}
+
+std::string defaultMuscleName(const Skeleton& skeleton, int bone) {
+  return shortBoneNames(skeleton)[static_cast<std::size_t>(bone)] + " muscle";
+}
+
+Rig withDefaultNames(const Rig& before, Rig after, const Skeleton& skeleton) {
+  assert(before.primitives.size() == after.primitives.size());
+  for (int i = 0; i < static_cast<int>(after.primitives.size()); ++i) {
+    const Primitive& was = at(before.primitives, i);
+    const Primitive& is = at(after.primitives, i);
+    if (was.bone == is.bone || was.name != is.name || !skeleton.findBone(is.bone)) continue;
+    if (!hasDefaultName(was, skeleton)) continue;
+    const int twin = twinOf(after, i);
+    const bool twinFollows = twin >= 0 && mirroredName(is.name) == at(after.primitives, twin).name;
+    const std::string name = freePrimitiveName(after, wantedName(is, skeleton));
+    after = renamed(std::move(after), i, name);
+    if (twinFollows) after = renamed(std::move(after), twin, twinName(after, name));
+  }
+  return after;
+}
+
 namespace {
 
 constexpr std::string_view kOuter = "|:/";             ///< Between the parts of a path; inside no name.
 constexpr std::string_view kInner = "_-. ";            ///< Also between the words of one name.
-constexpr std::string_view kBaseLayer = "|baselayer";  ///< What exporters append to a clip of a layered animation.
+constexpr std::string_view kBaseLayer = "|baselayer";  ///< Appended by exporters to clips of layered animations.
 
 bool isLetter(char c) { return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || (c & 0x80) != 0; }
 
-/// The length of `name` that another name begins with as well.
+/// Length of the common beginning.
 std::size_t sharedLength(std::string_view name, std::string_view other) {
   return static_cast<std::size_t>(std::ranges::mismatch(name, other).in1 - name.begin());
 }
 
-/// Is the shared part without the separator at its end: a root that gave all others its name.
+/// The prefix without its separator: a root that gave all others its name.
 bool isBarePrefix(std::string_view name, std::string_view prefix) {
   return !prefix.empty() && name == prefix.substr(0, prefix.size() - 1);
 }
 
-/// How much of the first name all others begin with, or are as a whole.
+/// Length of `longest` that all names begin with, or are as a whole.
 std::size_t commonPrefix(const std::vector<std::string>& names, const std::string& longest) {
   std::size_t length = longest.size();
   for (const std::string& name : names) {
@@ -42,7 +108,7 @@ std::size_t commonPrefix(const std::vector<std::string>& names, const std::strin
   return length;
 }
 
-/// Each name goes on after the prefix, or is nothing but it.
+/// Each name continues after the prefix, or is only the prefix.
 bool goesOn(const std::vector<std::string>& names, std::string_view prefix, bool withLetter) {
   return std::ranges::all_of(names, [&](const std::string& name) {
     if (isBarePrefix(name, prefix)) return true;
@@ -50,7 +116,7 @@ bool goesOn(const std::vector<std::string>& names, std::string_view prefix, bool
   });
 }
 
-/// What is left of each name before its last `behind` characters ends in a letter or digit, and has a letter.
+/// Each name without prefix and the last `behind` characters ends in a letter or digit, and has a letter.
 bool endsInWord(const std::vector<std::string>& names, std::string_view prefix, std::size_t behind) {
   return std::ranges::all_of(names, [&](const std::string& name) {
     const std::size_t front = isBarePrefix(name, prefix) ? 0 : prefix.size();
@@ -60,7 +126,7 @@ bool endsInWord(const std::vector<std::string>& names, std::string_view prefix, 
   });
 }
 
-/// The shared part in front, separator included.
+/// The common prefix, with its separator.
 std::string prefixOf(const std::vector<std::string>& names) {
   const std::string& longest = *std::ranges::max_element(names, {}, &std::string::size);
   for (std::size_t end = commonPrefix(names, longest); end > 0; --end) {
@@ -72,8 +138,7 @@ std::string prefixOf(const std::vector<std::string>& names) {
   return {};
 }
 
-/// What all have behind, from a "|" on, or where many share it from the first separator on that leaves a letter or
-/// digit at the end of each.
+/// The common suffix from a "|" on; if many share it, from the first separator that leaves words.
 std::string suffixOf(const std::vector<std::string>& names, std::string_view prefix) {
   std::string suffix = names.front();
   for (const std::string& name : names) {
@@ -98,7 +163,6 @@ std::string afterLastSeparator(std::string name) {
   return last == name.npos || last + 1 == name.size() ? name : name.substr(last + 1);
 }
 
-/// By number where they cannot be shown.
 std::vector<std::string> eachReadable(std::vector<std::string> names, const char* word) {
   int number = 0;
   for (std::string& name : names) name = readableName(name, word, ++number);

@@ -1,36 +1,50 @@
-// app/document/shown_names.h: names of clips and bones as the editor shows them: without what all of them share.
+// app/document/shown_names.h: names as the editor shows them: bones, clips and parts without what all of them share.
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
 
 #include "sinew/character/character.h"
+#include "sinew/character/skeleton.h"
+#include "sinew/rig/rig.h"
 
 namespace sinew::app {
 
-/// The names in the same order, without what all share in front up to a "|", ":" or "/" and behind from a "|" on:
-/// "Armature|Walk", "Armature|Run" -> "Walk", "Run". What they share up to a "_", "-", "." or space goes where at least
-/// kManyNames share it and a letter follows in each: "Bip01_Spine" -> "Spine", but "walk_fast", "walk_slow" stay. So
-/// does what as many share behind from one of these on: "Hips_Joint_01", "Neck_Joint_01" -> "Hips", "Neck". A name
-/// that is nothing but the shared part stays whole, and so do all where two would become the same. A single name
-/// loses all up to its last "|", ":" or "/".
+/// "1 muscle", "3 muscles". @param one  "muscle"
+[[nodiscard]] std::string withCount(std::size_t count, const char* one);
+
+/// "biceps L", or "3 muscles". @param indices  into the rig
+[[nodiscard]] std::string namedMuscles(const Rig& rig, std::span<const int> indices);
+
+/// "upper_arm.L muscle": name of a new muscle on a bone, which may be taken.
+[[nodiscard]] std::string defaultMuscleName(const Skeleton& skeleton, int bone);
+
+/// `after` with new default names for muscles that moved to another bone and still had the default name of the former
+/// one; twins with the mirrored name follow. Both rigs have the same muscles in the same order.
+[[nodiscard]] Rig withDefaultNames(const Rig& before, Rig after, const Skeleton& skeleton);
+
+/// The names without their common prefix up to a "|", ":" or "/" and their common suffix from a "|" on:
+/// "Armature|Walk", "Armature|Run" -> "Walk", "Run". A prefix up to a "_", "-", "." or space goes if at least
+/// kManyNames share it and a letter follows in each: "Bip01_Spine" -> "Spine", but "walk_fast", "walk_slow" stay; a
+/// suffix likewise: "Hips_Joint_01" -> "Hips". A name that is only the common part stays whole, and so do all if two
+/// would become equal. A single name loses all up to its last "|", ":" or "/".
 [[nodiscard]] std::vector<std::string> withoutSharedParts(const std::vector<std::string>& names);
 inline constexpr std::size_t kManyNames = 8;
 
-/// [bones] and [clips] of a character. A clip without a name is "clip N"; one that the editor has made keeps its name.
-/// Files and the command line use the names of the file. What no font can show is "bone N" or "clip N"
-/// (app/ui/readable_names.h).
+/// [bones] and [clips] of a character. A clip without a name is "clip N"; clips made by the editor keep theirs. Names
+/// that no font can show are "bone N" or "clip N" (app/ui/code_points.h).
 [[nodiscard]] std::vector<std::string> shownBoneNames(const Skeleton& skeleton);
 [[nodiscard]] std::vector<std::string> shownClipNames(const Character& character);
-/// [parts] The same of the parts of the mesh: "part N".
+/// [parts] of the mesh.
 [[nodiscard]] std::vector<std::string> shownPartNames(const Character& character);
-/// [bones] The same, whatever fonts there are: what new muscles are named after.
+/// [bones] regardless of fonts: for names of new muscles.
 [[nodiscard]] std::vector<std::string> shortBoneNames(const Skeleton& skeleton);
-/// [bones] The same where it names one bone alone, else its path: for lists to choose from.
+/// [bones] the path where the name is ambiguous: for lists to choose from.
 [[nodiscard]] std::vector<std::string> shownFileNames(const Skeleton& skeleton);
-/// One of the bones. Index -1: "".
+/// "" for index -1.
 [[nodiscard]] std::string shownBoneName(const Skeleton& skeleton, int bone);
-/// The bone that a rig file calls so, else the name itself.
+/// By a rig file's name, which is returned if the bone is unknown.
 [[nodiscard]] std::string shownBoneName(const Skeleton& skeleton, const std::string& fileName);
 
 }  // namespace sinew::app

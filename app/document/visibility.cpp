@@ -1,5 +1,4 @@
-// app/document/visibility.cpp: which muscles the editor shows, moves and lets be picked.
-
+// app/document/visibility.cpp: marks of muscles and bones, and their effect.
 #include "app/document/visibility.h"
 
 #include <algorithm>
@@ -14,14 +13,11 @@ namespace {
 
 template <class Key>
 void mark(std::set<Key>& keys, const Key& key, bool on) {
-  if (on) {
-    keys.insert(key);
-  } else {
-    keys.erase(key);
-  }
+  if (on) keys.insert(key);
+  else keys.erase(key);
 }
 
-/// For every bone: it or one above it carries the mark.
+/// [bones] It or a bone above carries the mark.
 std::vector<bool> inherited(const std::set<std::string>& marked, const Skeleton& skeleton) {
   std::vector<bool> result(skeleton.bones.size(), false);
   if (marked.empty()) return result;
@@ -79,7 +75,7 @@ EffectiveVisibility effectiveVisibility(const Visibility& visibility, const Rig&
   effective.boneHidden = inherited(visibility.hidden.bones, skeleton);
   effective.boneLocked = inherited(visibility.locked.bones, skeleton);
   const std::vector<bool> soloBones = inherited(visibility.solo.bones, skeleton);
-  // Marks of muscles that undo has taken away leave the others alone.
+  // Ignores marks of muscles that undo removed.
   const auto anyOf = [&rig](const std::set<PrimitiveId>& ids) {
     return std::ranges::any_of(rig.primitives, [&](const Primitive& p) { return ids.contains(p.id()); });
   };

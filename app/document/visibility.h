@@ -1,4 +1,4 @@
-// app/document/visibility.h: which muscles the editor shows, moves and lets be picked. Never saved.
+// app/document/visibility.h: which muscles the editor shows and lets the user pick. Not saved in the rig.
 #pragma once
 
 #include <optional>
@@ -11,13 +11,12 @@
 
 namespace sinew::app {
 
-/// One of the three switches that muscles and bones have.
+/// A switch of muscles and bones.
 enum class Mark { kHidden, kLocked, kSolo };
 
-/// View state. Bones by path (Bone::path); what is said of a bone holds for every muscle on it and below it. What is
-/// said of a muscle stays while undo has taken it away.
+/// View state. Bones by path (Bone::path); a bone's mark applies to every muscle on it and below. Marks of muscles that
+/// undo removed stay.
 struct Visibility {
-  /// Who carries a mark.
   struct Marks {
     std::set<PrimitiveId> muscles;
     std::set<std::string> bones;
@@ -28,43 +27,41 @@ struct Visibility {
 
   Marks hidden;
   Marks locked;
-  Marks solo;                                     ///< If a bone or a muscle of the rig carries it, the rest is hidden.
-  std::optional<std::set<PrimitiveId>> isolated;  ///< Only these muscles are shown, in what is otherwise visible.
-  PrimitiveId newest;                             ///< The last that welcomeNew has seen.
-  bool bare = false;                              ///< No muscle at all: the character as it was before.
+  Marks solo;                                     ///< If not empty, everything else is hidden.
+  std::optional<std::set<PrimitiveId>> isolated;  ///< Of the visible muscles, only these are shown.
+  PrimitiveId newest;                             ///< The last one that welcomeNew() has seen.
+  bool bare = false;                              ///< Without muscles.
 
   [[nodiscard]] Marks& marks(Mark mark);
   [[nodiscard]] const Marks& marks(Mark mark) const;
   void setMuscle(Mark mark, PrimitiveId muscle, bool on);
   void setBone(Mark mark, const std::string& bonePath, bool on);
-  /// Nothing is left out and nothing locked.
+  /// Nothing is hidden or locked.
   [[nodiscard]] bool plain() const;
 
   friend bool operator==(const Visibility&, const Visibility&) = default;
 };
 
-/// Index into Skeleton::bones for every primitive of the rig; -1: unattached. What Skeleton::findBone says, quicker for
-/// many.
+/// [primitives] index into Skeleton::bones; -1: unattached. Faster than Skeleton::findBone for many.
 [[nodiscard]] std::vector<int> boneOfEach(const Rig& rig, const Skeleton& skeleton);
 
-/// What holds for each muscle of a rig after bones, solo, isolation and `bare` are taken into account.
+/// Visibility of each muscle and bone with all marks applied.
 struct EffectiveVisibility {
-  std::vector<bool> visible;     ///< [primitives] False: not drawn, and does not deform the skin.
+  std::vector<bool> visible;     ///< [primitives] Drawn, and deforms the skin.
   std::vector<bool> locked;      ///< [primitives]
-  std::vector<bool> boneHidden;  ///< [bones] itself or a bone above it.
+  std::vector<bool> boneHidden;  ///< [bones] Itself or a bone above.
   std::vector<bool> boneLocked;  ///< [bones]
 };
 /// @param boneOf  boneOfEach(rig, skeleton)
 [[nodiscard]] EffectiveVisibility effectiveVisibility(const Visibility& visibility, const Rig& rig,
                                                       const Skeleton& skeleton, const std::vector<int>& boneOf);
 
-/// Rig indices of the muscles that are left out, ascending.
+/// Rig indices of invisible muscles, ascending.
 [[nodiscard]] std::vector<int> hiddenPrimitives(const Visibility& visibility, const Rig& rig, const Skeleton& skeleton);
-/// By rig index: neither hidden nor locked.
+/// Neither hidden nor locked. @param primitive  rig index
 [[nodiscard]] bool isPickable(const Visibility& visibility, const Rig& rig, const Skeleton& skeleton, int primitive);
 
-/// A muscle made while others are soloed or isolated joins them: it is what one works on. Identities grow, so that what
-/// undo or redo bring back is not new.
+/// New muscles join those that are soloed or isolated. Identities grow, so muscles restored by undo are not new.
 void welcomeNew(Visibility& visibility, const Rig& rig, const Skeleton& skeleton);
 
 }  // namespace sinew::app

@@ -1,4 +1,4 @@
-// app/editor/action_table.h: what the rows of the action table are made of; one file a menu.
+// app/editor/action_table.h: building blocks of the rows of the action table.
 #pragma once
 
 #define GLFW_INCLUDE_NONE
@@ -10,13 +10,13 @@
 #include "app/editor/commands.h"
 #include "app/editor/edit.h"
 
-/// Rows read: id, label, hint, key, another key, when, checked, run, separator before. The keys are those of the
-/// default keymap; where another keymap differs is said in keymaps.cpp.
+/// Rows: id, label, hint, key, second key, enabled, checked, run, separator before. Keys are the default keymap's.
 namespace sinew::app::table {
 
 using State = EditorState;
 
-// The menus, each in its own file: action_table_NAME.cpp.
+// The menus: Edit and Muscles in action_table_edit.cpp, View in action_table_view.cpp, Tool and Play in
+// action_table_play.cpp, the others in action_table.cpp.
 [[nodiscard]] std::span<const Action> fileActions();
 [[nodiscard]] std::span<const Action> editActions();
 [[nodiscard]] std::span<const Action> muscleActions();
@@ -26,10 +26,9 @@ using State = EditorState;
 [[nodiscard]] std::span<const Action> windowActions();
 [[nodiscard]] std::span<const Action> helpActions();
 
-// When, and why not.
+// Conditions.
 inline Possible always(const State&) { return {}; }
 inline Possible open(const State& s) { return {s.hasCharacter(), "Open a character first"}; }
-/// Nothing is being dragged or typed.
 inline Possible idle(const State& s) {
   return open(s).also(!ownsKeyboard(s.view.tools) && s.open.gestureItem == 0, "Finish the current edit first");
 }
@@ -37,14 +36,10 @@ inline Possible selected(const State& s) {
   return idle(s).also(s.document.activePrimitive() >= 0, "Select a muscle first");
 }
 
-// Commands that change one part of the state as rows of the table.
+/// A command on the document alone.
 template <void (*kCommand)(Document&)>
 void onDocument(State& s) {
   kCommand(s.document);
-}
-template <void (*kCommand)(Dialogs&)>
-void onDialogs(State& s) {
-  kCommand(s.dialogs);
 }
 
 // Keys.

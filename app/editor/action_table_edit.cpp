@@ -1,8 +1,10 @@
-// app/editor/action_table_edit.cpp: the Edit menu: muscles and the history.
-
+// app/editor/action_table_edit.cpp: the menus Edit and Muscles.
 #include "app/editor/action_table.h"
 #include "app/editor/animate.h"
 #include "app/editor/blending_edit.h"
+#include "app/editor/library_commands.h"
+#include "app/editor/muscle_set_commands.h"
+#include "app/editor/open_file.h"
 #include "app/editor/symmetry_commands.h"
 #include "core/geometry/at.h"
 
@@ -11,7 +13,7 @@ namespace {
 
 Possible undoable(const State& s) { return idle(s).also(s.document.commands.canUndo(), "Nothing to undo"); }
 Possible redoable(const State& s) { return idle(s).also(s.document.commands.canRedo(), "Nothing to redo"); }
-/// The selected bone, else that of the active muscle; -1: neither.
+/// The selected bone, else the active muscle's, or -1.
 int boneToAddOn(const State& s) {
   if (s.document.selection.bone >= 0) return s.document.selection.bone;
   const int active = s.document.activePrimitive();
@@ -109,8 +111,31 @@ const Action kEditActions[] = {
      key(GLFW_KEY_ESCAPE), kNone, idle, nullptr, selectNothing},
 };
 
+bool showsLibrary(const State& s) { return s.view.layout.leftShown && s.view.outliner.tab == LeftTab::kLibrary; }
+void showLibrary(State& s) {
+  s.view.outliner.tab = showsLibrary(s) ? LeftTab::kMuscles : LeftTab::kLibrary;
+  s.view.layout.leftShown = true;
+}
+bool showsParts(const State& s) { return s.open.bodyParts.shown; }
+
+const Action kMuscleActions[] = {
+    {"muscles/add-set", "Add muscle set", "Add the muscles of an athlete or an animal, placed by the parts of the body",
+     kNone, kNone, idle, nullptr, addMuscleSet},
+    {"muscles/body-parts", "Parts of the body",
+     "Correct which bone is the thigh, the forearm and so on: muscle sets are placed by these parts", kNone, kNone,
+     open, showsParts, toggleBodyParts, true},
+    {"muscles/library", "Library", "Muscles of all sets with pictures, to add one at a time", kNone, kNone, open,
+     showsLibrary, showLibrary},
+    {"muscles/save-set", "Save as set...", "Save the selected muscles as a set of your own that fits any character",
+     kNone, kNone, selected, nullptr, nameNewSet},
+    {"muscles/retarget", "Put on another character...",
+     "Open another character with these muscles, each at its place on the other body", kNone, kNone, anyMuscle, nullptr,
+     showRetargetDialog, true},
+};
+
 }  // namespace
 
 std::span<const Action> editActions() { return kEditActions; }
+std::span<const Action> muscleActions() { return kMuscleActions; }
 
 }  // namespace sinew::app::table

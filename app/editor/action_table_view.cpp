@@ -119,8 +119,8 @@ const Action kViewActions[] = {
     {"view/heat", "Displacement", "How far the skin was lifted or pushed in", key(GLFW_KEY_4), kNone, open,
      isShaded<Shading::kHeat>, shade<Shading::kHeat>},
     {"view/export-error", "Export error",
-     "How far the last export is off in this moment: the live surface or the exported mesh, colored by distance", kNone,
-     kNone, exportedHere, isExportErrorShown, toggleExportError},
+     "Error of the last export at this time: the live surface or the exported mesh, colored by distance", kNone, kNone,
+     exportedHere, isExportErrorShown, toggleExportError},
     {"view/export-beside", "Export beside it",
      "The last export's mesh, as programs play it, beside the live surface; both colored by their distance", kNone,
      kNone, exportedHere, isExportBesideShown, toggleExportBeside},
@@ -200,8 +200,8 @@ const Action kViewActions[] = {
     {"view/orthographic", "Orthographic", "No perspective", key(GLFW_KEY_KP_5), kNone, open, isOrthographic,
      toggleOrthographic},
     {"view/reference", "Reference picture...",
-     "Pictures to work after, behind the character or through it: from the front, the back, the sides, the top", kNone,
-     kNone, open, isReferenceShown, toggleReferencePanel, true},
+     "Reference pictures behind or over the character, from the front, the back, the sides and the top", kNone, kNone,
+     open, isReferenceShown, toggleReferencePanel, true},
 };
 
 }  // namespace

@@ -1,5 +1,4 @@
-// app/editor/actions.cpp: finding and running actions. The table itself is action_table.cpp.
-
+// app/editor/actions.cpp: finding and running actions; keymaps. The table is in action_table*.cpp.
 #include "app/editor/actions.h"
 
 #define GLFW_INCLUDE_NONE
@@ -9,6 +8,7 @@
 #include <array>
 #include <cassert>
 
+#include "app/editor/action_table.h"
 #include "app/editor/bindings.h"
 #include "app/editor/edit.h"
 
@@ -60,13 +60,13 @@ constexpr std::array kKeyNames{
 std::string nameOfKey(int key) {
   if (const auto found = std::ranges::find(kKeyNames, key, &KeyName::key); found != kKeyNames.end()) return found->name;
   if (key >= GLFW_KEY_F1 && key <= GLFW_KEY_F12) return "F" + std::to_string(key - GLFW_KEY_F1 + 1);
-  // GLFW's codes of these keys are their ASCII characters; other characters are no keys.
+  // GLFW's codes of these keys are their ASCII characters.
   constexpr std::string_view kPrinted = "',-./0123456789;=ABCDEFGHIJKLMNOPQRSTUVWXYZ[\\]`";
   const bool printed = key > 0 && key < 128 && kPrinted.find(static_cast<char>(key)) != std::string_view::npos;
   return printed ? std::string(1, static_cast<char>(key)) : "";
 }
 
-/// The reverse; 0 for none.
+/// 0: none.
 int keyNamed(std::string_view name) {
   for (int key = GLFW_KEY_SPACE; !name.empty() && key <= GLFW_KEY_LAST; ++key) {
     if (nameOfKey(key) == name) return key;
@@ -149,5 +149,43 @@ bool runShortcut(EditorState& state, const RawInput& input) {
   if (asked || repeats(*meant)) run(*meant, state);
   return true;
 }
+
+namespace {
+
+using namespace table;
+
+/// Differences from the keys in the action table.
+constexpr KeyChange kBlender[] = {
+    {"edit/duplicate", shift(GLFW_KEY_D), ctrl(GLFW_KEY_D)},
+    {"edit/delete", key(GLFW_KEY_X), key(GLFW_KEY_DELETE)},
+    {"edit/select-all", key(GLFW_KEY_A), ctrl(GLFW_KEY_A)},
+    {"edit/select-none", alt(GLFW_KEY_A), key(GLFW_KEY_ESCAPE)},
+    {"view/frame", key(GLFW_KEY_KP_DECIMAL), kNone},
+    {"view/frame-all", key(GLFW_KEY_HOME), kNone},
+    {"tool/select", key(GLFW_KEY_W), kNone},
+    {"tool/move", kNone, kNone},
+    {"tool/rotate", kNone, kNone},
+    {"tool/scale", kNone, kNone},
+    {"tool/grab", key(GLFW_KEY_G), kNone},
+    {"tool/turn", key(GLFW_KEY_R), kNone},
+    {"tool/size", key(GLFW_KEY_S), kNone},
+    {"tool/add-muscle", shift(GLFW_KEY_A), key(GLFW_KEY_M)},
+    {"tool/box-select", key(GLFW_KEY_B), kNone},
+    {"tool/territory", shift(GLFW_KEY_B), kNone},
+    {"tool/axes", key(GLFW_KEY_COMMA), kNone},
+    {"play/previous", key(GLFW_KEY_LEFT), kNone},
+    {"play/next", key(GLFW_KEY_RIGHT), kNone},
+    {"play/start", shift(GLFW_KEY_LEFT), kNone},
+    {"play/end", shift(GLFW_KEY_RIGHT), kNone},
+    {"help/palette", key(GLFW_KEY_F3), ctrl(GLFW_KEY_P)},
+};
+
+}  // namespace
+
+std::span<const KeyChange> changesOf(Keymap keymap) {
+  return keymap == Keymap::kBlender ? std::span(kBlender) : std::span<const KeyChange>();
+}
+
+const char* titleOf(Keymap keymap) { return keymap == Keymap::kBlender ? "Blender-like" : "Maya-like"; }
 
 }  // namespace sinew::app

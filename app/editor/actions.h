@@ -1,4 +1,4 @@
-// app/editor/actions.h: the one table of what a menu, a key or a button can do.
+// app/editor/actions.h: the table of actions behind menus, keys and buttons.
 #pragma once
 
 #include <array>
@@ -8,12 +8,31 @@
 
 #include "app/document/preferences.h"
 #include "app/editor/editor_state.h"
-#include "app/editor/possible.h"
 #include "app/ui/input_queue.h"
 
 namespace sinew::app {
 
-/// A key with its modifiers; key 0: none. Codes are GLFW's.
+/// Whether an action can run and, if not, the reason for the user: a short clause without a full stop ("Select a muscle
+/// first").
+class Possible {
+ public:
+  constexpr Possible() = default;
+  /// @param reason  if `holds` is false; a literal
+  constexpr Possible(bool holds, const char* reason) : reason_(holds ? nullptr : reason) {}
+
+  constexpr operator bool() const { return reason_ == nullptr; }  // NOLINT: implicit on purpose
+  /// "" if possible.
+  [[nodiscard]] constexpr const char* reason() const { return reason_ == nullptr ? "" : reason_; }
+  /// Adds a condition; the first reason counts.
+  [[nodiscard]] constexpr Possible also(bool holds, const char* reason) const {
+    return *this ? Possible(holds, reason) : *this;
+  }
+
+ private:
+  const char* reason_ = nullptr;
+};
+
+/// A GLFW key with modifiers; key 0: none.
 struct Shortcut {
   int key = 0;
   bool control = false;
@@ -23,13 +42,13 @@ struct Shortcut {
   friend bool operator==(const Shortcut&, const Shortcut&) = default;
 };
 
-/// One thing to do. The id is "menu/name": its menu, and what tests and --log-state call it.
+/// The id is "menu/name".
 struct Action {
   const char* id;
   const char* label;
   const char* hint;   ///< One sentence for tooltips and the palette.
-  Shortcut shortcut;  ///< In the default keymap (Maya's); others: shortcutsOf.
-  Shortcut second;    ///< Another key for the same.
+  Shortcut shortcut;  ///< In the default keymap (Maya's).
+  Shortcut second;    ///< Second key.
   Possible (*enabled)(const EditorState&);
   bool (*checked)(const EditorState&);  ///< Null: not a toggle.
   void (*run)(EditorState&);
@@ -41,7 +60,7 @@ struct Action {
   }
 };
 
-/// Menus from left to right: id part and title.
+/// In order from left to right.
 struct Menu {
   const char* id;
   const char* title;
@@ -50,32 +69,31 @@ struct Menu {
 
 /// The table, in menu order.
 [[nodiscard]] std::span<const Action> actions();
-/// By id; the id must exist (asserted).
+/// By id, which must exist.
 [[nodiscard]] const Action& action(std::string_view id);
 
-/// One way a keymap differs from the table.
+/// Keys of an action that differ in another keymap.
 struct KeyChange {
   const char* id;
   Shortcut shortcut;
   Shortcut second;
 };
-/// All of them; none for the default keymap. In keymaps.cpp.
+/// None for the default keymap.
 [[nodiscard]] std::span<const KeyChange> changesOf(Keymap keymap);
 /// "Maya-like", "Blender-like".
 [[nodiscard]] const char* titleOf(Keymap keymap);
-/// What an action answers to in a keymap as it comes; keys 0: to nothing.
+/// Keys of an action in an unchanged keymap.
 [[nodiscard]] std::array<Shortcut, 2> shortcutsOf(const Action& action, Keymap keymap);
-/// ... and with the user's own keys (app/editor/bindings.h).
+/// With the user's own keys (app/editor/bindings.h).
 [[nodiscard]] std::array<Shortcut, 2> shortcutsOf(const Action& action, const Preferences& preferences);
 
 /// "Ctrl+Shift+S"; "" for none.
 [[nodiscard]] std::string textOf(const Shortcut& shortcut);
-/// The action's first key, as the user has set it; "" for none.
+/// The action's first key; "" for none.
 [[nodiscard]] std::string keyText(const Action& action, const EditorState& state);
-/// Runs it if it is enabled.
+/// Runs an enabled action.
 void run(const Action& action, EditorState& state);
-/// Runs what, with the user's keys, the key pressed (or repeated, for undo, redo and stepping) in this frame means.
-/// @return whether it meant anything.
+/// Runs the action of this frame's key press (or repeat, for undo, redo and stepping). @return whether it had one
 bool runShortcut(EditorState& state, const RawInput& input);
 
 }  // namespace sinew::app

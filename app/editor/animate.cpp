@@ -1,22 +1,107 @@
-// app/editor/animate.cpp: keys and drivers of numbers, by the pure edits of core/rig/animated_edit.h.
-
+// app/editor/animate.cpp: keys and drivers of numbers, with the edits of core/rig/animated_edit.h.
 #include "app/editor/animate.h"
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <utility>
 
-#include "app/editor/animated_names.h"
+#include "app/document/shown_names.h"
 #include "app/editor/edit.h"
+#include "core/geometry/nearest_name.h"
 #include "core/rig/driver_input.h"
 
 namespace sinew::app {
+
+namespace {
+
+std::string ownerName(const Rig& rig, const NumberRef& ref) {
+  const auto index = static_cast<std::size_t>(ref.owner);
+  const ParameterOwner owner = ownerOf(ref.parameter);
+  if (owner == ParameterOwner::kMorph) return rig.morphs[index].name;
+  return owner == ParameterOwner::kLine ? rig.lines[index].name : rig.primitives[index].name;
+}
+
+/// "turn about X of " for an axis of the frame.
+std::string turnWords(const glm::vec3& axis) {
+  constexpr const char* kWords[][2] = {{"turn about X of ", "turn about -X of "},
+                                       {"turn about Y of ", "turn about -Y of "},
+                                       {"turn about Z of ", "turn about -Z of "}};
+  for (int i = 0; i < 3; ++i) {
+    if (std::abs(axis[i]) == 1.0f) return kWords[i][axis[i] < 0.0f ? 1 : 0];
+  }
+  return "turn of ";
+}
+
+}  // namespace
+
+std::string wordsFor(const Rig& rig, std::span<const NumberRef> refs) {
+  const Parameter parameter = refs.front().parameter;
+  std::string words = sinew::wordsFor(parameter);
+  words[0] = toLower(words[0]);
+  if (ownerOf(parameter) == ParameterOwner::kSurface) return words;
+  const char* several = ownerOf(parameter) == ParameterOwner::kMorph ? " shapes" : " muscles";
+  return words + " of " + (refs.size() == 1 ? ownerName(rig, refs.front()) : std::to_string(refs.size()) + several);
+}
+
+std::string wordsFor(const DriverInput& input, const Skeleton& skeleton) {
+  const std::string bone = shownBoneName(skeleton, input.bone);
+  switch (input.kind) {
+    case DriverInputKind::kBend:
+      return "bend of " + bone;
+    case DriverInputKind::kTwist:
+      return "twist of " + bone;
+    case DriverInputKind::kAxis:
+      return turnWords(input.axis) + bone;
+    case DriverInputKind::kPose:
+      return "pose of " + bone;
+    case DriverInputKind::kLength:
+      return "length of " + input.line;
+    case DriverInputKind::kDistance:
+      return "distance from " + shownBoneName(skeleton, input.from.bone) + " to " +
+             shownBoneName(skeleton, input.to.bone);
+    case DriverInputKind::kChannel:
+      break;
+  }
+  return "channel " + input.channel;
+}
+
+std::string inputText(DriverInputKind kind, float value) {
+  char text[32];
+  const auto number = static_cast<double>(value);
+  switch (kind) {
+    case DriverInputKind::kBend:
+    case DriverInputKind::kTwist:
+    case DriverInputKind::kAxis:
+      std::snprintf(text, sizeof text, "%.1f\xc2\xb0", number);
+      break;
+    case DriverInputKind::kLength:
+    case DriverInputKind::kDistance:
+      std::snprintf(text, sizeof text, "%.0f %%", 100.0 * number);
+      break;
+    default:
+      std::snprintf(text, sizeof text, "%.2f", number);
+  }
+  return text;
+}
+
+const char* wordFor(CurveKind kind) {
+  constexpr const char* kWords[] = {"Smooth", "Linear", "Step"};
+  return kWords[static_cast<int>(kind)];
+}
+
+std::string timeText(double seconds) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.2f s", seconds);
+  return text;
+}
+
 namespace {
 
 constexpr float kStrongBend = 90.0f;  // Degrees.
-constexpr float kShare = 0.2f;        // Change as a fraction of the number, where the input is strong.
+constexpr float kStep = 0.2f;         // Change at a strong input, as a fraction of the number.
 
-/// The same edit of one number after the other. @param change  (Rig, const NumberRef&) -> Result<Rig>
+/// Applies an edit to each number. @param change  (Rig, const NumberRef&) -> Result<Rig>
 template <class Change>
 Result<Rig> withAll(Rig rig, std::span<const NumberRef> refs, Change change) {
   for (const NumberRef& ref : refs) {
@@ -27,7 +112,7 @@ Result<Rig> withAll(Rig rig, std::span<const NumberRef> refs, Change change) {
   return rig;
 }
 
-/// What a new driver adds at a strong input.
+/// Change by a new driver at a strong input.
 float strongStep(const Rig& rig, const NumberRef& ref) {
   const float drawn = numberOf(rig, ref);
   switch (ref.parameter) {
@@ -37,12 +122,12 @@ float strongStep(const Rig& rig, const NumberRef& ref) {
     case Parameter::kCenterY:
     case Parameter::kCenterZ: {
       const glm::vec3& radii = rig.primitives[static_cast<std::size_t>(ref.owner)].placement.radii;
-      return kShare * std::max({radii.x, radii.y, radii.z});
+      return kStep * std::max({radii.x, radii.y, radii.z});
     }
     case Parameter::kMorphWeight:
       return 1.0f;
     default:
-      return kShare * (drawn == 0.0f ? 1.0f : std::abs(drawn));
+      return kStep * (drawn == 0.0f ? 1.0f : std::abs(drawn));
   }
 }
 
@@ -68,7 +153,7 @@ Result<Rig> driven(const Rig& rig, std::span<const NumberRef> refs, const Driver
   });
 }
 
-/// Their curves are in the inspector, which stays where it is scrolled to; a shape's is under its name.
+/// Shows where the curves are: in the inspector, or under a shape's name.
 void showDrivers(EditorState& state, const NumberRef& ref, const std::string& done) {
   if (ownerOf(ref.parameter) == ParameterOwner::kMorph) {
     state.open.shapes.chosen = state.document.rig().morphs[static_cast<std::size_t>(ref.owner)].name;
@@ -151,7 +236,7 @@ int keyNow(const EditorState& state, const KeyTrack& track) {
 
 namespace {
 
-/// The drawn number is still as it was when it was keyed last. Where nobody remembers: as some key has it.
+/// The drawn number is unchanged since the last key; if that is unknown, it equals some key.
 bool untouched(const EditorState& state, const NumberRef& ref, const KeyTrack& track) {
   const Rig& rig = state.document.rig();
   const float drawn = numberOf(rig, ref);

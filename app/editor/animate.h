@@ -1,78 +1,93 @@
-// app/editor/animate.h: what can be done with the keys and drivers of numbers. Every function that edits leaves one
-// undo step, or the reason why not.
+// app/editor/animate.h: keys and drivers of numbers. Every edit is one undo step, or reports why not.
 #pragma once
 
+#include <array>
 #include <memory>
 #include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "app/editor/actions.h"
 #include "app/editor/editor_state.h"
-#include "app/editor/possible.h"
 #include "core/rig/animated_edit.h"
+#include "sinew/character/skeleton.h"
 
 namespace sinew::app {
 
+// Names for interface and history.
+
+/// "radius X of biceps L", "radius X of 3 muscles", "skin blend". @param refs  at least one, of one parameter
+[[nodiscard]] std::string wordsFor(const Rig& rig, std::span<const NumberRef> refs);
+/// "bend of forearm.L", "length of biceps L", "channel effort".
+[[nodiscard]] std::string wordsFor(const DriverInput& input, const Skeleton& skeleton);
+/// An input's value in degrees, percent or as a plain number.
+[[nodiscard]] std::string inputText(DriverInputKind kind, float value);
+/// "Smooth"
+[[nodiscard]] const char* wordFor(CurveKind kind);
+inline constexpr std::array kCurveKinds{CurveKind::kSmooth, CurveKind::kLinear, CurveKind::kStep};
+/// "0.43 s"
+[[nodiscard]] std::string timeText(double seconds);
+
 [[nodiscard]] HeldNumber held(const Rig& rig, const NumberRef& ref);
-/// nullopt: its owner is gone.
+/// nullopt: its owner does not exist.
 [[nodiscard]] std::optional<NumberRef> refOf(const Rig& rig, const HeldNumber& number);
-/// Those that are there.
+/// Those whose owners exist.
 [[nodiscard]] std::vector<NumberRef> refsOf(const Rig& rig, std::span<const HeldNumber> numbers);
 
-/// A number as keys and drivers leave it in the pose that is shown.
+/// A number in the shown pose, with keys and drivers applied.
 [[nodiscard]] float numberNow(const EditorState& state, const NumberRef& ref);
 [[nodiscard]] std::optional<float> inputNow(const EditorState& state, const DriverInput& input);
 
 // Keys.
-/// There is a clip whose name keys can go by.
+/// A clip with a name is shown, as keys need.
 [[nodiscard]] Possible hasKeyTime(const EditorState& state);
-/// Name of the clip that shows, empty in the bind pose, and the moment.
+/// Name of the shown clip; empty in the bind pose.
 [[nodiscard]] std::string clipNow(const EditorState& state);
 [[nodiscard]] float timeNow(const EditorState& state);
-/// The keys that count in the clip that shows, or null.
+/// The number's keys for the shown clip, or null.
 [[nodiscard]] const KeyTrack* trackNow(const EditorState& state, const NumberRef& ref);
-/// The key at this moment, or -1.
+/// The key at the current time, or -1.
 [[nodiscard]] int keyNow(const EditorState& state, const KeyTrack& track);
 
 enum class KeyValue {
-  kDrawn,  ///< What the field shows.
-  kKeyed,  ///< What the clip's keys make of it at this moment.
-  kMeant,  ///< What was set since it was keyed last; where nothing was, what the keys make of it.
+  kDrawn,  ///< As in the field.
+  kKeyed,  ///< From the clip's keys at the current time.
+  kMeant,  ///< As in the field if edited since the last key, else from the keys.
 };
 void keyNumbers(EditorState& state, std::span<const NumberRef> refs, KeyValue value);
 void removeKeysNow(EditorState& state, std::span<const NumberRef> refs);
-/// All in the clip that shows.
+/// All keys in the shown clip.
 void removeClipKeys(EditorState& state, std::span<const NumberRef> refs);
 
 // Drivers.
-/// With two points: at rest nothing is added, at a strong bend (full contraction, the pose, 1) a fifth of the number.
+/// Adds drivers with two points: 0 at rest, a fifth of the number at a strong input (90 degrees, full contraction, 1).
 void driveNumbers(EditorState& state, std::span<const NumberRef> refs, const DriverInput& input);
-/// By a new channel with a key here, or at the start of the first clip.
+/// By a new channel with a key at the current time, or at the clips' start.
 void driveByNewChannel(EditorState& state, std::span<const NumberRef> refs);
-/// Keys and drivers.
+/// Removes keys and drivers.
 void stopAnimating(EditorState& state, std::span<const NumberRef> refs);
-/// As the joint is turned now.
+/// The joint's current pose as a driver's input.
 [[nodiscard]] DriverInput poseInput(const EditorState& state, int bone);
 
 // Set driven key.
 void startDrivenKey(EditorState& state, std::span<const NumberRef> refs, const DriverInput& input);
 void endDrivenKey(EditorState& state);
-/// Those of the mode that are there; the mode ends where none is.
+/// Existing numbers of the mode; without any, the mode ends.
 [[nodiscard]] std::vector<NumberRef> drivenKeyNumbers(EditorState& state);
-/// What the number's driven key says where the input is now; without one, what the number is now.
+/// The number's driven key at the current input, else the current number.
 [[nodiscard]] float drivenKeyValue(const EditorState& state, const NumberRef& ref);
-/// Points where the input is now. @param values  one a number
+/// Adds points at the current input. @param values  [refs]
 [[nodiscard]] Result<Rig> withDrivenKeys(const EditorState& state, std::span<const NumberRef> refs,
                                          std::span<const float> values);
 /// "Key radius X of biceps L at bend of forearm.L 43 degrees"
 [[nodiscard]] std::string drivenKeyLabel(const EditorState& state, std::span<const NumberRef> refs);
 
-// The action: a key of the number under the pointer, or a driven key of those being set.
+// Keys the number under the pointer, or the driven keys being set.
 [[nodiscard]] Possible canKeyPointed(const EditorState& state);
 void keyPointed(EditorState& state);
 
-/// Removes the point of a curve under the pointer. @return false: there is none.
+/// Removes the curve's point under the pointer. @return false: there is none
 bool removePointedPoint(EditorState& state);
 
 }  // namespace sinew::app

@@ -1,5 +1,4 @@
-// app/editor/bindings.cpp: changes of keys, stored as differences from the keymap.
-
+// app/editor/bindings.cpp: the user's keys, stored as differences from the keymap.
 #include "app/editor/bindings.h"
 
 #define GLFW_INCLUDE_NONE
@@ -20,14 +19,14 @@ const Action* actionNamed(std::string_view id) {
   return found == actions().end() ? nullptr : &*found;
 }
 
-/// Each once, none before the first.
+/// Without duplicates, the first key first.
 Keys inOrder(Keys keys) {
   if (keys[1] == keys[0]) keys[1] = {};
   if (keys[0].key == 0) std::swap(keys[0], keys[1]);
   return keys;
 }
 
-/// Keys that equal the keymap's are no difference.
+/// Stores keys that differ from the keymap's.
 void setKeys(Preferences& preferences, const Action& action, Keys keys) {
   keys = inOrder(keys);
   KeyChanges& changes = preferences.keyChanges();
@@ -52,7 +51,7 @@ void takeAway(Preferences& preferences, const Shortcut& shortcut, const Action& 
   }
 }
 
-/// The keys of one entry of the file that can be used; a line on each that cannot.
+/// The usable keys of one entry of the file; adds a note for each other.
 Keys usableKeys(const Action& action, const std::vector<std::string>& texts, Keymap keymap,
                 std::set<std::string>& given, std::vector<std::string>& notes) {
   Keys keys{};
@@ -87,7 +86,7 @@ void dropUnusable(Preferences& preferences, std::vector<std::string>& notes) {
       continue;
     }
     const Keys keys = usableKeys(*known, texts, preferences.keymap, given, notes);
-    // Nothing of it can be used: as if it were not there. An empty list is a wish: no key.
+    // An empty list means no key; a list without a usable key is ignored.
     if (keys[0].key != 0 || texts.empty()) usable.emplace_back(known, keys);
   }
   for (const auto& [known, keys] : usable) setKeys(preferences, *known, keys);
@@ -136,29 +135,12 @@ void giveKey(Preferences& preferences, const Action& action, std::size_t slot, c
   setKeys(preferences, action, keys);
 }
 
-void clearKey(Preferences& preferences, const Action& action, std::size_t slot) {
-  Keys keys = shortcutsOf(action, preferences);
-  keys[slot] = {};
-  setKeys(preferences, action, keys);
-}
-
 void resetKeys(Preferences& preferences, const Action& action) {
   const Keys keys = shortcutsOf(action, preferences.keymap);
   for (const Shortcut& shortcut : keys) {
     if (shortcut.key != 0) takeAway(preferences, shortcut, action);
   }
   setKeys(preferences, action, keys);
-}
-
-std::vector<const Action*> losersToReset(const Preferences& preferences, const Action& action) {
-  std::vector<const Action*> losers;
-  for (const Shortcut& shortcut : shortcutsOf(action, preferences.keymap)) {
-    const Action* owner = ownerOf(shortcut, preferences);
-    if (owner != nullptr && owner != &action && std::ranges::find(losers, owner) == losers.end()) {
-      losers.push_back(owner);
-    }
-  }
-  return losers;
 }
 
 void resetAllKeys(Preferences& preferences) { preferences.keyChanges().clear(); }
@@ -173,5 +155,87 @@ std::vector<std::string> dropUnusableKeys(Preferences& preferences) {
   preferences.keymap = chosen;
   return notes;
 }
+
+namespace {
+
+void clearKey(Preferences& preferences, const Action& action, std::size_t slot) {
+  Keys keys = shortcutsOf(action, preferences);
+  keys[slot] = {};
+  setKeys(preferences, action, keys);
+}
+
+/// Actions that would lose a key to resetKeys().
+std::vector<const Action*> losersToReset(const Preferences& preferences, const Action& action) {
+  std::vector<const Action*> losers;
+  for (const Shortcut& shortcut : shortcutsOf(action, preferences.keymap)) {
+    const Action* owner = ownerOf(shortcut, preferences);
+    if (owner != nullptr && owner != &action && std::ranges::find(losers, owner) == losers.end()) {
+      losers.push_back(owner);
+    }
+  }
+  return losers;
+}
+
+bool clears(const Shortcut& pressed) {
+  const bool plain = !pressed.control && !pressed.shift && !pressed.alt;
+  return plain && (pressed.key == GLFW_KEY_BACKSPACE || pressed.key == GLFW_KEY_DELETE);
+}
+
+std::string quoted(const Action& action) { return '"' + std::string(action.label) + '"'; }
+
+}  // namespace
+
+void startKeyCapture(EditorState& state, const Action& action, int slot) {
+  state.dialogs.keyCapture = {KeyCapture::Step::kWaiting, action.id, slot, "", ""};
+}
+
+void captureKey(EditorState& state, const Shortcut& pressed) {
+  KeyCapture& capture = state.dialogs.keyCapture;
+  if (capture.step != KeyCapture::Step::kWaiting) return;
+  Preferences& preferences = state.session.preferences;
+  const Action& wanted = action(capture.action);
+  const auto slot = static_cast<std::size_t>(capture.slot);
+  if (pressed.key == GLFW_KEY_ESCAPE) return endKeyCapture(state);
+  if (clears(pressed)) {
+    clearKey(preferences, wanted, slot);
+    return endKeyCapture(state);
+  }
+  capture.notice = whyReserved(pressed);
+  if (!capture.notice.empty()) return;
+  const Action* owner = ownerOf(pressed, preferences);
+  if (owner != nullptr && owner != &wanted) {
+    capture.step = KeyCapture::Step::kAsking;
+    capture.key = textOf(pressed);
+    capture.notice = capture.key + " belongs to " + quoted(*owner) + ". Replace it?";
+    return;
+  }
+  giveKey(preferences, wanted, slot, pressed);
+  endKeyCapture(state);
+}
+
+void requestKeyReset(EditorState& state, const Action& action) {
+  const auto losers = losersToReset(state.session.preferences, action);
+  if (losers.empty()) {
+    resetKeys(state.session.preferences, action);
+    return endKeyCapture(state);
+  }
+  std::string names;
+  for (const Action* loser : losers) names += (names.empty() ? "" : " and ") + quoted(*loser);
+  state.dialogs.keyCapture = {KeyCapture::Step::kAsking, action.id, 0, "",
+                              "The keymap's keys belong to " + names + ". Replace them?"};
+}
+
+void replaceKeys(EditorState& state) {
+  const KeyCapture asked = std::exchange(state.dialogs.keyCapture, {});
+  if (asked.step != KeyCapture::Step::kAsking) return;
+  Preferences& preferences = state.session.preferences;
+  if (asked.key.empty()) {
+    resetKeys(preferences, action(asked.action));
+  } else if (const auto key = shortcutFrom(asked.key)) {
+    giveKey(preferences, action(asked.action), static_cast<std::size_t>(asked.slot), *key);
+  }
+}
+
+void endKeyCapture(EditorState& state) { state.dialogs.keyCapture = {}; }
 
 }  // namespace sinew::app

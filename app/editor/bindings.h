@@ -1,4 +1,4 @@
-// app/editor/bindings.h: the keys that the user gave to actions in place of the keymap's.
+// app/editor/bindings.h: the user's own keys for actions.
 #pragma once
 
 #include <optional>
@@ -10,31 +10,40 @@
 
 namespace sinew::app {
 
-/// "Ctrl+Shift+S" -> the key, in the order in which textOf writes modifiers; nothing for a text that names no key.
+/// The reverse of textOf(); nullopt: not a key.
 [[nodiscard]] std::optional<Shortcut> shortcutFrom(std::string_view text);
-/// Why no action may be given this key, a sentence; "" if one may.
+/// A sentence why no action may have this key, or "".
 [[nodiscard]] std::string whyReserved(const Shortcut& shortcut);
 /// Shift, Ctrl, Alt, Super or a lock key.
 [[nodiscard]] bool isModifier(int key);
 
-/// The action that the key runs; null: none.
+/// The key's action, or null.
 [[nodiscard]] const Action* ownerOf(const Shortcut& shortcut, const Preferences& preferences);
-/// It has other keys than the keymap gives it.
+/// It has other keys than in the keymap.
 [[nodiscard]] bool isRebound(const Action& action, const Preferences& preferences);
 
-// Changes to the chosen keymap. A key has one owner: who had it before loses it.
+// Changes to the chosen keymap. A key has one action: the former one loses it.
 /// @param slot  0 or 1; without a first key it becomes the first
 void giveKey(Preferences& preferences, const Action& action, std::size_t slot, const Shortcut& shortcut);
-void clearKey(Preferences& preferences, const Action& action, std::size_t slot);
 /// Back to the keymap's keys.
 void resetKeys(Preferences& preferences, const Action& action);
-/// Who would lose a key to resetKeys.
-[[nodiscard]] std::vector<const Action*> losersToReset(const Preferences& preferences, const Action& action);
 void resetAllKeys(Preferences& preferences);
 
-/// Removes from both keymaps what a file may say and nobody can use: unknown actions, unknown or reserved keys, a key
-/// that stands twice. A key given by the user is taken from the action that the keymap gives it to.
-/// @return a line on each
+/// Removes unusable entries of a preferences file from both keymaps: unknown actions, unknown or reserved keys,
+/// duplicates. The user's keys take precedence over the keymap's. @return a line for each
 [[nodiscard]] std::vector<std::string> dropUnusableKeys(Preferences& preferences);
+
+// Assigning a key interactively.
+
+/// The next key press goes to this action. @param slot  0 or 1
+void startKeyCapture(EditorState& state, const Action& action, int slot);
+/// Handles the key press: Esc cancels, Backspace and Delete clear, reserved keys are refused, a key of another action
+/// becomes a question, any other is assigned.
+void captureKey(EditorState& state, const Shortcut& pressed);
+/// Resets keys, after a question if another action would lose one.
+void requestKeyReset(EditorState& state, const Action& action);
+/// The question was answered with Replace.
+void replaceKeys(EditorState& state);
+void endKeyCapture(EditorState& state);
 
 }  // namespace sinew::app

@@ -1,4 +1,4 @@
-// app/editor/blending_edit.h: what the two views of the blending graph do to the rig, and their colors.
+// app/editor/blending_edit.h: edits of groups, links and territories, and their colors.
 #pragma once
 
 #include <string>
@@ -6,38 +6,56 @@
 
 #include "app/editor/editor_state.h"
 #include "app/ui/style.h"
+#include "sinew/geometry/result.h"
 
 namespace sinew::app {
 
-/// The color a group has everywhere, by its place in Rig::groups (document/group_colors.h); muted for -1.
+// Territories: the bones whose skin a muscle may move.
+
+/// Territory mode: clicks on bones in picture and outliner change the active muscle's territory.
+[[nodiscard]] bool editsTerritory(const EditorState& state);
+void toggleTerritoryMode(EditorState& state);
+void endTerritoryMode(ViewportTools& tools);
+
+/// The muscle's bone, its parent and its children.
+[[nodiscard]] Result<Rig> withDefaultTerritory(const Rig& rig, const std::vector<int>& indices);
+/// One undo step, or a refusal.
+void toggleTerritoryBone(EditorState& state, int bone);
+
+/// Bones of the mode's muscle, ascending; empty if the mode is off.
+[[nodiscard]] std::vector<int> shownTerritory(const EditorState& state);
+/// [V] 0..1, influence on each control vertex; empty if the mode is off.
+[[nodiscard]] std::vector<float> shownTerritoryWeights(const EditorState& state);
+
+// Colors and links of groups.
+
+/// By index into Rig::groups (document/group_colors.h); muted for -1.
 [[nodiscard]] Tint groupTint(const Rig& rig, int group);
-/// By name; muted for a group that is not there.
+/// By name; muted for an unknown group.
 [[nodiscard]] Tint groupTint(const Rig& rig, const std::string& group);
-/// What is within a territory, in every panel as in the picture.
 [[nodiscard]] Tint territoryTint();
 
-/// Whether two groups are linked.
 [[nodiscard]] bool areLinked(const Rig& rig, const std::string& a, const std::string& b);
-/// [groups][groups] the same for all, symmetric, by index.
+/// [groups][groups] areLinked() for all.
 [[nodiscard]] std::vector<std::vector<bool>> linkTable(const Rig& rig);
 
-// Each is one undo step or a refusal, as edit() says.
+// Each is one undo step or a refusal.
 
 void toggleLink(EditorState& state, int groupA, int groupB);
-/// A new empty group, chosen, its name ready to be typed.
+/// Adds an empty group and starts typing its name.
 void addEmptyGroup(EditorState& state);
-/// The selected muscles in a group of their own, chosen, its name ready to be typed.
+/// Moves the selected muscles to a new group and starts typing its name.
 void groupSelection(EditorState& state);
 bool renameGroupTo(EditorState& state, GroupId group, const std::string& name);
-/// The group's muscles go to `into` (an index); -1: only if it is empty.
+/// Moves the group's muscles to group `into`; -1: removes an empty group only.
 bool removeGroupOf(EditorState& state, int group, int into);
 bool moveToGroup(EditorState& state, const std::vector<int>& indices, const std::string& group);
 void selectMembers(Document& document, const std::string& group);
 
-/// The muscles that a drag of one of them takes along: all that are selected if it is among them, else it alone.
+/// Muscles that a drag moves: the selection if the grabbed one is in it, else that one.
 [[nodiscard]] std::vector<int> draggedMuscles(const Document& document, int grabbed);
 
-/// Lights up the muscles of a group in the picture, for this frame.
+/// Highlights a group's muscles in the picture for this frame.
 void highlightGroup(EditorState& state, const std::string& group);
 
 }  // namespace sinew::app

@@ -1,4 +1,5 @@
-// app/editor/clip_commands.cpp: clips of other files: added, removed, located, and what plays while they come and go.
+// app/editor/clip_commands.cpp: clips of other files.
+
 #include "app/editor/clip_commands.h"
 
 #include <algorithm>
@@ -7,6 +8,7 @@
 #include <utility>
 
 #include "app/document/play_range.h"
+#include "app/document/shown_names.h"
 #include "app/editor/commands.h"
 #include "app/editor/edit.h"
 #include "core/bodies/transfer_clips.h"
@@ -20,13 +22,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string countOf(std::size_t count, const char* one) {
-  return std::to_string(count) + ' ' + one + (count == 1 ? "" : "s");
-}
-
 std::string shortName(const std::string& file) { return fs::path(file).filename().string(); }
 
-/// Index of the entry that means this file, or -1.
+/// Index of the file in Rig::clipFiles, or -1.
 int entryOf(const Document& document, const fs::path& file) {
   const std::vector<std::string>& names = document.rig().clipFiles;
   const auto isIt = [&](const std::string& name) {
@@ -37,7 +35,7 @@ int entryOf(const Document& document, const fs::path& file) {
   return found == names.end() ? -1 : static_cast<int>(found - names.begin());
 }
 
-/// The transport where its clip may be gone: then the clip that is shown first.
+/// carriedOver(), else the first clip.
 Transport carriedOrFirst(const Transport& transport, const Character& before, const Character& after) {
   if (const auto same = carriedOver(transport, before, after)) return *same;
   Transport other = transport;
@@ -46,8 +44,8 @@ Transport carriedOrFirst(const Transport& transport, const Character& before, co
   return other;
 }
 
-/// Files that could be read before and are gone now.
-void tellGone(EditorState& state, const std::vector<ClipFileReport>& before) {
+/// Reports files that have become unreadable.
+void reportGone(EditorState& state, const std::vector<ClipFileReport>& before) {
   for (const ClipFileReport& file : state.document.clipFiles.files) {
     const auto was = std::ranges::find(before, file.file, &ClipFileReport::file);
     if (!file.missing || (was != before.end() && was->missing)) continue;
@@ -56,16 +54,16 @@ void tellGone(EditorState& state, const std::vector<ClipFileReport>& before) {
   }
 }
 
-/// The character has the clips that its files have now. Where its surface cannot be made, it stays as it was.
+/// Reads the rig's clip files. If the surface cannot be made, the character stays unchanged.
 void readClipFiles(EditorState& state) {
   Document& document = state.document;
   const std::shared_ptr<const Character> before = document.character;
   const std::vector<ClipFileReport> files = document.clipFiles.files;
   loadClipFiles(document);
   state.open.clipList.changed.clear();
-  // Those at the character's buffers have no name in front.
+  // Keeps those of the character's buffers, which have no name in front.
   std::erase_if(state.open.clipList.looks, [](const auto& look) { return !look.first.starts_with('\n'); });
-  tellGone(state, files);
+  reportGone(state, files);
   if (document.character == before) return;
   const Transport transport = carriedOrFirst(state.open.transport, *before, *document.character);
   Result<LiveSurface> live = LiveSurface::create(document, transport);
@@ -76,14 +74,14 @@ void readClipFiles(EditorState& state) {
   state.live = std::move(live).value();
   state.open.transport = transport;
   ++state.session.documentsOpened;
-  // What was found in the clips.
+  // Results that depend on clips.
   state.open.timeline = {};
   state.open.lineRange = {};
   state.open.muscleSet.motions.reset();
 }
 
-/// What a file would add, alone. Error: why it adds nothing.
-Result<void> tried(const Document& document, const std::string& name) {
+/// Error: the file would add no clips.
+Result<void> checkAdds(const Document& document, const std::string& name) {
   Rig alone = document.rig();
   alone.clipFiles = {name};
   const WithClipFiles with = withClipFiles(document.character, alone, document.clipFiles.folder);
@@ -99,7 +97,7 @@ std::string refused(EditorState& state, const Error& error) {
   return error.plainText();
 }
 
-/// The first clip of a file plays.
+/// Plays the file's first clip.
 void playFirstOf(EditorState& state, const std::string& name) {
   const int clip = indexOf(state.character(), {name, 0});
   if (clip < 0) return;
@@ -107,29 +105,29 @@ void playFirstOf(EditorState& state, const std::string& name) {
   state.open.transport.playing = clipDuration(state.open.transport, state.character()) > 0.0;
 }
 
-/// What an entry of the rig brings. @param done  "Added"
-void tell(EditorState& state, const std::string& done, const std::string& name) {
+/// @param done  "Added"
+void reportClips(EditorState& state, const std::string& done, const std::string& name) {
   const std::size_t count = clipsOf(state.character(), name).size();
   const auto report = std::ranges::find(state.document.clipFiles.files, name, &ClipFileReport::file);
   const bool differs = report != state.document.clipFiles.files.end() && !report->notes.empty();
-  say(state, done + ' ' + countOf(count, "clip") + " of " + shortName(name) + (differs ? ": see the list" : ""));
+  say(state, done + ' ' + withCount(count, "clip") + " of " + shortName(name) + (differs ? ": see the list" : ""));
   if (differs) showClipList(state);
 }
 
 constexpr const char* kBusy = "Finish the current edit first";
 
-/// One step that names the file in the rig, and what it brings. @param rig  names it
+/// One undo step that adds the file. @param rig  with the file
 std::string nameInRig(EditorState& state, const std::string& label, Rig rig, const std::string& name,
                       const std::string& done) {
-  if (const Result<void> brings = tried(state.document, name); !brings) return refused(state, brings.error());
+  if (const Result<void> brings = checkAdds(state.document, name); !brings) return refused(state, brings.error());
   if (!edit(state, label, std::move(rig))) return state.open.refusal;
   followClipFiles(state);
   playFirstOf(state, name);
-  tell(state, done, name);
+  reportClips(state, done, name);
   return "";
 }
 
-/// What added clips would be called if the file's came last: they have those names when it is added again.
+/// Names of added clips if the file were last, as when it is added again.
 std::map<std::string, std::string> namesWithLast(const Document& document, int file) {
   Rig rig = document.rig();
   std::rotate(rig.clipFiles.begin() + file, rig.clipFiles.begin() + file + 1, rig.clipFiles.end());
@@ -155,7 +153,7 @@ std::string addClips(EditorState& state, const fs::path& file) {
     const std::string name = at(state.document.rig().clipFiles, known);
     readClipFiles(state);
     if (const auto& gone = at(state.document.clipFiles.files, known).missing) return gone->plainText();
-    tell(state, "Read again:", name);
+    reportClips(state, "Read again:", name);
     return "";
   }
   const std::string name = clipFileName(state.document, file);
@@ -166,7 +164,7 @@ std::string addClips(EditorState& state, const fs::path& file) {
 
 void readClipFilesAgain(EditorState& state) {
   readClipFiles(state);
-  say(state, "Read again: " + countOf(state.document.clipFiles.files.size(), "clip file"));
+  say(state, "Read again: " + withCount(state.document.clipFiles.files.size(), "clip file"));
 }
 
 void removeClipFile(EditorState& state, int file) {
@@ -179,8 +177,8 @@ void removeClipFile(EditorState& state, int file) {
   if (!edit(state, "Remove clips of " + shortName(name), std::move(rig))) return;
   followClipFiles(state);
   const std::string kept =
-      keyed == 0 ? "" : "; keys of " + countOf(keyed, "number") + " are kept for when it is added again";
-  say(state, "Removed " + shortName(name) + (gone.empty() ? "" : ": " + countOf(gone.size(), "clip")) + kept);
+      keyed == 0 ? "" : "; keys of " + withCount(keyed, "number") + " are kept for when it is added again";
+  say(state, "Removed " + shortName(name) + (gone.empty() ? "" : ": " + withCount(gone.size(), "clip")) + kept);
 }
 
 std::string locateClipFile(EditorState& state, const std::string& name, const fs::path& file) {
@@ -213,7 +211,7 @@ void showLocateClipsDialog(EditorState& state, int file) {
 
 void showClipList(EditorState& state) {
   state.open.clipList.shown = true;
-  state.open.muscleSet.shown = state.open.bodyParts.shown = false;  // They would lie under it.
+  state.open.muscleSet.shown = state.open.bodyParts.shown = false;  // In the same place.
   state.open.check = {};
 }
 

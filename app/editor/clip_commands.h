@@ -1,4 +1,4 @@
-// app/editor/clip_commands.h: clips of other files: added, removed, located, and what plays while they come and go.
+// app/editor/clip_commands.h: clips of other files: adding, removing, locating and reading them again.
 #pragma once
 
 #include <filesystem>
@@ -10,41 +10,39 @@
 
 namespace sinew::app {
 
-/// One undo step: the rig names the file, and its first clip plays. A file that it names already is read again. The
-/// list opens where something did not match. @return an empty text, or why it failed (also a message): nothing has
-/// changed
+/// One undo step: adds the file to the rig and plays its first clip; a known file is read again. Opens the list if
+/// something did not match. @return "", or why it failed (also a message)
 std::string addClips(EditorState& state, const std::filesystem::path& file);
-/// No step: what other programs have made of the files that the rig names.
+/// Reads the rig's clip files again. No undo step.
 void readClipFilesAgain(EditorState& state);
-/// One undo step. Keys stay: those of clips that go wait for the file to be added again, the others' follow clips that
-/// are called otherwise from then on. @param file  index into Rig::clipFiles
+/// One undo step. Keys for the removed clips stay until the file is added again; keys of renamed clips follow.
+/// @param file  index into Rig::clipFiles
 void removeClipFile(EditorState& state, int file);
-/// One undo step: another file takes the place of one that is gone. @return as addClips
+/// One undo step: replaces a missing file. @return as addClips()
 std::string locateClipFile(EditorState& state, const std::string& name, const std::filesystem::path& file);
 
-/// The file dialog for addClips().
+/// The path dialog for addClips().
 void showClipsDialog(EditorState& state);
-/// ... for locateClipFile(). @param file  index into Rig::clipFiles
+/// The path dialog for locateClipFile(). @param file  index into Rig::clipFiles
 void showLocateClipsDialog(EditorState& state, int file);
-/// Play > Clip files. What shares its place closes.
+/// Play > Clip files. Closes other panels in the same place.
 void showClipList(EditorState& state);
 void toggleClipList(EditorState& state);
 
-/// After an edit, undo or redo that changed which files there are: the character's clips follow. What plays goes on
-/// where its clip is still there.
+/// Reads clip files again if an edit, undo or redo changed them. A clip that still exists plays on.
 void followClipFiles(EditorState& state);
 
-/// The transport for a character with other clips; nullopt: the clip that it shows is not there.
+/// The transport for a character with other clips; nullopt: the shown clip does not exist.
 [[nodiscard]] std::optional<Transport> carriedOver(const Transport& transport, const Character& before,
                                                    const Character& after);
 
-/// Clips that come from a file. @param file  as the rig names it
+/// Names of a file's clips. @param file  as in the rig
 [[nodiscard]] std::vector<std::string> clipsOf(const Character& character, const std::string& file);
 
-/// What a file that was let go over the window holds for the open character.
+/// Content of a dropped file for the open character.
 struct DroppedClips {
   bool any = false;          ///< It has clips.
-  bool nothingElse = false;  ///< ... and no mesh, or the bones of the open character: another file of the same one.
+  bool nothingElse = false;  ///< ... and no mesh, or the bones of the open character.
 };
 [[nodiscard]] DroppedClips lookForClips(const Document& document, const std::filesystem::path& file);
 

@@ -1,29 +1,30 @@
-// app/editor/commands.cpp: what the editor can be told to do.
-
+// app/editor/commands.cpp: opening, saving, history, muscles, framing and the picture's context menu.
 #include "app/editor/commands.h"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
-#include "app/document/muscle_names.h"
 #include "app/document/play_range.h"
+#include "app/document/shown_names.h"
+#include "app/editor/blending_edit.h"
 #include "app/editor/clip_commands.h"
 #include "app/editor/disk_conflict.h"
 #include "app/editor/edit.h"
-#include "app/editor/keep_muscles.h"
 #include "app/editor/open_file.h"
 #include "app/editor/session.h"
 #include "app/editor/symmetry_commands.h"
-#include "app/editor/territory.h"
+#include "app/editor/visibility_commands.h"
+#include "app/viewport/tools/territory_tool.h"
 #include "core/geometry/at.h"
 #include "core/rig/twins.h"
 #include "sinew/rig/rig_edit.h"
 
 namespace sinew::app {
+
 namespace {
 
-/// What plays is what the history says. Another clip is chosen only where its range alone has changed, so that what was
-/// undone is seen.
+/// Takes the history's play ranges. If only another clip's range changed, chooses that clip to show the change.
 void takeRanges(Transport& transport, const PlayRanges& ranges, const Character& character) {
   const PlayRanges before = std::exchange(transport.ranges, ranges);
   const auto changed = [&](int clip) {
@@ -37,7 +38,7 @@ void takeRanges(Transport& transport, const PlayRanges& ranges, const Character&
   }
 }
 
-/// Moves in the history; pose and play ranges go with it. @return whether it moved
+/// Moves in the history, with pose and play ranges. @return whether it moved
 template <class Move>
 bool travel(EditorState& state, Move move) {
   if (isBusy(state)) return false;
@@ -88,22 +89,26 @@ void perform(EditorState& state, const Intent& intent) {
   }
 }
 
+void showPathDialog(EditorState& state, DialogKind kind, const std::filesystem::path& folder, const std::string& text) {
+  state.dialogs.file = {};
+  state.dialogs.file.kind = kind;
+  state.dialogs.file.folder = folder;
+  state.dialogs.file.text = text;
+  state.dialogs.file.appearing = true;
+}
+
 void showOpenDialog(EditorState& state) {
-  const Document& document = state.document;
-  std::filesystem::path folder = document.rigFile.empty() ? document.characterFile : document.rigFile;
+  std::filesystem::path folder = state.document.file();
   std::error_code ignored;
   if (isSample(folder)) {
-    // The program's own folder is no place to work in; where one has worked before is.
+    // Not the program's own folder.
     const auto& recent = state.session.preferences.recentFiles;
     folder = recent.empty() ? homeFolder() : recent.front().parent_path();
   } else {
     folder = folder.empty() ? std::filesystem::current_path(ignored)
                             : std::filesystem::absolute(folder, ignored).parent_path();
   }
-  state.dialogs.file = {};
-  state.dialogs.file.kind = DialogKind::kOpen;
-  state.dialogs.file.folder = folder;
-  state.dialogs.file.appearing = true;
+  showPathDialog(state, DialogKind::kOpen, folder);
 }
 
 void showSaveDialog(EditorState& state, const Intent& then) {
@@ -116,11 +121,7 @@ void showSaveDialog(EditorState& state, const Intent& then) {
   }
   if (isSample(file)) file = homeFolder() / file.filename();
   file = std::filesystem::absolute(file, ignored);
-  state.dialogs.file = {};
-  state.dialogs.file.kind = DialogKind::kSaveAs;
-  state.dialogs.file.folder = file.parent_path();
-  state.dialogs.file.text = file.filename().string();
-  state.dialogs.file.appearing = true;
+  showPathDialog(state, DialogKind::kSaveAs, file.parent_path(), file.filename().string());
   state.dialogs.file.then = then;
 }
 
@@ -171,8 +172,7 @@ void addMuscle(EditorState& state, int bone, ShapePreset preset) {
 void deleteSelection(EditorState& state) {
   const std::vector<int> indices = editedIndices(state.document);
   if (indices.empty() || isBusy(state)) return;
-  const std::string what =
-      indices.size() == 1 ? state.document.activeName() : std::to_string(indices.size()) + " muscles";
+  const std::string what = indices.size() == 1 ? state.document.activeName() : withCount(indices.size(), "muscle");
   edit(state, "Delete " + what, removePrimitives(state.document.rig(), indices));
 }
 
@@ -185,14 +185,14 @@ void duplicateSelection(EditorState& state) {
   if (!edit(state, "Duplicate " + what, duplicatePairs(state.document.rig(), indices))) return;
   const auto& primitives = state.document.rig().primitives;
   state.document.selection.primitives.clear();
-  // The copies of what was selected; those of twins, made by symmetry, follow.
+  // Selects copies of the selection, not those of twins.
   for (std::size_t i = before; i < primitives.size(); ++i) {
     const PrimitiveId original = at(primitives, indices[i - before]).id();
     if (originals.contains(original)) state.document.selection.primitives.push_back(primitives[i].id());
   }
   const std::string copies = namedMuscles(state.document.rig(), selectedIndices(state.document));
   if (state.session.preferences.keymap == Keymap::kBlender) {
-    // As in Blender the copy follows the pointer; a step of its own.
+    // As in Blender, the copy follows the pointer, as another step.
     startDrag(state.view.tools, ToolKind::kMove);
     say(state, "Duplicated " + what + ": click to place " + copies + ", Esc leaves it on the original");
   } else {
@@ -242,7 +242,7 @@ void frameSelection(EditorState& state, bool animated) {
   Bounds bounds;
   for (const PrimitiveShape& shape : shownShapes(state, false)) {
     if (!shape.selected) continue;
-    // Twice the muscle: it is judged in its surroundings.
+    // Twice the muscle's size, to show its surroundings.
     const glm::vec3 center(shape.unitBallInWorld[3]);
     for (const glm::vec3& point : extremesOf(shape, 1.0f)) bounds.add(center + 2.0f * (point - center));
   }
@@ -271,7 +271,7 @@ std::vector<int> selectedIndices(const Document& document) {
 
 std::vector<PrimitiveShape> shownShapes(const EditorState& state, bool all) {
   std::vector<PrimitiveShape> shapes = primitiveShapes(state.document, state.live->pose());
-  // Only the left panels light up; put away, they leave nothing lit.
+  // The left panels highlight muscles while they are shown.
   const std::vector<int> lit = state.view.layout.leftShown ? state.frame.highlighted : std::vector<int>{};
   for (PrimitiveShape& shape : shapes) {
     shape.hovered =
@@ -279,6 +279,81 @@ std::vector<PrimitiveShape> shownShapes(const EditorState& state, bool all) {
   }
   if (!all) std::erase_if(shapes, [](const PrimitiveShape& shape) { return !shape.selected && !shape.hovered; });
   return shapes;
+}
+
+namespace {
+
+bool hasMuscle(const EditorState& state) { return state.document.activePrimitive() >= 0; }
+bool onBone(const EditorState& state) { return territorySubject(state.document) >= 0; }
+bool mirrors(const EditorState& state) { return canMirror(state.document); }
+bool hasBone(const EditorState& state) { return state.document.selection.bone >= 0; }
+bool hidesSome(const EditorState& state) { return anythingHidden(state.document); }
+bool hasMuscles(const EditorState& state) { return !state.document.rig().primitives.empty(); }
+
+/// What an action needs, and the reason if it is missing. The first one that fails counts.
+struct Need {
+  std::string_view action;
+  bool (*holds)(const EditorState&);
+  const char* otherwise;
+};
+
+constexpr const char* kNoMuscle = "There is no muscle here";
+
+constexpr std::array kNeeds{
+    Need{"view/isolate", hasMuscle, kNoMuscle},
+    Need{"view/hide", hasMuscle, kNoMuscle},
+    Need{"view/lock", hasMuscle, kNoMuscle},
+    Need{"edit/mirror", hasMuscle, kNoMuscle},
+    Need{"edit/mirror", mirrors, "This character's bones do not come in left and right pairs"},
+    Need{"edit/duplicate", hasMuscle, kNoMuscle},
+    Need{"edit/rename", hasMuscle, kNoMuscle},
+    Need{"edit/delete", hasMuscle, kNoMuscle},
+    Need{"tool/territory", hasMuscle, kNoMuscle},
+    Need{"tool/territory", onBone, "The muscle's bone is not in this character"},
+    Need{"edit/add-on-bone", hasBone, "There is no bone here"},
+    Need{"edit/select-on-bone", hasMuscles, "There are no muscles yet"},
+    Need{"edit/select-all", hasMuscles, "There are no muscles yet"},
+    Need{"view/show-all", hidesSome, "Nothing is hidden"},
+};
+
+}  // namespace
+
+void selectEntry(Document& document, const PickEntry& entry) {
+  if (entry.muscle) {
+    document.selection.set(entry.muscle);
+  } else {
+    document.selection.clear();
+    document.selection.bone = entry.bone;
+  }
+}
+
+void selectForMenu(Document& document, const ViewportHover& target) {
+  if (target.here.empty()) return;
+  const PickEntry& entry = target.here[target.at];
+  if (!entry.muscle || !document.selection.contains(entry.muscle)) selectEntry(document, entry);
+}
+
+void addMuscleAt(EditorState& state, const ViewportHover& target) {
+  if (!state.hasCharacter() || isBusy(state) || !target.skin) return;
+  const Pose& pose = state.live->pose();
+  ViewportHover now = target;
+  now.pointInWorld = skinPointAt(state.character(), pose, *target.skin).point;
+  const ViewportContext context{state.document, pose, *state.live, state.view.display, state.frame.viewportPixels};
+  AddMuscleState adding;
+  if (const Result<void> begun = beginAddMuscle(adding, context, now, glm::vec2(0.0f)); !begun) {
+    refuse(state, begun.error());
+    return;
+  }
+  state.document.commands.endGesture();
+  state.open.refusal.clear();
+}
+
+std::string whyDisabled(const EditorState& state, std::string_view actionId) {
+  if (isBusy(state)) return "Finish the current drag or input first";
+  for (const Need& need : kNeeds) {
+    if (need.action == actionId && !need.holds(state)) return need.otherwise;
+  }
+  return "";
 }
 
 }  // namespace sinew::app

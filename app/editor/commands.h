@@ -1,27 +1,30 @@
-// app/editor/commands.h: what the editor can be told to do, from any menu, key, panel or dropped file.
+// app/editor/commands.h: commands of menus, keys, panels and dropped files.
 #pragma once
 
 #include <filesystem>
 #include <string>
+#include <string_view>
 
 #include "app/editor/editor_state.h"
 
 namespace sinew::app {
 
-/// Something is being dragged or typed: no other edit begins.
+/// Something is being dragged or typed: no other edit may begin.
 [[nodiscard]] bool isBusy(const EditorState& state);
 
-/// Does it, or first asks what becomes of unsaved changes.
+/// Performs the intent, after asking about unsaved changes.
 void request(EditorState& state, const Intent& intent);
 void perform(EditorState& state, const Intent& intent);
 
+/// Opens the path dialog. @param text  in the path field
+void showPathDialog(EditorState& state, DialogKind kind, const std::filesystem::path& folder,
+                    const std::string& text = "");
 void showOpenDialog(EditorState& state);
-/// @param then done after a successful save.
+/// @param then  performed after a successful save
 void showSaveDialog(EditorState& state, const Intent& then);
-/// Saves where the rig lies; or asks for a place, or what to do where the file has changed on disk. @return whether it
-/// is saved now.
+/// Saves to the rig's file, or asks for a path, or about a file that changed on disk. @return whether it saved
 bool save(EditorState& state, const Intent& then);
-/// @return an empty text, or why it failed (also a message).
+/// @return "", or why it failed (also a message)
 std::string saveTo(EditorState& state, const std::filesystem::path& file);
 
 void undo(EditorState& state);
@@ -32,22 +35,33 @@ void addMuscle(EditorState& state, int bone, ShapePreset preset = ShapePreset::k
 void deleteSelection(EditorState& state);
 void duplicateSelection(EditorState& state);
 void startRename(EditorState& state, PrimitiveId primitive);
-/// One undo step. @return whether it has the name now.
+/// One undo step. @return whether the muscle has the name now
 bool rename(EditorState& state, PrimitiveId primitive, const std::string& name);
 void selectNothing(EditorState& state);
 
-/// Shows all of a box in the part of the picture that no panel lies over.
+/// Fits a box into the uncovered part of the picture.
 void frameInPicture(EditorState& state, const Bounds& boundsInWorld, bool animated);
-/// Selected muscles if there are, else the whole character. @param animated false: at once.
+/// The selected muscles, else the whole character.
 void frameSelection(EditorState& state, bool animated);
 void cycleAxes(EditorState& state);
 
-/// What the picture asks of the surface: the eye if hidden sides are left out, and the character's size.
+/// The view for LiveSurface::update().
 [[nodiscard]] SurfaceView surfaceView(const EditorState& state);
 
 /// Rig indices of the selected primitives, ascending.
 [[nodiscard]] std::vector<int> selectedIndices(const Document& document);
-/// What the viewport draws for the rig: all muscles, or the selected and hovered alone.
+/// Muscles that the viewport draws: all, or the selected and hovered ones.
 [[nodiscard]] std::vector<PrimitiveShape> shownShapes(const EditorState& state, bool all);
+
+// The picture's context menu.
+
+/// Selects what a right click was on, unless it is selected already. On nothing the selection stays.
+void selectForMenu(Document& document, const ViewportHover& target);
+/// Selects only this muscle or bone.
+void selectEntry(Document& document, const PickEntry& entry);
+/// Adds a muscle on the skin under the click, like the add-muscle tool. One undo step.
+void addMuscleAt(EditorState& state, const ViewportHover& target);
+/// Why an action of the menu is disabled; "" if it is not, or if its hint says it better.
+[[nodiscard]] std::string whyDisabled(const EditorState& state, std::string_view actionId);
 
 }  // namespace sinew::app

@@ -1,5 +1,4 @@
-// app/editor/disk_conflict.cpp: asking, the answers, and noticing early.
-
+// app/editor/disk_conflict.cpp: the question before saving, its answers, and watching files.
 #include "app/editor/disk_conflict.h"
 
 #include <map>
@@ -24,10 +23,9 @@ void saveThen(EditorState& state, const fs::path& file, const Intent& then) {
   if (saveTo(state, file).empty()) perform(state, then);
 }
 
-/// Looks at a file that was read and at the buffers of a .gltf.
-/// @param name  that its buffers' looks have in ClipListState::looks, before a line break and their paths
-/// @param seen  the last look at the file, which becomes the present one
-/// @return nullopt: nothing has happened since that look
+/// Looks at a file that was read, and at the buffers of a .gltf.
+/// @param name  of the file in ClipListState::looks  @param seen  in, out: the last look
+/// @return nullopt: unchanged since the last look
 std::optional<OnDisk> lookAgain(EditorState& state, const fs::path& file, const std::string& name,
                                 const std::optional<FileStamp>& known, DiskLook& seen) {
   std::map<std::string, DiskLook>& looks = state.open.clipList.looks;
@@ -36,7 +34,7 @@ std::optional<OnDisk> lookAgain(EditorState& state, const fs::path& file, const 
   seen = lookAt(file);
   bool isNew = seen != before;
   if (isNew) {
-    // It may name other buffers now.
+    // Its buffers may differ now.
     std::erase_if(looks, [&](const auto& look) { return look.first.starts_with(first); });
     for (const fs::path& buffer : bufferFilesOf(file)) looks[first + buffer.string()] = lookAt(buffer);
   }
@@ -113,15 +111,13 @@ void watchDisk(EditorState& state) {
   state.open.disk = look;
   const OnDisk found = compareWithDisk(document.rigFile, document.rigOnDisk);
   if (found == OnDisk::kSame) return;
-  const std::string name = document.rigFile.filename().string();
   if (found == OnDisk::kGone) {
-    addMessage(state.session, MessageKind::kWarning, name + " is no longer on disk. Saving asks what to do.");
-  } else if (document.commands.modified()) {
-    addMessage(state.session, MessageKind::kWarning,
-               name + " was changed on disk by another program. Saving asks which version to keep.");
+    warn(state, document.rigFile, " is no longer on disk. Saving asks what to do.");
   } else {
-    addMessage(state.session, MessageKind::kWarning,
-               name + " was changed on disk by another program. File > Reopen loads the new version.");
+    warn(state, document.rigFile,
+         std::string(" was changed on disk by another program. ") + (document.commands.modified()
+                                                                         ? "Saving asks which version to keep."
+                                                                         : "File > Reopen loads the new version."));
   }
 }
 

@@ -1,6 +1,5 @@
-// app/editor/disk_conflict.h: the rig's file is no longer what this window read or wrote last: another program,
-// another window or version control has changed it. Nothing is written over it unasked. Files that are only read, the
-// character's and those of added clips, are watched too.
+// app/editor/disk_conflict.h: files that other programs change while they are open. Saving asks before it overwrites a
+// changed rig; character and clip files are watched too.
 #pragma once
 
 #include <string>
@@ -9,22 +8,20 @@
 
 namespace sinew::app {
 
-/// Asks if the document's own file has changed or gone since. @return whether the question is open now: then nothing
-/// may be written before it is answered.
+/// Asks if the rig's file was changed or removed. @return whether it asks; write nothing until it is answered
 bool asksBeforeSaving(EditorState& state, const Intent& then);
 
-/// The answers. After each the intent that waited for the save is carried out.
-void saveBeside(EditorState& state);      ///< Both stay: this one under a new name beside the other.
-void discardForDisk(EditorState& state);  ///< The other one counts: it is read again, or the intent takes its place.
-void saveOverDisk(EditorState& state);    ///< This one counts.
-void leaveUnsaved(EditorState& state);    ///< Nothing happens.
+/// The answers. Each but the last then performs the intent that waited for the save.
+void saveBeside(EditorState& state);      ///< Saves under a new name.
+void discardForDisk(EditorState& state);  ///< Discards the changes here; without an intent, reopens the file.
+void saveOverDisk(EditorState& state);    ///< Overwrites the file.
+void leaveUnsaved(EditorState& state);
 
-/// Called now and then: says once that the file has changed or gone under the open document.
+/// Call regularly: reports once that the rig's file was changed or removed.
 void watchDisk(EditorState& state);
 
-/// Called now and then: says once of each file that it holds something else than was read, or has gone. Files of clips
-/// are in ClipListState::changed until they are read again, or hold what was read once more. Of a .gltf its buffers
-/// count too.
+/// Call regularly: reports once for each file that was read, buffers of a .gltf included, that it was changed or
+/// removed. Changed clip files are in ClipListState::changed until they are read again or restored.
 void watchReadFiles(EditorState& state);
 
 }  // namespace sinew::app

@@ -1,4 +1,4 @@
-// app/editor/document_view.h: what the editor remembers about the open document; begins anew with each one.
+// app/editor/document_view.h: state of the editor that resets with each document.
 #pragma once
 
 #include <cstddef>
@@ -13,8 +13,8 @@
 
 #include <glm/gtc/quaternion.hpp>
 #include <glm/vec2.hpp>
+#include <glm/vec4.hpp>
 
-#include "app/document/animate_state.h"
 #include "app/document/file_stamp.h"
 #include "app/document/playback.h"
 #include "app/viewport/render/reference_picture.h"
@@ -28,6 +28,61 @@
 
 namespace sinew::app {
 
+// Keys and drivers.
+
+/// A number of the rig whose owner survives renames, undo and redo.
+struct HeldNumber {
+  Parameter parameter = Parameter::kAmount;
+  PrimitiveId primitive;  ///< 0: not a muscle's.
+  LineId line;            ///< 0: not a line's.
+  std::string morph{};    ///< Name of the shape; "": not a shape's.
+
+  friend bool operator==(const HeldNumber&, const HeldNumber&) = default;
+};
+
+/// Set driven key: edits of these numbers become points at the current input.
+struct DrivenKeyMode {
+  std::vector<HeldNumber> numbers;  ///< Of one parameter, the shown one first; empty: off.
+  DriverInput input;
+
+  [[nodiscard]] bool isOn() const { return !numbers.empty(); }
+};
+
+/// A drag of a curve's point or of a key in the timeline.
+struct PointDrag {
+  std::string item;      ///< Id of the widget; "": none.
+  int point = -1;        ///< Index when the drag began.
+  glm::vec4 axes{0.0f};  ///< Low x, low y, high x, high y of the curve during the drag.
+  glm::vec2 grip{0.0f};  ///< From the point to the pointer, window coordinates.
+};
+
+/// A point of a driver's curve.
+struct CurvePoint {
+  HeldNumber number;
+  int driver = -1;  ///< Index; -1: none.
+  int point = -1;
+
+  friend bool operator==(const CurvePoint&, const CurvePoint&) = default;
+};
+
+/// A number with its drawn value at the last key.
+struct KeyedNumber {
+  HeldNumber number;
+  float drawn = 0.0f;
+};
+
+struct AnimateState {
+  std::vector<KeyedNumber> keyed;
+  std::vector<HeldNumber> pointed;  ///< Under the pointer in the last frame, the shown one first.
+  DrivenKeyMode drivenKey;
+  PointDrag drag;
+  CurvePoint chosen;           ///< Its numbers are shown under the curve.
+  CurvePoint pointedPoint;     ///< Under the pointer in the last frame, for Delete.
+  std::string menuRow;         ///< Id of the timeline's row with an open menu,
+  int menuKey = -1;            ///< and its key; -1: none.
+  bool sectionWanted = false;  ///< The inspector unfolds Animation and scrolls to it.
+};
+
 /// A muscle's name being typed in the outliner.
 struct RenameState {
   PrimitiveId primitive;  ///< 0 if none.
@@ -35,7 +90,7 @@ struct RenameState {
   bool appearing = false;
 };
 
-/// Angles as typed, so that showing them back never changes them. Valid while `rotation` is the primitive's.
+/// Angles as typed, so that they do not change when shown. Valid while `rotation` is the primitive's.
 struct EulerState {
   PrimitiveId primitive;
   glm::quat rotation{0.0f, 0.0f, 0.0f, 0.0f};
@@ -51,94 +106,93 @@ struct GroupRename {
 
 /// The groups panel.
 struct BlendingState {
-  GroupId group;  ///< The chosen one; 0 if none.
+  GroupId group;  ///< The chosen one; 0: none.
   GroupRename rename;
-  std::map<GroupId, glm::vec2> places;  ///< Nodes, design pixels; kept for groups that undo may bring back.
-  glm::vec2 pan{0.0f};                  ///< Design pixels: what the graph's origin is moved by.
+  std::map<GroupId, glm::vec2> places;  ///< Nodes, design pixels; kept for removed groups.
+  glm::vec2 pan{0.0f};                  ///< Of the graph, design pixels.
   float zoom = 1.0f;
-  bool fitWanted = true;  ///< Bring all nodes into the canvas with the next frame.
-  GroupId linkFrom;       ///< A link is being dragged from this group; 0 if none.
+  bool fitWanted = true;  ///< Fit all nodes into the canvas.
+  GroupId linkFrom;       ///< A link is being dragged from this group; 0: none.
 };
 
-/// The track. Belongs to one clip; another starts from the defaults.
+/// The track of one clip.
 struct TimelineState {
   int clip = -1;
-  PlayRange shown;             ///< The part of the clip that the track spans, seconds.
+  PlayRange shown;             ///< Visible part of the clip, seconds.
   PlayRange grabbed;           ///< The range when its bar was grabbed.
   double grabbedAt = 0.0;      ///< Where, seconds.
-  std::vector<float> density;  ///< Keys per column of the track, 0..1 of the fullest; made for `densityOf`.
+  std::vector<float> density;  ///< Keys per column of the track, 0..1 of the fullest, for `densityOf`.
   PlayRange densityOf;
 };
 
 /// The context menu of the picture.
 struct ViewportMenuState {
-  ViewportHover target;  ///< What it was asked for on.
-  bool wanted = false;   ///< Opens with the next frame.
+  ViewportHover target;
+  bool wanted = false;  ///< Opens with the next frame.
 };
 
-/// How hard muscle lines are flexed in the picture; not in the file.
+/// Flexing of muscle lines in the picture.
 struct FlexState {
-  float amount = 0.0f;         ///< The slider's, 0..1.
-  bool selectedAlone = false;  ///< Those of selected muscles, where any of them is on a line.
-  bool latched = false;        ///< Fully: switched on from a menu; or the key went down and is not up yet.
+  float amount = 0.0f;         ///< Of the slider, 0..1.
+  bool selectedAlone = false;  ///< Only lines of selected muscles, if there are any.
+  bool latched = false;        ///< Fully flexed, by menu or while the key is held.
   bool byKey = false;
 
   [[nodiscard]] float shown() const { return latched ? 1.0f : amount; }
 };
 
-/// How long a muscle line gets in the clip that is shown: as long as line and clip stay the same.
+/// Lengths of a muscle line over the shown clip.
 struct LineRangeState {
   std::optional<MuscleLine> line;
   int clip = -1;
   LineLengths lengths;
 };
 
-/// What Play > Check muscles has found.
+/// Play > Check muscles.
 struct CheckState {
   bool shown = false;
-  std::size_t revision = 0;  ///< CommandStack::revision() of the rig that was checked.
+  std::size_t revision = 0;  ///< CommandStack::revision() of the checked rig.
   std::vector<Finding> findings;
   std::vector<PrimitiveId> muscles;  ///< [findings]
-  int chosen = -1;                   ///< The finding that was gone to; -1: none.
+  int chosen = -1;                   ///< Index into findings; -1: none.
 };
 
-/// The set of muscles that was added last, while its sliders can still change it.
+/// The last added set of muscles, while its sliders can still change it.
 struct MuscleSetState {
   bool shown = false;
-  std::size_t revision = 0;  ///< CommandStack::revision() of the rig as the set left it.
+  std::size_t revision = 0;  ///< CommandStack::revision() with the set.
   std::vector<Preset> sets;  ///< For this kind of body.
   int chosen = 0;            ///< Index into sets.
   PresetTuning tuning;
-  PresetTuning kept;                 ///< As the step has it; `tuning` differs while a slider is dragged.
+  PresetTuning kept;                 ///< In the step; `tuning` differs while a slider is dragged.
   bool previews = false;             ///< A slider is being dragged.
   std::vector<std::string> muscles;  ///< Without sides.
   std::vector<FittedPreset::LeftOut> leftOut;
   std::vector<std::string> mended;
-  std::shared_ptr<const Motions> motions;  ///< Of the character; made once.
+  std::shared_ptr<const Motions> motions;  ///< motionsOf()
 };
 
 /// Muscles > Parts of the body.
 struct BodyPartsState {
   bool shown = false;
-  bool asAnimal = false;                ///< Which parts are listed while the kind of body is unknown.
-  int hovered = -1;                     ///< Index into allBodySlots(), of the row or dot under the pointer.
-  std::optional<std::size_t> revision;  ///< CommandStack::revision() that `slots` were found for.
+  bool asAnimal = false;                ///< Lists an animal's parts while the kind of body is unknown.
+  int hovered = -1;                     ///< Index into allBodySlots(), under the pointer.
+  std::optional<std::size_t> revision;  ///< CommandStack::revision() for `slots`.
   BodySlots slots;
 };
 
 /// Play > Clip files.
 struct ClipListState {
   bool shown = false;
-  std::set<std::string> changed;  ///< Files that hold something else than was read, as the rig names them.
-  /// The last ones at files, since they were read; at buffers of a .gltf by its name, a line break and their path. The
-  /// character's own have no name.
+  std::set<std::string> changed;  ///< Files changed since they were read, as in the rig.
+  /// Last looks by file, and by "file\npath" for buffers of a .gltf; the file is "" for the character's buffers.
   std::map<std::string, DiskLook> looks;
 };
 
 /// View > Reference picture.
 struct ReferenceState {
-  bool shown = false;                          ///< The panel.
-  ReferenceSide side = ReferenceSide::kFront;  ///< That it is about.
+  bool shown = false;  ///< The panel.
+  ReferenceSide side = ReferenceSide::kFront;
   ReferencePictures pictures;
 
   [[nodiscard]] ReferencePicture& chosen() { return pictures[static_cast<std::size_t>(side)]; }
@@ -148,38 +202,38 @@ struct ReferenceState {
 struct ShapesState {
   std::string search;
   std::set<std::string> folded;  ///< First parts of names.
-  std::string chosen;            ///< The shape whose keys and drivers are unfolded; empty: none.
+  std::string chosen;            ///< The shape with unfolded keys and drivers; "": none.
 };
 
 /// The panel Layers.
 struct LayersState {
-  int chosen = -1;             ///< Index into Character::parts, of the part that is marked in the picture; -1: none.
-  std::vector<int> triangles;  ///< [parts] of the file; counted when they are first shown.
+  int chosen = -1;             ///< Index into Character::parts, highlighted in the picture; -1: none.
+  std::vector<int> triangles;  ///< [parts] of the file; counted when first shown.
 };
 
-/// The tab Library: the sets for this kind of body, to lay muscles of one at a time.
+/// The tab Library.
 struct LibraryState {
-  std::optional<std::vector<SlotCorrection>> readFor;  ///< Rig::slots that all below is for; nullopt: nothing is read.
-  std::size_t reads = 0;                               ///< How often.
-  std::vector<Preset> sets;
-  std::string why;                           ///< There are no sets.
-  std::shared_ptr<const MeasuredBody> body;  ///< Of the character.
-  std::vector<FittedPreset> laid;            ///< [sets] as they would lie on this body: for pictures of them.
-  std::set<std::string> folded;              ///< Names of sets.
+  std::optional<std::vector<SlotCorrection>> readFor;  ///< Rig::slots when read; nullopt: read again.
+  std::size_t reads = 0;                               ///< Number of reads.
+  std::vector<Preset> sets;                            ///< For this kind of body.
+  std::string why;                                     ///< Why there are no sets.
+  std::shared_ptr<const MeasuredBody> body;
+  std::vector<FittedPreset> laid;  ///< [sets] Fitted to this body, for their pictures.
+  std::set<std::string> folded;    ///< Names of sets.
   std::string search;
 
-  /// A muscle that is being dragged out of it; set -1: none is.
+  /// A muscle being dragged out of it; set -1: none.
   struct Drag {
     int set = -1;
     int muscle = -1;
-    std::string says;  ///< What letting go would do.
+    std::string says;  ///< Effect of a drop.
   } drag;
 
-  bool naming = false;  ///< A name for a new set is being typed.
+  bool naming = false;  ///< The name of a new set is being typed.
   bool appearing = false;
   std::string name;
   std::string notice;      ///< Why it is not saved yet.
-  bool replacing = false;  ///< The notice was that a set of that name would be replaced.
+  bool replacing = false;  ///< The notice warns about replacing a set.
 };
 
 struct DocumentView {
@@ -194,22 +248,22 @@ struct DocumentView {
   ShapesState shapes;
   LayersState layers;
   LibraryState library;
-  std::vector<bool> helperBones;  ///< [bones] core/character/bindings.h
+  std::vector<bool> helperBones;  ///< [bones] From core/character/bindings.h.
   TimelineState timeline;
   RenameState rename;
   EulerState euler;
   BlendingState blending;
   AnimateState animate;
-  std::string rowAnchor;  ///< Key of the outliner's row where a range of rows starts.
+  std::string rowAnchor;  ///< Key of the outliner's row where a range starts.
   ViewportMenuState viewportMenu;
-  PrimitiveId revealed;          ///< The muscle the outliner has scrolled to last.
-  std::size_t historyShown = 0;  ///< The step the history has scrolled to last.
-  unsigned gestureItem = 0;      ///< ImGui id of the field whose drag or typing is one undo step; 0: none.
+  PrimitiveId revealed;          ///< The outliner last scrolled to this muscle.
+  std::size_t historyShown = 0;  ///< The history last scrolled to this step.
+  unsigned gestureItem = 0;      ///< ImGui id of the field being dragged or typed into; 0: none.
   std::string refusal;           ///< Why the last edit was refused; "" after an accepted one.
-  DiskLook disk;                 ///< The last look at the rig's file.
-  DiskLook characterLook;        ///< ... at the character's.
-  std::size_t messagesSeen = 0;  ///< SessionState::messagesSaid when the list was drawn last.
-  bool frameWanted = false;      ///< Frame the character as soon as the viewport's size is known.
+  DiskLook disk;                 ///< Of the rig's file.
+  DiskLook characterLook;        ///< Of the character's file.
+  std::size_t messagesSeen = 0;  ///< SessionState::messagesSaid when the list was last drawn.
+  bool frameWanted = false;      ///< Frame the character in the next frame.
 };
 
 }  // namespace sinew::app

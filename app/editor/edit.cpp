@@ -1,5 +1,4 @@
 // app/editor/edit.cpp: edits into the history, refusals to the user.
-
 #include "app/editor/edit.h"
 
 #include <algorithm>
@@ -28,7 +27,7 @@ bool edit(EditorState& state, const std::string& label, Result<Rig> rig) {
 
 void refuse(EditorState& state, const Error& error) {
   const std::string text = error.plainText();
-  // What is half typed is no refusal yet: sayRefusedField() says it when the field is left.
+  // While a value is typed, sayRefusedField() reports it later.
   if (state.open.gestureItem != 0) {
     state.open.refusal = text;
     return;

@@ -1,5 +1,5 @@
-// app/editor/edit.h: how commands and panels edit (tools write to the command stack themselves), and how refusals are
-// shown.
+// app/editor/edit.h: edits by commands and panels (tools use the command stack directly), refusals, toasts and
+// messages.
 #pragma once
 
 #include <string>
@@ -8,29 +8,28 @@
 
 namespace sinew::app {
 
-/// One undo step, or part of the one of the field that is being edited; or, if it was refused, nothing but refuse().
-/// @return whether it was accepted.
+/// Applies an edit as one undo step, or as part of the active field's; a refusal goes to refuse().
+/// @return whether it was accepted
 bool edit(EditorState& state, const std::string& label, Result<Rig> rig);
 
-/// Says why an edit was refused: at once in a toast, and among the messages. A drag that is refused in every frame is
-/// one refusal.
+/// Reports a refused edit in a toast and a message, once for a drag that is refused in every frame.
 void refuse(EditorState& state, const Error& error);
 
-/// A field is left whose last value was refused: says why. Nothing if it was accepted.
+/// Call when a field loses focus: reports why its last value was refused, if it was.
 void sayRefusedField(EditorState& state);
 
-/// A toast: what has been done.
+/// Shows a toast.
 void say(EditorState& state, const std::string& text);
-/// A toast: what has not been done, and why.
+/// Shows a toast about what was not done, and why.
 void sayRefusal(EditorState& state, const std::string& text);
 
-/// One undo step: the pose made by hand is as the transport has it now.
+/// One undo step: takes the transport's pose made by hand.
 void keepPose(EditorState& state, const std::string& label);
 
-/// One undo step: the parts of clips that play are as the transport has them now.
+/// One undo step: takes the transport's play ranges.
 void keepPlayRange(EditorState& state);
 
-/// Adds a line to the messages; said again, it counts up and becomes the newest.
+/// Adds a message; a repeated one counts up and becomes the newest.
 void addMessage(SessionState& session, MessageKind kind, const std::string& text,
                 MessageAbout about = MessageAbout::kDocument);
 /// The same where a toast has it already: the list need not open.

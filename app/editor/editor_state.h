@@ -1,13 +1,17 @@
-// app/editor/editor_state.h: all that the editor remembers between frames, as plain data, by how long it lives.
+// app/editor/editor_state.h: the editor's state as plain data, by lifetime.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <filesystem>
+#include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include <glm/gtc/quaternion.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec4.hpp>
 
@@ -21,75 +25,137 @@
 #include "app/document/recovery.h"
 #include "app/editor/document_view.h"
 #include "app/editor/export_state.h"
-#include "app/editor/toast.h"
-#include "app/editor/view_state.h"
-#include "app/ui/desktop_opener.h"
+#include "app/ui/data_files.h"
 #include "app/ui/frame_stats.h"
 #include "app/viewport/gpu/surface_parts.h"
+#include "app/viewport/render/scene.h"
+#include "app/viewport/tools/input_router.h"
 #include "sinew/rig/muscle_line.h"
 
 namespace sinew::app {
 
-// What lasts from the program's start to its end.
+/// A short note that fades after a time that depends on its length.
+struct Toast {
+  std::string text;
+  bool refusal = false;  ///< Shown longer.
+  double since = 0.0;    ///< FrameState::now
+};
+
+[[nodiscard]] float opacity(const Toast& toast, double now);
+/// Seconds until its opacity changes; nullopt: it is gone.
+[[nodiscard]] std::optional<double> secondsToChange(const Toast& toast, double now);
+
+// State of the view that stays when another document is opened.
+
+enum class LeftTab { kMuscles, kGroups, kLibrary, kShapes };
+
+/// Muscles under the tree of bones, or in a flat list.
+enum class OutlinerOrder { kBones, kRegions, kGroups };
+
+struct OutlinerState {
+  LeftTab tab = LeftTab::kMuscles;
+  OutlinerOrder order = OutlinerOrder::kBones;
+  bool onlyWithMuscles = false;  ///< Hides bones without a muscle on or below them.
+  std::set<std::string> folded;  ///< Paths of bones, and foldedKey() of parts.
+  bool unattachedFolded = false;
+  bool helperBones = false;  ///< Shows bones that move no skin, in the picture as well.
+};
+
+struct InspectorState {
+  bool percent = false;        ///< Lengths in percent of the height, else in character units.
+  bool shapeOpen = false;      ///< Unfolded: shape,
+  bool territoryOpen = false;  ///< bones of a default territory,
+  bool animationOpen = false;  ///< drivers and keys.
+  std::string boneFilter;      ///< Of the open list of bones.
+};
+
+/// "Before": the character without muscles.
+struct BareState {
+  bool latched = false;  ///< By menu, or while the key is held.
+  bool byKey = false;
+};
+
+inline constexpr std::size_t kFirstSteps = 5;
+
+/// Help > First steps.
+struct FirstStepsState {
+  bool shown = false;
+  std::array<bool, kFirstSteps> done{};
+  std::size_t document = 0;        ///< SessionState::documentsOpened for the following.
+  CameraStand stand;               ///< When the document was opened.
+  std::shared_ptr<const Rig> rig;  ///< When the document was opened.
+};
+
+struct ViewState {
+  DisplaySettings display;
+  ViewportTools tools;
+  LayoutState layout;
+  OutlinerState outliner;
+  std::string outlinerFilter;
+  bool groupsAsGraph = false;  ///< Instead of the matrix.
+  InspectorState inspector;
+  BareState bare;
+  FirstStepsState firstSteps;
+  std::vector<std::pair<std::string, glm::quat>> copiedPose;  ///< Joints by file name, and rotations.
+};
+
+// State of the whole run.
 
 class Thumbnails;
 
 enum class MessageKind { kNote, kWarning, kError };
 
-/// Whom a message is about: what was said of a document goes when another is opened.
+/// Messages about a document are removed when another is opened.
 enum class MessageAbout { kDocument, kProgram };
 
-/// Stays until dismissed.
 struct Message {
   MessageKind kind = MessageKind::kNote;
   std::string text;
-  int count = 1;  ///< Times it was said.
+  int count = 1;  ///< Repetitions.
   MessageAbout about = MessageAbout::kDocument;
-  std::optional<MuscleLine> line = std::nullopt;  ///< What it warns of, as it was: the message goes when that changes.
+  std::optional<MuscleLine> line = std::nullopt;  ///< Removed when this line changes.
 };
 
-/// Who computes the surface in the picture. The window's; no window: the processor.
+/// Who computes the surface.
 struct SurfaceMakerState {
   bool onCard = false;
-  std::string why;                           ///< What decided; "": the preferences.
-  std::optional<PartSeconds> onCardSeconds;  ///< Of a late frame, by the card's own clock; nullopt: not known.
+  std::string why;                           ///< The reason; "": the preferences.
+  std::optional<PartSeconds> onCardSeconds;  ///< Of a recent frame, by the card's clock; nullopt: unknown.
 };
 
 struct SessionState {
-  std::filesystem::path viewsFolder;  ///< Where views of files are kept (view_files.h); "": they are not.
-  Preferences preferences;            ///< Without layout and window, which stand in ViewState and in the window.
-  std::vector<Message> messages;      ///< The last one is the newest.
+  std::filesystem::path viewsFolder;  ///< For views (view_files.h); "": not kept.
+  Preferences preferences;            ///< Without layout and window, which ViewState and the window have.
+  std::vector<Message> messages;      ///< Newest last.
   std::size_t messagesSaid = 0;       ///< Grows with every message.
   std::optional<Toast> toast;
-  bool messagesShown = false;           ///< Unfolded: by a new message, until they are folded.
-  std::vector<LeftBehind> leftBehind;   ///< By a crash: offered until answered.
-  bool saveFailed = false;              ///< Until the keeper has seen it: what is unsaved is kept at once.
-  std::optional<LeftBehind> recovered;  ///< Open now: thrown away once this process has its own copy.
-  std::size_t documentsOpened = 0;      ///< Grows whenever document or character is replaced.
-  std::optional<std::filesystem::path> pictureWanted;  ///< The window writes its picture there after this frame.
-  Thumbnails* thumbnails = nullptr;                    ///< The window's; null without one.
+  bool messagesShown = false;                          ///< Unfolded by a new message.
+  std::vector<LeftBehind> leftBehind;                  ///< By a crash; offered until answered.
+  bool saveFailed = false;                             ///< Tells the keeper to write unsaved work at once.
+  std::optional<LeftBehind> recovered;                 ///< Open; removed once this process has its own copy.
+  std::size_t documentsOpened = 0;                     ///< Grows whenever document or character is replaced.
+  std::optional<std::filesystem::path> pictureWanted;  ///< The window writes its picture there.
+  Thumbnails* thumbnails = nullptr;                    ///< Null without a window.
   FrameStats stats;
   SurfaceMakerState surfaceMaker;
-  ExportQueue exports;                  ///< In the background.
+  ExportQueue exports;
   std::string program = thisProgram();  ///< Draws pictures in the background.
-  DesktopOpener opener;                 ///< Of pages.
+  DesktopOpener opener;
   ExportErrorState exportError;
-  /// As soon as they are done; asked for at these documentsOpened and CommandStack::revision(): what is edited after
-  /// that is asked about.
+  /// documentsOpened and CommandStack::revision() at the request: later edits are asked about.
   std::optional<std::pair<std::size_t, std::size_t>> quitAfterExports;
   bool quit = false;
 };
 
-// Which dialogs are open, and what has been typed into them.
+// Dialogs.
 
-/// What waits for "save your changes?" or for a path.
+/// Waits for "save your changes?" or for a path.
 enum class IntentKind { kNone, kOpenFile, kOpenWithMuscles, kAddClips, kReopen, kRecover, kQuit };
 struct Intent {
   IntentKind kind = IntentKind::kNone;
-  std::filesystem::path file;  ///< To open; kRecover: of LeftBehind.
+  std::filesystem::path file;  ///< kRecover: LeftBehind::file
 };
 
-/// The dialogs of exports only choose a place, kReference a picture to work after.
 enum class DialogKind { kNone, kOpen, kSaveAs, kSavePicture, kExportPlace, kJobPlace, kPicturesPlace, kReference };
 
 /// The path dialog.
@@ -97,28 +163,28 @@ struct FileDialogState {
   DialogKind kind = DialogKind::kNone;
   std::filesystem::path folder;
   std::string text;                 ///< The path field.
-  std::string error;                ///< Why the last try failed.
-  bool appearing = false;           ///< The path field takes the keyboard with the next frame.
-  Intent then;                      ///< After a successful Save As; Open: what is done with the file, if not opened.
-  std::filesystem::path locateFor;  ///< Open: not any file but the character of this rig.
-  std::string clipsFor;             ///< kAddClips: the entry of Rig::clipFiles that is gone; "": one more.
+  std::string error;                ///< Of the last try.
+  bool appearing = false;           ///< Focuses the path field.
+  Intent then;                      ///< Save As: after success; Open: in place of opening.
+  std::filesystem::path locateFor;  ///< Open: the rig whose character is chosen.
+  std::string clipsFor;             ///< kAddClips: the missing entry of Rig::clipFiles; "": add one.
   FileFilter filter = FileFilter::kAll;
-  std::vector<std::filesystem::path> back;     ///< Folders before this one, oldest first.
-  std::vector<std::filesystem::path> forward;  ///< Folders that were left by going back, nearest last.
-  bool overwriteAsked = false;                 ///< "Replace it?" is on the screen.
+  std::vector<std::filesystem::path> back;     ///< Former folders, oldest first.
+  std::vector<std::filesystem::path> forward;  ///< Folders left by going back, nearest last.
+  bool overwriteAsked = false;                 ///< "Replace it?" is shown.
   bool naming = false;                         ///< A new folder's name is being typed.
   std::string newFolder;
-  FolderListing listing;  ///< The folder's, as last read.
-  bool reveal = false;    ///< The list scrolls to the file that the field names.
+  FolderListing listing;
+  bool reveal = false;  ///< Scroll to the field's file.
 };
 
-/// A rig whose character is not where the rig says: asking what to do.
+/// Question about a rig with a missing character.
 struct LocateState {
-  std::filesystem::path rigFile;  ///< "": not asking.
+  std::filesystem::path rigFile;  ///< "": closed.
   std::filesystem::path characterFile;
 };
 
-/// A muscle of a set that fits this kind of body; without a muscle the whole set.
+/// A muscle of a set, or the whole set.
 struct SetEntry {
   std::string set;
   std::string muscle;
@@ -127,80 +193,79 @@ struct SetEntry {
 /// The command palette.
 struct PaletteState {
   bool shown = false;
-  bool appearing = false;  ///< The search field takes the keyboard with the next frame.
+  bool appearing = false;  ///< Focuses the search field.
   std::string query;
-  int chosen = -1;             ///< Row that was chosen with the arrows; -1: none, Enter takes the best one.
+  int chosen = -1;             ///< Row chosen with the arrows; -1: Enter takes the best one.
   std::vector<SetEntry> sets;  ///< Read when the palette opens.
 };
 
-/// A control that is brought into sight, gets the keyboard and is marked for a moment.
+/// A control to scroll to, focus and highlight.
 struct RevealState {
-  std::string id;       ///< As WidgetLog knows it; "": none.
-  int tries = 0;        ///< Frames in which it was not there yet.
-  double until = -1.0;  ///< The mark goes then, on FrameState::now; less than 0: it has not been seen yet.
+  std::string id;       ///< In the WidgetLog; "": none.
+  int tries = 0;        ///< Frames without it.
+  double until = -1.0;  ///< End of the highlight (FrameState::now); negative: not shown yet.
 };
 
-/// "Your file has changed on disk": waits for which version is to stay.
+/// "Your file has changed on disk"
 struct ConflictQuestion {
-  OnDisk found = OnDisk::kSame;  ///< kSame: not asking.
+  OnDisk found = OnDisk::kSame;  ///< kSame: closed.
   Intent then;                   ///< After the answer.
 };
 
-/// Which part of the preferences is shown.
 enum class PreferencesPage { kGeneral, kKeys };
 
-/// Another key for an action: waiting for it, or asking what to do as it is taken.
+/// Assigning a key: waiting for it, or asking about a key of another action.
 struct KeyCapture {
   enum class Step { kNone, kWaiting, kAsking };
   Step step = Step::kNone;
   std::string action;  ///< Id.
-  int slot = 0;        ///< Its first or second key.
-  std::string key;     ///< Asked about, as "Ctrl+D"; "": about a reset.
-  std::string notice;  ///< The question, or why the last key was refused.
+  int slot = 0;        ///< First or second key.
+  std::string key;     ///< Asking: "Ctrl+D"; "": about a reset.
+  std::string notice;  ///< The question, or why a key was refused.
 };
 
 struct Dialogs {
   FileDialogState file;
   LocateState locate;
   ConflictQuestion conflict;
-  Intent question;                    ///< Asking about unsaved changes before this; kNone: not asking.
-  std::filesystem::path keepMuscles;  ///< A character that was dropped: asking whether it gets the muscles. "": not.
-  bool droppedHasClips = false;       ///< ... or whether its clips are added here.
+  Intent question;                    ///< Question about unsaved changes before this; kNone: closed.
+  std::filesystem::path keepMuscles;  ///< Question whether this dropped character gets the muscles; "": closed.
+  bool droppedHasClips = false;       ///< ... or whether to add its clips.
   ExportDialogState exporting;
   PicturesDialogState pictures;
-  bool exportQuestion = false;  ///< Asking whether to quit though exports are not done.
+  bool exportQuestion = false;  ///< Question whether to quit during exports.
   PaletteState palette;
   RevealState reveal;
   bool keySheet = false;
   bool preferences = false;
   PreferencesPage preferencesPage = PreferencesPage::kGeneral;
-  std::string keySearch;  ///< Typed above the list of keys.
+  std::string keySearch;  ///< Filter of the list of keys.
   KeyCapture keyCapture;
-  bool recovery = false;  ///< What a crash left behind is being offered.
+  bool recovery = false;  ///< Offers work left by a crash.
 };
 
-/// Made anew in each frame.
+/// State of a frame.
 struct FrameState {
-  RouteResult route;             ///< What the viewport's tools did.
-  std::vector<int> highlighted;  ///< Rig indices of muscles that a panel's hover lights up.
-  int hoveredPart = -1;          ///< Index into Character::parts, of the part that a panel's hover lights up.
-  glm::vec4 viewport{0.0f};      ///< x, y, width, height in window coordinates; of the last layout.
+  RouteResult route;             ///< Of the viewport's tools.
+  std::vector<int> highlighted;  ///< Rig indices of muscles hovered in panels.
+  int hoveredPart = -1;          ///< Index into Character::parts, hovered in a panel.
+  glm::vec4 viewport{0.0f};      ///< x, y, width, height in window coordinates.
   glm::ivec2 viewportPixels{1, 1};
-  std::vector<glm::vec4> covered;  ///< Parts of the picture under panels: low x and y, high x and y, 0..1 of it.
-  double now = 0.0;                ///< Seconds on a clock that only grows.
-  int pictureSamples = 0;          ///< That the shown picture is the mean of; 1 while something moves.
-  float pictureScale = 1.0f;       ///< Pixels of the shown picture per pixel of the viewport, along an edge.
+  std::vector<glm::vec4> covered;  ///< Parts of the picture under panels, 0..1: low x and y, high x and y.
+  double now = 0.0;                ///< Seconds, monotonic.
+  int pictureSamples = 0;          ///< Samples of the shown picture; 1 while something moves.
+  float pictureScale = 1.0f;       ///< Picture pixels per viewport pixel, along an edge.
   float uiScale = 1.0f;            ///< Window coordinates per design pixel.
-  bool arrowsTaken = false;        ///< A list with the focus uses Up and Down; of the last frame.
-  float systemScale = 1.0f;        ///< What it would be if the system alone were asked.
+  bool arrowsTaken = false;        ///< A focused list used Up and Down in the last frame.
+  float systemScale = 1.0f;        ///< uiScale of the system.
 };
 
-/// Panels read it and change it through the commands of this directory; the rig only through the command stack.
+/// Panels change it through the commands of this directory, the rig only through the command stack.
 struct EditorState {
   Document document;
-  std::optional<LiveSurface> live;  ///< The document's surface; none without a character.
-  DocumentView open;                ///< Begins anew with each document.
-  ViewState view;                   ///< Stays when another document is opened.
+  std::optional<LiveSurface> live;  ///< The document's surface; nullopt without a character.
+  DocumentView open;
+  ViewState view;
   Dialogs dialogs;
   SessionState session;
   FrameState frame;

@@ -1,4 +1,4 @@
-// app/editor/export_commands.cpp: from what the dialogs say to an export in the background or a job's file.
+// app/editor/export_commands.cpp: from the dialogs to a background export or a job's file.
 #include "app/editor/export_commands.h"
 
 #include <algorithm>
@@ -10,7 +10,6 @@
 
 #include "app/document/export_report.h"
 #include "app/document/folder_listing.h"
-#include "app/document/rig_list.h"
 #include "app/editor/commands.h"
 #include "app/editor/edit.h"
 #include "app/editor/export_error.h"
@@ -25,20 +24,13 @@ namespace fs = std::filesystem;
 
 constexpr int kMostTasksAtFirst = 16;  ///< As `sinew farm` without --tasks.
 
-const fs::path& exportFileOf(const Document& document) {
-  return document.rigFile.empty() ? document.characterFile : document.rigFile;
-}
-
-/// "fox" for fox.rig.json.
-std::string stemOf(const Document& document) { return nameWithoutEnding(exportFileOf(document)); }
-
 bool isFarm(const ExportDialogState& dialog) { return dialog.shown == ExportDialog::kFarmJob; }
 
 std::string muscledName(const std::string& stem, const ExportKind& kind) {
   return stem + "_muscled" + usualEnding(kind);
 }
 
-/// One that was not chosen becomes the new kind's own.
+/// Replaces the former kind's usual ending.
 void giveEnding(ExportPlace& place, const ExportKind& former, const ExportKind& kind) {
   const fs::path name = place.name;
   if (name.empty()) return;
@@ -54,17 +46,14 @@ fs::path absoluteRig(const Document& document) {
 
 const FarmTarget& targetOf(const ExportDialogState& dialog) { return *findFarmTarget(dialog.target); }
 
-/// Places and clips of another document.
+/// Resets places and clips for another document.
 void startWith(EditorState& state) {
   ExportDialogState& dialog = state.dialogs.exporting;
-  if (dialog.of == exportFileOf(state.document)) return;
-  dialog.of = exportFileOf(state.document);
-  std::error_code ignored;
-  // The program's own folder is no place to work in.
-  const fs::path folder =
-      isSample(dialog.of) ? homeFolder() : fs::absolute(dialog.of, ignored).lexically_normal().parent_path();
+  if (dialog.of == state.document.file()) return;
+  dialog.of = state.document.file();
+  const fs::path folder = workFolder(dialog.of);
   const ExportKind& kind = chosenKind(state.dialogs);
-  const std::string stem = stemOf(state.document);
+  const std::string stem = nameWithoutEnding(dialog.of);
   dialog.place = {folder, muscledName(stem, kind)};
   dialog.pattern = {folder, muscledName("{name}", kind)};
   dialog.job = {folder, stem + "_export" + targetOf(dialog).ending};
@@ -74,7 +63,7 @@ void startWith(EditorState& state) {
   dialog.tasks = 0;
 }
 
-void show(EditorState& state, ExportDialog which) {
+void showDialog(EditorState& state, ExportDialog which) {
   startWith(state);
   ExportDialogState& dialog = state.dialogs.exporting;
   dialog.shown = which;
@@ -84,7 +73,7 @@ void show(EditorState& state, ExportDialog which) {
 
 fs::path resolved(const ExportPlace& place) { return resolveTyped(place.folder, place.name).lexically_normal(); }
 
-/// Why a file cannot go there; "" if it can.
+/// Why a file cannot be written there, or "".
 std::string placeError(const ExportPlace& place, const fs::path& file) {
   std::error_code ignored;
   if (place.name.empty() || !file.has_filename()) return "It needs a name";
@@ -93,17 +82,17 @@ std::string placeError(const ExportPlace& place, const fs::path& file) {
   return "";
 }
 
-/// All that the job's file says, and the list of rigs beside it.
+/// A job, its file, and the list of rigs beside it.
 struct FarmFiles {
   FarmJob job;
   fs::path file;
-  fs::path list;  ///< "": there is one rig only.
+  fs::path list;  ///< "" for a single rig.
   std::string listText;
-  std::vector<fs::path> replaced;  ///< Exports that are there already.
+  std::vector<fs::path> replaced;  ///< Existing exports.
 };
 
-/// Where the export of one rig of a folder goes.
-fs::path ofRig(const fs::path& pattern, const fs::path& rig) {
+/// Output for one rig of a folder.
+fs::path outputOf(const fs::path& pattern, const fs::path& rig) {
   constexpr std::string_view kField = "{name}";
   std::string name = pattern.filename().string();
   if (const std::size_t at = name.find(kField); at != std::string::npos) {
@@ -133,14 +122,13 @@ FarmFiles farmFiles(const EditorState& state) {
   farm.job.arguments.insert(farm.job.arguments.end(), {"-o", pathWord(farm.job.folder, out)});
   farm.job.tasks = farmTasks(state);
   for (const fs::path& rig : rigs) {
-    for (fs::path& there : replacedByExport(ofRig(out, rig))) farm.replaced.push_back(std::move(there));
+    for (fs::path& there : replacedByExport(outputOf(out, rig))) farm.replaced.push_back(std::move(there));
   }
-  // To resume would keep them.
-  farm.job.resume = farm.replaced.empty();
+  farm.job.resume = farm.replaced.empty();  // Resuming would keep existing exports.
   return farm;
 }
 
-/// What a task takes, of all rigs of the job. Error: one of them cannot be exported.
+/// The largest needs of all rigs of the job. Error: one of them cannot be exported.
 Result<TaskNeeds> needsOf(const EditorState& state) {
   const ExportKind& kind = chosenKind(state.dialogs);
   const ExportSettings settings = chosenSettings(state);
@@ -191,7 +179,7 @@ fs::path outOf(Dialogs& dialogs) {
   return place.name.empty() ? fs::path() : withExportEnding(resolved(place), chosenKind(dialogs));
 }
 
-/// Why it cannot be done as the dialog stands; "" if it can.
+/// Why the dialog's choices cannot be exported, or "".
 std::string refusalOf(EditorState& state, const ExportPlace& place, const fs::path& out) {
   const ExportDialogState& dialog = state.dialogs.exporting;
   if (std::string error = placeError(place, out); !error.empty()) return error;
@@ -228,7 +216,7 @@ void tell(EditorState& state, const ExportOutcome& outcome) {
   } else {
     const char* what = outcome.order.pictures ? "Not drawn: " : "Not exported: ";
     addMessage(state.session, MessageKind::kError, what + outcome.result.error().plainText(), MessageAbout::kProgram);
-    state.session.quitAfterExports.reset();  // It is to be read.
+    state.session.quitAfterExports.reset();  // Stay open for the message.
   }
 }
 
@@ -238,9 +226,9 @@ bool rigIsSaved(const EditorState& state) {
   return !state.document.rigFile.empty() && !state.document.commands.modified();
 }
 
-void showExportDialog(EditorState& state) { show(state, ExportDialog::kCharacter); }
+void showExportDialog(EditorState& state) { showDialog(state, ExportDialog::kCharacter); }
 void showFarmDialog(EditorState& state) {
-  show(state, ExportDialog::kFarmJob);
+  showDialog(state, ExportDialog::kFarmJob);
   ExportDialogState& dialog = state.dialogs.exporting;
   dialog.rigs = rigsIn(absoluteRig(state.document).parent_path());
   if (dialog.rigs.size() < 2) dialog.wholeFolder = false;
@@ -304,11 +292,7 @@ ExportPlace& placeOf(Dialogs& dialogs, DialogKind kind) {
 void browseForPlace(EditorState& state, DialogKind kind) {
   const fs::path file = resolved(placeOf(state.dialogs, kind));
   state.dialogs.exporting.overwriteAsked = false;
-  state.dialogs.file = {};
-  state.dialogs.file.kind = kind;
-  state.dialogs.file.folder = file.parent_path();
-  state.dialogs.file.text = file.filename().string();
-  state.dialogs.file.appearing = true;
+  showPathDialog(state, kind, file.parent_path(), file.filename().string());
 }
 
 void takePlace(Dialogs& dialogs, DialogKind kind, const fs::path& file) {

@@ -1,4 +1,4 @@
-// app/editor/export_error.cpp: the export is placed in the moment that is shown and compared vertex by vertex.
+// app/editor/export_error.cpp: compares the export with the live surface vertex by vertex at the current time.
 #include "app/editor/export_error.h"
 
 #include <algorithm>
@@ -8,6 +8,7 @@
 #include <glm/geometric.hpp>
 
 #include "app/document/export_report.h"
+#include "app/editor/animate.h"
 #include "app/editor/commands.h"
 #include "app/viewport/render/framing.h"
 #include "app/viewport/render/occlusion.h"
@@ -17,9 +18,9 @@
 namespace sinew::app {
 namespace {
 
-constexpr float kSeenAround = 0.12f;  ///< Of the height: what is framed around the largest error.
-constexpr float kGapBeside = 0.15f;   ///< Of the height: between the two meshes, for limbs that move.
-/// Revisions of the live surface stay below it.
+constexpr float kSeenAround = 0.12f;  ///< Fraction of the height framed around the largest error.
+constexpr float kGapBeside = 0.15f;   ///< Fraction of the height between the two meshes.
+/// Above the live surface's revisions.
 constexpr std::uint64_t kOwnRevisions = std::uint64_t{1} << 40U;
 
 /// Weighted by area.
@@ -34,7 +35,7 @@ void findNormals(Surface& surface) {
   surface.shadingNormals.clear();
 }
 
-/// The exported mesh, moved; colored as the live surface is.
+/// The exported mesh moved aside, with the live surface's colors.
 Surface standingAside(std::vector<glm::vec3> placed, const Surface& live, const glm::vec3& aside) {
   Surface surface;
   surface.refinement = live.refinement;
@@ -46,7 +47,7 @@ Surface standingAside(std::vector<glm::vec3> placed, const Surface& live, const 
   return surface;
 }
 
-/// Of the file's own vertices alone, spread over the refined ones between them.
+/// Spreads positions of control vertices over the refined ones.
 std::vector<glm::vec3> onAll(std::vector<glm::vec3> placed, const Surface& surface, const ControlMesh& mesh) {
   if (placed.size() == surface.positions.size()) return placed;
   std::vector<glm::vec3> all(surface.positions.size());
@@ -63,7 +64,7 @@ Bounds both(const Bounds& box, const glm::vec3& aside) {
   return {glm::min(box.low, box.low + aside), glm::max(box.high, box.high + aside)};
 }
 
-/// On the floor, to the right as the camera sees it: far enough that neither hides the other in bind pose or now.
+/// Offset to the camera's right along the floor that separates the meshes in the bind pose and now.
 glm::vec3 asideOf(const EditorState& state) {
   const Camera& camera = state.view.tools.camera;
   const CameraStand& stand = camera.transition ? camera.transition->to : camera.stand;
@@ -80,11 +81,6 @@ glm::vec3 asideOf(const EditorState& state) {
   const Character& character = state.character();
   const float width = std::max(widthOf(character.mesh.positions), widthOf(state.live->surface().positions));
   return (width + kGapBeside * character.height) * right;
-}
-
-std::string clipShown(const EditorState& state) {
-  const int clip = state.open.transport.clip;
-  return clip < 0 ? std::string() : at(state.character().clips, clip).name;
 }
 
 }  // namespace
@@ -169,7 +165,7 @@ void updateExportError(EditorState& state) {
   error.smoother->smooth(pose, error.surface);
   const float time = static_cast<float>(state.open.transport.time);
   std::vector<glm::vec3> placed;
-  error.last->played->place(pose, clipShown(state), time, placed);
+  error.last->played->place(pose, clipNow(state), time, placed);
   placed = onAll(std::move(placed), error.surface, state.character().mesh);
   error.surface.displacement.resize(placed.size());
   float most = 0.0f;

@@ -1,4 +1,4 @@
-// app/editor/export_error.h: how far the last export is off, shown in the picture.
+// app/editor/export_error.h: the error of the last export, shown in the picture.
 #pragma once
 
 #include <cstdint>
@@ -8,37 +8,37 @@
 
 namespace sinew::app {
 
-/// Keeps what an export has come to; the one before is forgotten.
+/// Keeps the export in place of the last one.
 void keepExport(EditorState& state, const ExportOutcome& outcome);
 
-/// There is an export of the open character with figures.
+/// The last export is of the open character and has error figures.
 [[nodiscard]] bool hasExportError(const EditorState& state);
 /// ... and it is shown.
 [[nodiscard]] bool showsExportError(const EditorState& state);
 void toggleExportError(EditorState& state);
-/// Shows the error on one mesh or on both, which are then brought into the picture side by side.
+/// Shows the error on one mesh, or on both side by side.
 void showExported(EditorState& state, ExportedView view);
 /// The exported mesh stands beside the live one.
 [[nodiscard]] bool showsExportBeside(const EditorState& state);
 void toggleExportBeside(EditorState& state);
-/// Where both are shown: puts them side by side as they are seen from where the camera stands or goes to, and frames
-/// them. @return false: they are not, and nothing was done.
+/// If both meshes are shown, places them side by side for the camera's target view and frames them.
+/// @return whether they are shown
 bool frameExportBeside(EditorState& state);
-/// The moment of the largest distance, the vertex in the middle of the picture.
+/// Goes to the time of the largest error and centers its vertex.
 void showLargestError(EditorState& state);
 
-/// What the scale of colors ends at, percent of the height: the largest distance of all moments.
+/// End of the color scale: the largest error of all times, percent of the height.
 [[nodiscard]] float exportErrorRange(const EditorState& state);
 /// "largest 6.9 % in "Walk" at 0.31 s on thigh.L"
 [[nodiscard]] std::string largestErrorText(const EditorState& state);
 
-/// Once a frame, after the live surface: brings the picture's surface to the moment.
+/// Once a frame, after the live surface: updates the error's surface.
 void updateExportError(EditorState& state);
-/// What the picture shows: the live surface, or that with the error.
+/// The picture's surface: the live one, or the one with the error.
 [[nodiscard]] const Surface& shownSurface(const EditorState& state);
-/// The exported mesh beside it, of the same refinement; null: it is not shown.
+/// The exported mesh beside it, with the same refinement, or null.
 [[nodiscard]] const Surface* besideSurface(const EditorState& state);
-/// Its number: another one for each surface, and for what stands beside it.
+/// Different for each pair of these surfaces.
 [[nodiscard]] std::uint64_t shownRevision(const EditorState& state);
 
 }  // namespace sinew::app

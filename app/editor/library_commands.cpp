@@ -1,4 +1,5 @@
-// app/editor/library_commands.cpp: one muscle of a set is a set of one muscle.
+// app/editor/library_commands.cpp: adds a single muscle as a set of one muscle.
+
 #include "app/editor/library_commands.h"
 
 #include <algorithm>
@@ -6,6 +7,7 @@
 #include <utility>
 
 #include "app/document/muscle_sets.h"
+#include "app/document/shown_names.h"
 #include "app/editor/commands.h"
 #include "app/editor/edit.h"
 #include "app/editor/muscle_set_commands.h"
@@ -20,7 +22,7 @@ const PresetMuscle& muscleOf(const LibraryState& library, int set, int muscle) {
   return at(at(library.sets, set).muscles, muscle);
 }
 
-/// What is under the pointer, as a mark. nullopt: no part of the body.
+/// The mark under the pointer; nullopt: no part of the body.
 std::optional<MarkOnSkin> markUnder(EditorState& state, const glm::vec2& pointer) {
   const glm::vec4& viewport = state.frame.viewport;
   const glm::vec2 inside = pointer - glm::vec2(viewport.x, viewport.y);
@@ -35,7 +37,7 @@ std::optional<MarkOnSkin> markUnder(EditorState& state, const glm::vec2& pointer
   return markOnSkin(*state.open.library.body, boneAt(character, *hover.skin), point);
 }
 
-/// One undo step. The one on that side is selected.
+/// One undo step. Selects the muscle on that side.
 void lay(EditorState& state, Preset set, PresetMuscle muscle, BodySide side) {
   const std::string name = muscle.name;
   const std::size_t before = state.document.rig().primitives.size();
@@ -112,7 +114,7 @@ void carryFromLibrary(EditorState& state, const glm::vec2& pointer) {
   const PresetMuscle& muscle = muscleOf(library, library.drag.set, library.drag.muscle);
   const auto under = markUnder(state, pointer);
   library.drag.says =
-      under ? whatDropDoes(muscle, under->mark, *library.body) : muscle.name + ": let it go on the character";
+      under ? whatDropDoes(muscle, under->mark, *library.body) : muscle.name + ": drop it on the character";
 }
 
 void dropFromLibrary(EditorState& state, const glm::vec2& pointer) {
@@ -147,7 +149,7 @@ void saveNewSet(EditorState& state) {
   } else if (isShippedSet(name)) {
     library.notice = "A set of that name comes with the program";
   } else if (isOwnSet(name) && !replace) {
-    library.notice = "There is one of that name: Save again replaces it";
+    library.notice = "A set of that name exists: Save again to replace it";
     library.replacing = true;
   }
   if (!library.notice.empty()) return;
@@ -168,9 +170,8 @@ void saveNewSet(EditorState& state) {
   library.readFor.reset();
   for (const auto& [muscle, why] : made->leftOut)
     addQuietly(state.session, MessageKind::kWarning, muscle + " is not in the set: " + why);
-  const std::size_t count = set.muscles.size();
   say(state,
-      "Saved the set " + set.title + ": " + std::to_string(count) + (count == 1 ? " muscle" : " muscles") +
+      "Saved the set " + set.title + ": " + withCount(set.muscles.size(), "muscle") +
           (made->leftOut.empty() ? "" : ", " + std::to_string(made->leftOut.size()) + " left out: see the messages"));
 }
 

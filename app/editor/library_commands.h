@@ -1,4 +1,4 @@
-// app/editor/library_commands.h: the tab Library: muscles of sets laid one at a time, and own sets.
+// app/editor/library_commands.h: the tab Library: single muscles of sets, and the user's own sets.
 #pragma once
 
 #include <glm/vec2.hpp>
@@ -7,24 +7,24 @@
 
 namespace sinew::app {
 
-/// Sets and pictures for this body; nothing where they are as they should be. Called before they are shown.
+/// Reads the sets for this body if they are not current. Call before showing them.
 void readLibrary(EditorState& state);
 
-/// Where it belongs on this body, with its twin: one undo step, mended, selected.
+/// Adds the muscle at its place on this body, with its twin, mended and selected: one undo step.
 void layFromLibrary(EditorState& state, int set, int muscle);
 
-/// The pointer has taken a muscle, moves with it, lets it go. What is let go over the character is laid there, with its
-/// twin (core/bodies/muscle_set.h).  @param pointer  window coordinates
+/// Drag and drop of a muscle. A drop on the character adds the muscle there, with its twin (core/bodies/muscle_set.h).
+/// @param pointer  window coordinates
 void takeFromLibrary(EditorState& state, int set, int muscle);
 void carryFromLibrary(EditorState& state, const glm::vec2& pointer);
 void dropFromLibrary(EditorState& state, const glm::vec2& pointer);
 void leaveInLibrary(EditorState& state);
 
-/// Asks for the name of a set of the selected muscles, in the tab.
+/// Asks for the name of a new set of the selected muscles.
 void nameNewSet(EditorState& state);
-/// Saves them under LibraryState::name; its notice says why not.
+/// Saves it as LibraryState::name, or sets LibraryState::notice.
 void saveNewSet(EditorState& state);
-/// One of the user's own.
+/// @param set  one of the user's own
 void removeSetFromLibrary(EditorState& state, int set);
 
 }  // namespace sinew::app

@@ -1,4 +1,4 @@
-// app/editor/line_commands.cpp: lines of one muscle or of many: lengths, via points, other ends.
+// app/editor/line_commands.cpp: lengths, via points and ends of lines.
 
 #include "app/editor/line_commands.h"
 
@@ -6,7 +6,6 @@
 #include <set>
 #include <utility>
 
-#include "app/document/muscle_names.h"
 #include "app/document/shown_names.h"
 #include "app/editor/commands.h"
 #include "app/editor/edit.h"
@@ -19,7 +18,7 @@
 namespace sinew::app {
 namespace {
 
-/// Does `step` for each line that allows it. @return how many did; the first refusal if none.
+/// Applies `step` where possible. @return the rig and the number of changed lines. Error: the first refusal if none.
 template <class Step>
 Result<std::pair<Rig, std::size_t>> forEachLine(Rig rig, const std::vector<int>& lines, Step step) {
   std::size_t done = 0;
@@ -86,8 +85,7 @@ SelectedLines selectedLines(const Document& document) {
 }
 
 std::string namedLines(const Rig& rig, const std::vector<int>& lines) {
-  if (lines.size() == 1) return at(rig.lines, lines.front()).name;
-  return std::to_string(lines.size()) + " lines";
+  return lines.size() == 1 ? at(rig.lines, lines.front()).name : withCount(lines.size(), "line");
 }
 
 Result<Rig> editLines(Rig rig, const std::vector<int>& lines, const std::function<void(MuscleLine&)>& change) {

@@ -1,4 +1,4 @@
-// app/editor/line_commands.h: what menus and the inspector do to the lines of the selected muscles.
+// app/editor/line_commands.h: edits of the selected muscles' lines.
 #pragma once
 
 #include <functional>
@@ -13,29 +13,29 @@ namespace sinew::app {
 struct SelectedLines {
   std::vector<int> indices;  ///< Into Rig::lines, ascending, each once.
   int active = -1;           ///< The active muscle's, else the first; -1: none.
-  std::size_t muscles = 0;   ///< Selected muscles that ride one.
+  std::size_t muscles = 0;   ///< Selected muscles on a line.
 
   [[nodiscard]] bool several() const { return indices.size() > 1; }
 };
 [[nodiscard]] SelectedLines selectedLines(const Document& document);
 
-/// "biceps L", or "3 lines". @param lines  into the rig, in range
+/// "biceps L", or "3 lines"
 [[nodiscard]] std::string namedLines(const Rig& rig, const std::vector<int>& lines);
 
-/// Changes each; `change` must leave name and mirror alone. One refusal, and nothing is changed.
+/// Changes all lines, or none on a refusal. @param change  must keep name and mirror
 [[nodiscard]] Result<Rig> editLines(Rig rig, const std::vector<int>& lines,
                                     const std::function<void(MuscleLine&)>& change);
 
-// One undo step each. A line for which it cannot be done is left out; if none remains, that is a refusal.
-void setRestToNow(EditorState& state);  ///< The length in this pose becomes the rest length.
+// One undo step each. Skips lines that cannot change; a refusal if none can.
+void setRestToNow(EditorState& state);  ///< Rest length from this pose.
 void setFullContractionToNow(EditorState& state);
 void learnContraction(EditorState& state);  ///< From all clips and the range of motion.
-void addViaPoints(EditorState& state);      ///< To the lines that have none.
+void addViaPoints(EditorState& state);      ///< To lines without one.
 void removeViaPoints(EditorState& state);
-void takeOffLines(EditorState& state);              ///< The selected muscles ride their bones again.
-void attachOtherEnd(EditorState& state, int bone);  ///< Of the selected muscles that ride no line.
+void takeOffLines(EditorState& state);              ///< Selected muscles follow their bones again.
+void attachOtherEnd(EditorState& state, int bone);  ///< Of selected muscles without a line.
 
-/// Warnings about lines that have changed since go; once a frame.
+/// Once a frame: removes warnings about lines that have changed.
 void forgetSettledWarnings(EditorState& state);
 
 }  // namespace sinew::app

@@ -1,18 +1,103 @@
-// app/editor/muscle_set_commands.cpp: core/bodies on the open document. Changing a slider takes the set's step back and
-// makes it anew, so that there is never more than one.
+// app/editor/muscle_set_commands.cpp: muscle sets, body parts and checks of the open document. A slider of a set undoes
+// its step and makes it again, so that there is only one.
 #include "app/editor/muscle_set_commands.h"
 
 #include <algorithm>
+#include <string>
 #include <utility>
 
 #include "app/document/muscle_sets.h"
-#include "app/editor/check_commands.h"
 #include "app/editor/edit.h"
+#include "app/editor/pose_commands.h"
 #include "core/bodies/body_map.h"
+#include "core/bodies/mend.h"
 #include "core/bodies/muscle_set.h"
 #include "core/geometry/at.h"
+#include "core/rig/motion_clip.h"
 
 namespace sinew::app {
+
+namespace {
+
+/// Closes the panels that share a place.
+void closePanels(EditorState& state) {
+  state.open.check = {};
+  state.open.muscleSet.shown = state.open.bodyParts.shown = state.open.clipList.shown = false;
+}
+
+}  // namespace
+
+void checkMuscles(EditorState& state) {
+  CheckState& check = state.open.check;
+  const Rig& rig = state.document.rig();
+  closePanels(state);
+  check.shown = true;
+  check.revision = state.document.commands.revision();
+  check.findings = sinew::check(rig, Motions(state.document.character));
+  for (const Finding& finding : check.findings) check.muscles.push_back(state.document.idAt(finding.primitive));
+}
+
+void closeCheck(EditorState& state) { state.open.check = {}; }
+
+bool checkIsCurrent(const EditorState& state) {
+  return state.open.check.revision == state.document.commands.revision();
+}
+
+void goToFinding(EditorState& state, int finding) {
+  CheckState& check = state.open.check;
+  check.chosen = finding;
+  state.document.selection.set(at(check.muscles, finding));
+  const Finding& found = at(check.findings, finding);
+  if (found.clip == kRangeOfMotionName) playRangeOfMotion(state);
+  const int clip = found.clip.empty() ? -1 : findClip(state.character(), found.clip);
+  Transport& transport = state.open.transport;
+  chooseClip(transport, clip, state.character());
+  transport.playing = false;
+  transport.time = static_cast<double>(found.time);
+}
+
+void mendFindings(EditorState& state) {
+  if (!checkIsCurrent(state)) return checkMuscles(state);
+  const Motions motions(state.document.character);
+  Result<MendedRig> mended = withMendedRig(state.document.rig(), 0, motions, state.document.mirror.get());
+  if (!mended) return refuse(state, mended.error());
+  if (mended->said.empty()) return sayRefusal(state, "None of these can be mended: edit the muscles by hand");
+  const std::vector<std::string> said = std::move(mended.value().said);
+  edit(state, "Mend muscles", std::move(mended.value().rig));
+  for (const std::string& line : said) addMessage(state.session, MessageKind::kNote, "Mended " + line);
+  checkMuscles(state);
+}
+
+namespace {
+
+Rig withoutCorrection(Rig rig, BodySlot slot) {
+  std::erase_if(rig.slots, [&](const SlotCorrection& each) { return each.slot == nameOf(slot); });
+  return rig;
+}
+
+}  // namespace
+
+void toggleBodyParts(EditorState& state) {
+  const bool shown = !state.open.bodyParts.shown;
+  if (shown) closePanels(state);
+  state.open.bodyParts.shown = shown;
+}
+
+BodySlots bodyPartsOf(const EditorState& state) {
+  const Document& document = state.document;
+  return bodySlots(*document.character, document.mirror ? *document.mirror : MirrorPlan{}, document.rig().slots);
+}
+
+void setBodyPart(EditorState& state, BodySlot slot, int bone) {
+  Rig rig = withoutCorrection(state.document.rig(), slot);
+  rig.slots.push_back({nameOf(slot), bone < 0 ? "" : state.character().skeleton.fileName(bone)});
+  edit(state, std::string("Part ") + nameOf(slot), std::move(rig));
+}
+
+void forgetBodyPart(EditorState& state, BodySlot slot) {
+  edit(state, std::string("Part ") + nameOf(slot) + " as found", withoutCorrection(state.document.rig(), slot));
+}
+
 namespace {
 
 constexpr const char* kLabel = "Add muscle set";
@@ -24,7 +109,7 @@ Result<AddedSet> fitted(const EditorState& state, const Rig& onto) {
   return sinew::addMuscleSet(onto, chosenSet(set), set.tuning, *set.motions, *state.document.mirror);
 }
 
-/// What the panel says of it.
+/// For the panel.
 void remember(EditorState& state, AddedSet added) {
   MuscleSetState& set = state.open.muscleSet;
   set.muscles = std::move(added.fitted.muscles);
@@ -41,7 +126,7 @@ Result<std::vector<Preset>> setsForBody(EditorState& state) {
   if (!document.mirror) return errorAt("", "This character has no left and right bones");
   const BodyKind kind = bodySlots(*document.character, *document.mirror, document.rig().slots).kind;
   if (kind == BodyKind::kUnknown)
-    return errorAt("", "Neither arms nor legs were found: say which bones they are in Muscles > Parts of the body");
+    return errorAt("", "No arms or legs were found: choose their bones in Muscles > Parts of the body");
   MuscleSets all = muscleSets();
   for (const Error& error : all.refused) addQuietly(state.session, MessageKind::kError, error.text());
   std::erase_if(all.sets, [&](const Preset& set) { return set.body != kind; });

@@ -1,30 +1,53 @@
-// app/editor/muscle_set_commands.h: Muscles > Add muscle set: the set and its two sliders, as one undo step.
+// app/editor/muscle_set_commands.h: muscle sets, parts of the body, and the check of muscles.
 #pragma once
 
 #include "app/editor/editor_state.h"
 
 namespace sinew::app {
 
-/// The sets for the body of this character. Error: why there are none. Files that are no sets are named in messages.
+// Play > Check muscles.
+
+/// Checks all clips and shows the findings.
+void checkMuscles(EditorState& state);
+void closeCheck(EditorState& state);
+/// The rig has not changed since the check.
+[[nodiscard]] bool checkIsCurrent(const EditorState& state);
+/// Selects the muscle and goes to the time. @param finding  index into CheckState::findings
+void goToFinding(EditorState& state, int finding);
+/// Mends in one undo step, then checks again.
+void mendFindings(EditorState& state);
+
+// Muscles > Parts of the body.
+
+void toggleBodyParts(EditorState& state);
+/// The parts found, with the rig's corrections.
+[[nodiscard]] BodySlots bodyPartsOf(const EditorState& state);
+/// One undo step: corrects a part. @param bone  -1: the character has no such part
+void setBodyPart(EditorState& state, BodySlot slot, int bone);
+/// One undo step: removes the correction.
+void forgetBodyPart(EditorState& state, BodySlot slot);
+
+// Muscles > Add muscle set: a set with two sliders, as one undo step.
+
+/// Sets for this character's body; messages name unreadable files. Error: there are none.
 [[nodiscard]] Result<std::vector<Preset>> setsForBody(EditorState& state);
-/// Names of those sets and of their muscles; nothing is laid for them. None where there are no sets.
+/// Names of those sets and their muscles.
 [[nodiscard]] std::vector<SetEntry> setEntries(EditorState& state);
-/// What the character does; made once.
+/// The character's motions, computed once.
 const Motions& motionsOf(EditorState& state);
-/// Adds the set for this kind of body and shows its sliders.
+/// Adds the first set and shows its sliders.
 void addMuscleSet(EditorState& state);
-/// @param name  of the set
 void addMuscleSetNamed(EditorState& state, const std::string& name);
-/// The last step is still the set's: its sliders change that step. Any other edit, undo included, ends this.
+/// The set is still the last step, which its sliders change. Any other edit or undo ends this.
 [[nodiscard]] bool setIsTunable(const EditorState& state);
-/// Another set in the same step. @param chosen  index into MuscleSetState::sets
+/// Replaces the set in the same step. @param chosen  index into MuscleSetState::sets
 void chooseSet(EditorState& state, int chosen);
 
-/// While a slider is dragged: shown at once, not mended yet. The first call opens the step again.
+/// While a slider is dragged: shows the set at once, unmended. The first call reopens the step.
 void previewSet(EditorState& state, const PresetTuning& tuning);
-/// The slider is let go: mended, and the step is closed.
+/// The slider is released: mends the set and closes the step.
 void keepSet(EditorState& state);
-/// Esc: the set as it was before the slider was taken.
+/// Esc: restores the set from before the drag.
 void dropPreview(EditorState& state);
 [[nodiscard]] bool previewsSet(const EditorState& state);
 

@@ -2,24 +2,131 @@
 #include "app/editor/open_file.h"
 
 #include <algorithm>
+#include <array>
+#include <filesystem>
+#include <string>
+#include <string_view>
 #include <system_error>
 #include <utility>
 
-#include "app/document/damaged_file.h"
+#include "app/document/document.h"
+#include "app/document/folder_listing.h"
 #include "app/document/play_range.h"
 #include "app/document/shown_names.h"
 #include "app/editor/clip_commands.h"
+#include "app/editor/commands.h"
 #include "app/editor/edit.h"
 #include "app/editor/pose_commands.h"
 #include "app/editor/session.h"
 #include "app/editor/view_memory.h"
+#include "core/bodies/retarget.h"
 #include "core/character/bindings.h"
 #include "core/character/clip_names.h"
 #include "core/geometry/at.h"
+#include "core/geometry/nearest_name.h"
 #include "core/rig/attachment.h"
 #include "core/rig/motion_clip.h"
+#include "sinew/geometry/result.h"
 
 namespace sinew::app {
+namespace {
+
+/// "line 12, column 3" of "byte 61 (line 12, column 3)"; "" for other places.
+std::string lineOf(const std::string& place) {
+  const std::size_t from = place.find("(line ");
+  if (!place.starts_with("byte ") || from == std::string::npos || !place.ends_with(')')) return "";
+  return place.substr(from + 1, place.size() - from - 2);
+}
+
+/// A message of the parser (core/files/json/json.cpp) in plain words.
+struct Meaning {
+  std::string_view said;
+  const char* meant;
+};
+
+constexpr std::array kMeanings{
+    Meaning{"unexpected end of input", "the file ends too early"},
+    Meaning{"missing closing quote", "a text has no closing quote"},
+    Meaning{"UTF-8", "this is no text (not UTF-8)"},
+    Meaning{"invalid number", "this is no number"},
+    Meaning{"control character", "a line break or control character inside a text"},
+    Meaning{"expected end of input", "the file goes on after its end"},
+    Meaning{"'}'; expected", "a \"}\" where something else should be, perhaps after a comma too many"},
+    Meaning{"']'; expected", "a \"]\" where something else should be, perhaps after a comma too many"},
+    Meaning{"; expected '}'", "a comma or a closing bracket is missing before this"},
+    Meaning{"; expected ']'", "a comma or a closing bracket is missing before this"},
+    Meaning{"expected ':'", "a colon is missing before this"},
+};
+
+std::string meaningOf(const std::string& reason) {
+  for (const Meaning& meaning : kMeanings) {
+    if (reason.find(meaning.said) != std::string::npos) return meaning.meant;
+  }
+  return "this cannot be read";
+}
+
+/// Error::plainText(), but for invalid JSON "limb.rig.json is damaged or not a rig: line 12, column 3: the file ends
+/// too early".
+std::string openErrorText(const Error& error) {
+  const std::string line = lineOf(error.place);
+  if (line.empty()) return error.plainText();
+  const std::string name = std::filesystem::path(error.file).filename().string();
+  const bool rig = name.ends_with(".json");
+  return (name.empty() ? "The file" : name) + " is damaged or not a " + (rig ? "rig" : "character") + ": " + line +
+         ": " + meaningOf(error.reason);
+}
+
+bool isCharacter(const std::filesystem::path& file) { return isCharacterName(lowerCase(file.filename().string())); }
+
+/// A summary in a toast; messages name each muscle.
+void reportRetargeted(EditorState& state, const Retargeted& done) {
+  for (const auto& [name, why] : done.leftOut)
+    addQuietly(state.session, MessageKind::kWarning, name + " is left out: " + why);
+  for (const std::string& line : done.mended) addQuietly(state.session, MessageKind::kNote, "Mended " + line);
+  std::string text = withCount(done.rig.primitives.size(), "muscle") + " kept";
+  if (!done.leftOut.empty()) text += ", " + std::to_string(done.leftOut.size()) + " left out";
+  if (!done.mended.empty()) text += ", " + std::to_string(done.mended.size()) + " mended";
+  say(state, text + (done.leftOut.empty() && done.mended.empty() ? "" : ": see the messages"));
+}
+
+}  // namespace
+
+void dropFile(EditorState& state, const std::filesystem::path& file) {
+  if (!isCharacter(file) || !state.hasCharacter()) return request(state, {IntentKind::kOpenFile, file});
+  const DroppedClips clips = lookForClips(state.document, file);
+  if (clips.nothingElse) {
+    addClips(state, file);
+  } else if (!state.document.rig().primitives.empty()) {
+    state.dialogs.keepMuscles = file;
+    state.dialogs.droppedHasClips = clips.any;
+  } else {
+    request(state, {IntentKind::kOpenFile, file});
+  }
+}
+
+void showRetargetDialog(EditorState& state) {
+  showOpenDialog(state);
+  state.dialogs.file.then = {IntentKind::kOpenWithMuscles, {}};
+  state.dialogs.file.filter = FileFilter::kCharacters;
+}
+
+void openWithMuscles(EditorState& state, const std::filesystem::path& file) {
+  Result<Document> opened = openDocument(file);
+  if (!opened) return addMessage(state.session, MessageKind::kError, openErrorText(opened.error()));
+  const Document& from = state.document;
+  Result<Retargeted> done =
+      retarget(from.rig(), *from.character, *from.mirror, Motions(opened->character), *opened->mirror);
+  if (!done) {
+    const Error error{file.string(), "", done.error().reason, "cannot take the muscles"};
+    return addMessage(state.session, MessageKind::kError, error.plainText());
+  }
+  Rig rig = done->rig;
+  rig.character = opened->rig().character;
+  Document document = std::move(opened).value();
+  document.commands.apply("Muscles of " + from.name(), std::move(rig));
+  if (showDocument(state, std::move(document))) reportRetargeted(state, done.value());
+}
+
 namespace {
 
 void show(EditorState& state, Document document, LiveSurface live, const Transport& transport) {
@@ -40,8 +147,8 @@ void show(EditorState& state, Document document, LiveSurface live, const Transpo
   setScene(state.view.tools.camera, boundsOf(state.live->surface().positions), state.character().height);
 }
 
-/// Where no skin bends it is said: a mesh that was exported without its skin looks like one with it.
-void tellRigid(EditorState& state) {
+/// Reports a mesh without blended skin weights, which looks like one with them.
+void reportRigid(EditorState& state) {
   const ControlMesh& mesh = state.character().mesh;
   const std::size_t vertices = mesh.positions.size();
   const auto isWhole = [](const Influence& influence) { return !(influence.weight < 1.0f); };
@@ -58,7 +165,7 @@ void tellRigid(EditorState& state) {
   addMessage(state.session, MessageKind::kNote, name + what);
 }
 
-void tellIgnored(EditorState& state) {
+void reportIgnored(EditorState& state) {
   const std::string name = state.document.characterFile.filename().string();
   for (const std::string& ignored : state.character().ignored) {
     addMessage(state.session, MessageKind::kNote, name + ": " + ignored);
@@ -101,20 +208,19 @@ bool showDocument(EditorState& state, Document document) {
   Result<LiveSurface> live = LiveSurface::create(document, transport);
   if (!live) {
     Error error = live.error();
-    error.file = (document.rigFile.empty() ? document.characterFile : document.rigFile).string();
+    error.file = document.file().string();
     addMessage(state.session, MessageKind::kError, error.plainText());
     return false;
   }
   show(state, std::move(document), std::move(live).value(), transport);
   if (view) restoreView(state, *view);
-  tellRigid(state);
-  tellIgnored(state);
+  reportRigid(state);
+  reportIgnored(state);
   return true;
 }
 
 void reopen(EditorState& state) {
-  const std::filesystem::path file =
-      state.document.rigFile.empty() ? state.document.characterFile : state.document.rigFile;
+  const std::filesystem::path file = state.document.file();
   const std::shared_ptr<const Character> before = state.document.character;
   const Transport transport = state.open.transport;
   const Camera camera = state.view.tools.camera;
@@ -123,7 +229,7 @@ void reopen(EditorState& state) {
   state.view.tools.camera = camera;
   state.open.frameWanted = false;
   if (const auto same = carriedOver(transport, *before, state.character())) state.open.transport = *same;
-  // By name: the character may have changed on disk.
+  // By name, because the character may have changed on disk.
   state.open.transport.overrides = turnsOf(turns, transport.overrides.from, state.character().skeleton).overrides;
   state.document.commands.startFrom(state.open.transport.overrides,
                                     keptRanges(state.open.transport.ranges, state.character()));

@@ -1,4 +1,4 @@
-// app/editor/open_file.h: a file becomes the open document.
+// app/editor/open_file.h: opening files.
 #pragma once
 
 #include <filesystem>
@@ -9,22 +9,29 @@
 
 namespace sinew::app {
 
-/// Opens at once, without asking about changes. On an error the open document stays, and a message says why; where
-/// only the character is missing, Dialogs::locate asks for it.
-/// A walk plays if there is one (core/character/clip_names.h); a file that was open before looks as it was left
-/// (view_memory.h). @return whether it was opened.
+/// Handles a dropped file. Adds clips from a file that has nothing else for the open character; for another character
+/// asks about the open muscles (Dialogs::keepMuscles), if there are any; else opens the file.
+void dropFile(EditorState& state, const std::filesystem::path& file);
+/// The path dialog for openWithMuscles().
+void showRetargetDialog(EditorState& state);
+
+/// Opens a character with the muscles of the open rig (core/bodies/retarget.h) as one unsaved step. Messages name
+/// muscles that were left out or mended. On failure the open document stays, with a message.
+void openWithMuscles(EditorState& state, const std::filesystem::path& file);
+
+/// Opens a file without asking about changes. On failure the open document stays, with a message; if only the character
+/// is missing, Dialogs::locate asks for it. Plays a walk if there is one (core/character/clip_names.h), or restores the
+/// file's last view (view_memory.h). @return whether it was opened
 bool openFile(EditorState& state, const std::filesystem::path& file);
-/// The same with what has been read already.
+/// The same for a document that was read already.
 bool showDocument(EditorState& state, Document document);
-/// The document's own file again, as it is on disk; what plays, the camera and turned bones stay.
+/// Opens the document's file again; keeps clip, camera and pose.
 void reopen(EditorState& state);
 
-// A rig whose character is not where the rig says opens with one that the user names.
-/// From the question (Dialogs::locate) to the file dialog: at the rig's folder, with the file of the missing one's name
-/// if there is one.
+// A rig whose character is missing.
+/// The path dialog after Dialogs::locate: in the rig's folder, with a file of the missing one's name if it exists.
 void showLocateDialog(EditorState& state);
-/// The rig with this character; the path to it is an unsaved change. @return an empty text, or why it failed: then the
-/// open document stays.
+/// Opens the rig with this character, whose path is an unsaved change. @return "", or why it failed
 std::string openWithCharacter(EditorState& state, const std::filesystem::path& rigFile,
                               const std::filesystem::path& characterFile);
 

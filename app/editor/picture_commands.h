@@ -1,23 +1,51 @@
-// app/editor/picture_commands.h: the picture goes to a file. The window writes it (SessionState::pictureWanted).
+// app/editor/picture_commands.h: saving pictures, turntables and contact sheets.
 #pragma once
 
 #include <filesystem>
+#include <string>
+#include <vector>
 
 #include "app/editor/editor_state.h"
 
 namespace sinew::app {
 
-/// Asks for a place, first the folder of the last picture.
+// File > Export > Turntable or contact sheet.
+
+/// Keeps the last choices; paths start beside each document.
+void showPicturesDialog(EditorState& state);
+void closePicturesDialog(Dialogs& dialogs);
+
+/// Path of the chosen output.
+[[nodiscard]] ExportPlace& picturesPlace(PicturesDialogState& dialog);
+void browseForPicturesPlace(EditorState& state);
+/// Takes the path dialog's file. @param file  absolute
+void takePicturesPlace(PicturesDialogState& dialog, const std::filesystem::path& file);
+/// @param ending  .webp, .gif or .mp4, also for the turntable's name
+void choosePicturesEnding(PicturesDialogState& dialog, const std::string& ending);
+/// The output with its ending; "" without a name.
+[[nodiscard]] std::filesystem::path picturesFile(PicturesDialogState& dialog);
+
+[[nodiscard]] int pictureCount(const EditorState& state);
+[[nodiscard]] double turntableSeconds(const EditorState& state);
+/// Arguments of `sinew render` without input and output: look, view and clip as shown.
+[[nodiscard]] std::vector<std::string> pictureArguments(const EditorState& state);
+
+/// Starts drawing in the background; asks in the dialog before replacing a file.
+/// @return whether the dialog is done; else it shows why not
+bool confirmPictures(EditorState& state);
+
+// A single picture, which the window writes (SessionState::pictureWanted).
+
+/// Asks for a path, starting in the folder of the last picture.
 void showPictureDialog(EditorState& state);
-/// Into that folder at once, under a name that is free: "fox-2026-11-21-043512.png".
+/// Saves into that folder under a free name: "fox-2026-11-21-043512.png".
 void savePictureNow(EditorState& state);
-/// The window writes the picture there after this frame.
+/// The window writes the picture after this frame.
 void wantPicture(EditorState& state, const std::filesystem::path& file);
 
-/// The user's own folder for pictures: XDG_PICTURES_DIR in $XDG_CONFIG_HOME/user-dirs.dirs, else ~/Pictures, else ~;
-/// the first that is there.
+/// The first existing of XDG_PICTURES_DIR in $XDG_CONFIG_HOME/user-dirs.dirs, ~/Pictures, ~.
 [[nodiscard]] std::filesystem::path picturesFolder();
-/// ".png" is appended unless it ends so.
+/// Appends ".png" if needed.
 [[nodiscard]] std::filesystem::path withPictureEnding(std::filesystem::path file);
 
 }  // namespace sinew::app

@@ -1,14 +1,14 @@
-// app/editor/pose_commands.cpp: resets, mirror images and copies of a pose made by hand; the range of motion.
-
+// app/editor/pose_commands.cpp: resets, mirror images and copies of a pose; the range of motion.
 #include "app/editor/pose_commands.h"
 
 #include <algorithm>
 #include <string>
 #include <utility>
 
+#include "app/document/shown_names.h"
 #include "app/editor/commands.h"
 #include "app/editor/edit.h"
-#include "app/editor/hidden_bones.h"
+#include "app/editor/visibility_commands.h"
 #include "core/character/range_of_motion.h"
 #include "core/geometry/at.h"
 #include "core/rig/motion_clip.h"
@@ -18,7 +18,7 @@ namespace {
 
 constexpr glm::quat kIdentity(1.0f, 0.0f, 0.0f, 0.0f);
 
-/// Which side of the mirror plane a bone lies on: -1, +1; 0 for one that is its own counterpart or has none.
+/// Side of the mirror plane: -1, +1; 0 for a bone that is its own twin or has none.
 int sideOf(const MirrorPlan& mirror, const Skeleton& skeleton, int bone) {
   const int twin = at(mirror.twinOf, bone);
   if (twin < 0 || twin == bone) return 0;
@@ -26,7 +26,7 @@ int sideOf(const MirrorPlan& mirror, const Skeleton& skeleton, int bone) {
   return distanceTo(mirror.plane, origin) < 0.0 ? -1 : 1;
 }
 
-/// The turns of one side on both.
+/// Rotations of one side on both.
 PoseOverrides sideOnBoth(const PoseOverrides& overrides, const MirrorPlan& mirror, const Skeleton& skeleton, int side) {
   PoseOverrides result = overrides;
   for (int bone = 0; bone < static_cast<int>(skeleton.bones.size()); ++bone) {
@@ -102,7 +102,7 @@ void pastePose(EditorState& state) {
   keepPose(state, "Paste pose");
   if (found.missing > 0) {
     addMessage(state.session, MessageKind::kNote,
-               std::to_string(found.missing) + (found.missing == 1 ? " joint" : " joints") +
+               withCount(static_cast<std::size_t>(found.missing), "joint") +
                    " of the copied pose ignored: this character does not have them");
   }
 }

@@ -1,4 +1,4 @@
-// app/editor/pose_commands.h: what can be done with a pose made by hand.
+// app/editor/pose_commands.h: edits of a pose made by hand; the range of motion.
 #pragma once
 
 #include <string>
@@ -9,36 +9,35 @@
 
 namespace sinew::app {
 
-/// A turn that outlives its character: by the joint's name in the file (Skeleton::fileName).
+/// A rotation by the joint's file name (Skeleton::fileName), for other characters.
 using NamedTurn = std::pair<std::string, glm::quat>;
 [[nodiscard]] std::vector<NamedTurn> namedTurns(const PoseOverrides& overrides, const Skeleton& skeleton);
 struct FoundTurns {
   PoseOverrides overrides;
-  int missing = 0;  ///< Joints that this skeleton does not have.
+  int missing = 0;  ///< Joints that the skeleton lacks.
 };
 [[nodiscard]] FoundTurns turnsOf(const std::vector<NamedTurn>& turns, TurnsFrom from, const Skeleton& skeleton);
 
-/// The selected joint goes back to the clip's, or bind, rotation.
+/// Returns the selected joint to the clip or bind pose.
 void resetJoint(EditorState& state);
-/// All joints do.
 void resetPose(EditorState& state);
-/// With a joint of one side selected its whole side goes to the other; else left and right change places.
+/// Copies the selected joint's side to the other; without one, swaps left and right.
 void mirrorPose(EditorState& state);
-/// By joint names, so that it fits other characters of the same skeleton.
+/// By joint names.
 void copyPose(EditorState& state);
-/// Replaces the pose; joints that this character lacks are left out.
+/// Replaces the pose, without joints that this character lacks.
 void pastePose(EditorState& state);
-/// Turned joints follow the clip, or stand still under it; this moment looks the same before and after.
+/// Rotated joints follow the clip or keep still; the current pose does not change.
 void toggleHoldPose(EditorState& state);
-/// Selects the joint above, or the first below, the selected one; the first root where none is.
+/// Without a selection, the root.
 void selectParentJoint(Document& document);
-/// The first that is not hidden (hidden_bones.h).
+/// The first child that is not hidden (hiddenBones()).
 void selectChildJoint(EditorState& state);
 
 [[nodiscard]] bool isPosed(const EditorState& state);
 [[nodiscard]] bool selectedJointIsPosed(const EditorState& state);
 
-/// Chooses the clip "Range of motion", made from the skeleton if the character has none of that name, and plays it.
+/// Plays the clip "Range of motion", which is made from the skeleton unless the character has one.
 void playRangeOfMotion(EditorState& state);
 
 }  // namespace sinew::app

@@ -1,5 +1,4 @@
-// app/editor/reference_commands.cpp: pictures to work after.
-
+// app/editor/reference_commands.cpp: reference pictures.
 #include "app/editor/reference_commands.h"
 
 #include <algorithm>
@@ -10,6 +9,7 @@
 
 #include <glm/common.hpp>
 
+#include "app/editor/commands.h"
 #include "app/editor/edit.h"
 #include "app/editor/picture_commands.h"
 #include "app/editor/session.h"
@@ -32,9 +32,9 @@ ReferenceSide sideSeen(const CameraStand& stand) {
   return backward.x >= 0.0f ? ReferenceSide::kLeft : ReferenceSide::kRight;
 }
 
-/// The program's own folder is no place to keep pictures in.
+/// Samples start in the user's folder for pictures.
 fs::path folderOfDocument(const Document& document) {
-  const fs::path& file = document.rigFile.empty() ? document.characterFile : document.rigFile;
+  const fs::path& file = document.file();
   std::error_code ignored;
   return file.empty() || isSample(file) ? picturesFolder() : fs::absolute(file, ignored).parent_path();
 }
@@ -54,12 +54,9 @@ void chooseReferenceSide(EditorState& state, ReferenceSide side) {
 }
 
 void showReferenceDialog(EditorState& state) {
-  const fs::path& now = state.open.reference.chosen().file;
-  state.dialogs.file = {};
-  state.dialogs.file.kind = DialogKind::kReference;
-  state.dialogs.file.folder = now.empty() ? folderOfDocument(state.document) : now.parent_path();
-  state.dialogs.file.text = now.filename().string();
-  state.dialogs.file.appearing = true;
+  const fs::path now = state.open.reference.chosen().file;
+  showPathDialog(state, DialogKind::kReference, now.empty() ? folderOfDocument(state.document) : now.parent_path(),
+                 now.filename().string());
 }
 
 std::string takeReference(EditorState& state, const fs::path& file) {

@@ -1,4 +1,4 @@
-// app/editor/reference_commands.h: pictures to work after: from which side, and which file.
+// app/editor/reference_commands.h: reference pictures for each side.
 #pragma once
 
 #include <filesystem>
@@ -8,17 +8,15 @@
 
 namespace sinew::app {
 
-/// Opens the panel, for the side that the camera sees most of, or closes it.
+/// Opens the panel for the side that faces the camera, or closes it.
 void toggleReferencePanel(EditorState& state);
-/// The panel is about this side, and the camera looks from there.
+/// Shows this side in the panel and to the camera.
 void chooseReferenceSide(EditorState& state, ReferenceSide side);
-/// Asks for a picture.
 void showReferenceDialog(EditorState& state);
-/// For the chosen side; what was set for the picture before stays. @return why it cannot be shown; "" if it is
+/// Sets the chosen side's picture and keeps its settings. @return why it cannot be shown, or ""
 std::string takeReference(EditorState& state, const std::filesystem::path& file);
 void removeReference(EditorState& state);
-/// A picture that was dropped on the window: for the side that the panel is about, or for the one that the camera sees
-/// most of, whose panel opens.
+/// Takes a dropped picture for the panel's side; opens the panel if needed.
 void dropReference(EditorState& state, const std::filesystem::path& file);
 
 }  // namespace sinew::app

@@ -1,15 +1,18 @@
-// app/editor/session.cpp: what outlives one document.
-
+// app/editor/session.cpp: samples, recent files, recovery, help and first steps.
 #include "app/editor/session.h"
 
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <cmath>
 #include <fstream>
 #include <system_error>
 #include <utility>
 
-#include "app/document/character_files.h"
+#include <glm/common.hpp>
+#include <glm/vector_relational.hpp>
+
+#include "app/document/folder_listing.h"
 #include "app/editor/commands.h"
 #include "app/editor/edit.h"
 #include "app/editor/open_file.h"
@@ -17,6 +20,65 @@
 #include "core/geometry/at.h"
 
 namespace sinew::app {
+
+namespace {
+
+constexpr float kTurned = 0.15f;  ///< Radians.
+constexpr float kScaled = 0.03f;  ///< Of a radius.
+
+bool isScaled(const Rig& before, const Rig& now) {
+  return std::ranges::any_of(now.primitives, [&](const Primitive& muscle) {
+    const int index = findPrimitive(before, muscle.id());
+    if (index < 0) return false;
+    const glm::vec3 radii = at(before.primitives, index).placement.radii;
+    return glm::any(glm::greaterThan(glm::abs(muscle.placement.radii - radii), kScaled * radii));
+  });
+}
+
+}  // namespace
+
+void toggleFirstSteps(EditorState& state) {
+  FirstStepsState& steps = state.view.firstSteps;
+  if (steps.shown) {
+    steps.shown = false;
+    return;
+  }
+  steps = {};
+  steps.shown = true;
+  if (const std::filesystem::path sample = firstSample(); !sample.empty())
+    request(state, {IntentKind::kOpenFile, sample});
+}
+
+void followFirstSteps(EditorState& state) {
+  FirstStepsState& steps = state.view.firstSteps;
+  if (!steps.shown || !state.hasCharacter()) return;
+  const Camera& camera = state.view.tools.camera;
+  // Starts after the first frame, which frames the character.
+  if (steps.document != state.session.documentsOpened || state.open.frameWanted) {
+    steps.document = state.session.documentsOpened;
+    steps.stand = camera.stand;
+    steps.rig = std::make_shared<const Rig>(state.document.rig());
+    return;
+  }
+  const auto tick = [&](FirstStep step, bool done) {
+    bool& own = steps.done[static_cast<std::size_t>(step)];
+    own = own || done;
+  };
+  const float turned =
+      std::max(std::abs(camera.stand.yaw - steps.stand.yaw), std::abs(camera.stand.pitch - steps.stand.pitch));
+  tick(FirstStep::kTurn, turned > kTurned && !camera.transition);
+  tick(FirstStep::kSelect, !state.document.selection.primitives.empty());
+  const Rig& rig = state.document.rig();
+  const bool idle = !state.document.commands.inGesture();
+  tick(FirstStep::kScale, idle && isScaled(*steps.rig, rig));
+  tick(FirstStep::kAdd, idle && rig.primitives.size() > steps.rig->primitives.size());
+  tick(FirstStep::kCompare, state.document.visibility.bare);
+}
+
+bool firstStepsDone(const FirstStepsState& steps) {
+  return std::ranges::all_of(steps.done, [](bool done) { return done; });
+}
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -26,7 +88,7 @@ struct KnownSample {
   const char* name;
 };
 
-/// In menu order. A file that is not here gets its name from its stem.
+/// In menu order. Other files are named after their stems.
 constexpr std::array kKnownSamples{
     KnownSample{"humanoid", "Humanoid"},
     KnownSample{"humanoid-flex", "Humanoid flexing"},
@@ -53,7 +115,7 @@ std::size_t rankOf(const std::string& stem) {
   return static_cast<std::size_t>(known - kKnownSamples.begin());
 }
 
-/// Its first heading.
+/// The first heading.
 std::string headingOf(const fs::path& file) {
   std::ifstream in(file);
   for (std::string line; std::getline(in, line);) {
@@ -76,11 +138,11 @@ std::vector<HelpPage> readPages() {
 }
 
 void sayWhereItLies(EditorState& state, const fs::path& file) {
-  addMessage(state.session, MessageKind::kWarning, "Nothing here opens pages. The page is " + file.string(),
+  addMessage(state.session, MessageKind::kWarning, "No program opens this page: " + file.string(),
              MessageAbout::kProgram);
 }
 
-/// Removes it from the list; what it was.
+/// Removes it from the list and returns it.
 LeftBehind takeLeftBehind(EditorState& state, const fs::path& file) {
   const auto found = std::ranges::find(state.session.leftBehind, file, &LeftBehind::file);
   if (found == state.session.leftBehind.end()) return {};
@@ -129,8 +191,13 @@ bool isSample(const fs::path& file) {
   return !file.empty() && fs::equivalent(file.parent_path(), dataFile("assets"), failed) && !failed;
 }
 
+fs::path workFolder(const fs::path& file) {
+  std::error_code ignored;
+  return isSample(file) ? homeFolder() : fs::absolute(file, ignored).lexically_normal().parent_path();
+}
+
 void rememberDocument(EditorState& state) {
-  const fs::path& file = state.document.rigFile.empty() ? state.document.characterFile : state.document.rigFile;
+  const fs::path& file = state.document.file();
   if (!file.empty() && !isSample(file)) rememberFile(state.session.preferences.recentFiles, file);
 }
 
@@ -182,7 +249,7 @@ void jumpToBone(EditorState& state, int bone) {
   state.document.selection.clear();
   state.document.selection.bone = bone;
   state.view.outlinerFilter.clear();
-  // As much of the surroundings as a tenth of the character's height.
+  // With surroundings of a tenth of the character's height.
   const glm::vec3 center(at(state.live->pose().boneInWorld, bone)[3]);
   Bounds bounds;
   bounds.add(center - glm::vec3(0.1f * state.character().height));

@@ -1,4 +1,4 @@
-// app/editor/session.h: what outlives one document: samples, recent files, work recovered after a crash.
+// app/editor/session.h: samples, recent files, recovery after a crash, help and first steps.
 #pragma once
 
 #include <filesystem>
@@ -9,47 +9,57 @@
 
 namespace sinew::app {
 
+// Help > First steps: five things to try in any order.
+
+enum class FirstStep : std::size_t { kTurn, kSelect, kScale, kAdd, kCompare };
+
+/// Opens the first sample, after asking about unsaved changes, and shows the list; or hides it.
+void toggleFirstSteps(EditorState& state);
+/// Once a frame: ticks off what has been done since the document was opened.
+void followFirstSteps(EditorState& state);
+[[nodiscard]] bool firstStepsDone(const FirstStepsState& steps);
+
 /// A character that comes with the program.
 struct Sample {
   std::string name;  ///< "Horse wrapped"
   std::filesystem::path file;
 };
 
-/// Those that are there: rigs in a fixed order, then characters that no rig has as its own.
+/// Existing samples: rigs in a fixed order, then characters without a rig.
 [[nodiscard]] std::vector<Sample> samples();
-/// What opens without an argument: the first sample; "" if there is none.
+/// Opened without an argument; "": there is none.
 [[nodiscard]] std::filesystem::path firstSample();
-/// Lies in the folder that ships with the program.
+/// In the folder of the program's samples.
 [[nodiscard]] bool isSample(const std::filesystem::path& file);
+/// Folder of a file for new files beside it; the home folder for samples.
+[[nodiscard]] std::filesystem::path workFolder(const std::filesystem::path& file);
 
-/// Puts the open document's file among the recent ones, unless it is a sample.
+/// Adds the document's file to the recent ones, unless it is a sample.
 void rememberDocument(EditorState& state);
 
-/// The document becomes what the crash left in this recovery file; it counts as modified. A message says why not.
+/// Opens the document of a recovery file as modified, or reports why not.
 void recover(EditorState& state, const std::filesystem::path& recoveryFile);
-/// Throws the left work away.
 void discardRecovery(EditorState& state, const std::filesystem::path& recoveryFile);
 
-/// A page of the documentation.
 struct HelpPage {
-  std::string name;   ///< Of its file: "opening"
+  std::string name;   ///< File name: "opening"
   std::string title;  ///< Its first heading: "Opening a character"
   std::filesystem::path file;
 };
 
-/// By title; read once. Empty where they are not installed.
+/// Pages of the documentation by title, read once. Empty if not installed.
 [[nodiscard]] const std::vector<HelpPage>& helpPages();
-/// In the program that the desktop has for it; a message with its path says if there is none.
+/// Opens it in the desktop's program; without one, a message names its path.
 void openHelpPage(EditorState& state, const HelpPage& page);
-/// Once a frame: the same for what the desktop could not open after all.
+/// Once a frame: reports pages that the desktop could not open.
 void followOpenedPages(EditorState& state);
 
 void showPalette(Dialogs& dialogs);
-/// Selects it and brings it into the picture.
+/// Selects and frames it.
 void jumpToMuscle(EditorState& state, PrimitiveId primitive);
 void jumpToBone(EditorState& state, int bone);
 
-/// What is to be written of the preferences: with the layout as it stands.
+/// The preferences with the current layout.
 [[nodiscard]] Preferences currentPreferences(const EditorState& state);
 
 }  // namespace sinew::app

@@ -1,30 +1,77 @@
 // app/editor/symmetry_commands.cpp: twins, selecting many, and the clipboard.
-
 #include "app/editor/symmetry_commands.h"
-
-#include <imgui.h>
 
 #include <algorithm>
 #include <set>
 #include <utility>
 
-#include "app/document/clipboard.h"
-#include "app/document/muscle_names.h"
+#include <imgui.h>
+
 #include "app/document/shown_names.h"
 #include "app/editor/commands.h"
 #include "app/editor/edit.h"
 #include "core/geometry/at.h"
+#include "core/rig/merge.h"
 #include "core/rig/twins.h"
+#include "sinew/files/rig_json.h"
 #include "sinew/rig/rig_edit.h"
 
 namespace sinew::app {
+
+namespace {
+
+Result<Rig> rigInText(const std::string& text) {
+  Result<Rig> rig = rigFromJson(text);
+  if (!rig) return errorAt("", "the clipboard holds no muscles");
+  if (rig->primitives.empty()) return errorAt("", "the rig in the clipboard has no muscles");
+  return rig;
+}
+
+Result<Pasted> pasteRig(const Rig& rig, const Rig& copied, const Skeleton& skeleton, const MirrorPlan* mirror) {
+  Result<Merged> merged = mergeRigs(rig, copied, skeleton, mirror);
+  if (!merged) return merged.error();
+  Pasted pasted{std::move(merged.value().rig), {}, {}};
+  for (const int index : merged->primitives) {
+    if (index >= 0) pasted.names.push_back(at(pasted.rig.primitives, index).name);
+  }
+  for (const auto& [primitive, why] : merged->refusals) {
+    pasted.leftOut.push_back('"' + at(copied.primitives, primitive).name + "\" is not pasted: " + why.plainText());
+  }
+  for (const auto& [owner, line] : merged->lostDrivers) {
+    pasted.leftOut.push_back('"' + owner + "\" is pasted without a driver: there is no muscle line \"" + line + '"');
+  }
+  if (pasted.names.empty()) return errorAt("", pasted.leftOut.front());
+  return pasted;
+}
+
+}  // namespace
+
+std::string musclesAsText(const Rig& rig, std::span<const int> indices) {
+  Rig copied = excerpt(rig, indices);
+  if (copied.character.empty()) copied.character = "clipboard";  // A rig file names one.
+  return rigToJson(copied);
+}
+
+Result<Pasted> pasteText(const Rig& rig, const std::string& text, const Skeleton& skeleton, const MirrorPlan* mirror) {
+  const Result<Rig> copied = rigInText(text);
+  return copied ? pasteRig(rig, copied.value(), skeleton, mirror) : copied.error();
+}
+
+Result<Pasted> pasteTextOnBone(const Rig& rig, const std::string& text, const Skeleton& skeleton, int bone,
+                               const MirrorPlan* plan) {
+  const Result<Rig> copied = rigInText(text);
+  if (!copied) return copied.error();
+  const std::optional<Rig> moved = moveToBone(copied.value(), skeleton, bone, plan);
+  return pasteRig(rig, moved ? *moved : copied.value(), skeleton, nullptr);
+}
+
 namespace {
 
 std::string countText(std::size_t count, const std::string& one) {
-  return count == 1 ? one : std::to_string(count) + " muscles";
+  return count == 1 ? one : withCount(count, "muscle");
 }
 
-/// All muscles that may be picked, in rig order.
+/// Pickable muscles, in rig order.
 std::vector<PrimitiveId> pickableMuscles(const Document& document) {
   const Skeleton& skeleton = document.character->skeleton;
   const EffectiveVisibility seen =
@@ -36,7 +83,7 @@ std::vector<PrimitiveId> pickableMuscles(const Document& document) {
   return muscles;
 }
 
-/// Where muscles that were just pasted lie: their bone, and a muscle that hides the first where it lies exactly on one.
+/// Where pasted muscles are: their bone, and a muscle that coincides with the first.
 std::string placesOf(const Document& document, const std::vector<std::string>& names) {
   const Rig& rig = document.rig();
   const Primitive& first = at(rig.primitives, findPrimitive(rig, names.front()));
@@ -52,7 +99,7 @@ std::string placesOf(const Document& document, const std::vector<std::string>& n
   return text;
 }
 
-/// The active muscle stays active if it is among them.
+/// Keeps the active muscle active if it is among them.
 void selectKeepingActive(Document& document, const std::vector<PrimitiveId>& muscles) {
   Selection& selection = document.selection;
   const PrimitiveId active = selection.active();
@@ -76,7 +123,7 @@ void mirrorSelection(EditorState& state) {
   std::size_t done = 0;
   std::set<int> twins;
   for (const int index : selectedIndices(state.document)) {
-    if (twins.contains(index)) continue;  // Both of a pair are selected: the first leads.
+    if (twins.contains(index)) continue;  // Of a selected pair the first leads.
     Result<Rig> mirrored = mirrorToOtherSide(rig, index, *state.document.mirror);
     if (!mirrored) {
       refuse(state, mirrored.error());

@@ -1,5 +1,4 @@
-// app/editor/view_memory.cpp: what is remembered of how a document is looked at.
-
+// app/editor/view_memory.cpp: a document's view as JSON.
 #include "app/editor/view_memory.h"
 
 #include <algorithm>
@@ -30,18 +29,12 @@ constexpr std::array kFlags{
     Flag{"ground", &DisplaySettings::ground},       Flag{"anatomy", &DisplaySettings::anatomy},
     Flag{"relief", &DisplaySettings::relief}};
 
-const std::filesystem::path& viewFileOf(const Document& document) {
-  return document.rigFile.empty() ? document.characterFile : document.rigFile;
-}
-
-/// Within the range, else as it was.
+/// Takes a number within the range.
 template <class Number>
 void read(const Json& json, double least, double most, Number& value) {
   const double number = json.number(std::nan(""));
   if (number >= least && number <= most) value = static_cast<Number>(number);
 }
-
-// Clip and time --------------------------------------------------------------------------------------------------
 
 Json clipToJson(const EditorState& state, bool withPlayingTime) {
   const Transport& transport = state.open.transport;
@@ -55,9 +48,7 @@ Json clipToJson(const EditorState& state, bool withPlayingTime) {
   return clip.set("range", Json::array().push(range.from).push(range.to));
 }
 
-// Camera ---------------------------------------------------------------------------------------------------------
-
-/// With the character's height: another character in the same file is framed anew.
+/// With the character's height, to recognize another character in the same file.
 Json cameraToJson(const EditorState& state) {
   const Camera& camera = state.view.tools.camera;
   const CameraStand& stand = camera.transition ? camera.transition->to : camera.stand;
@@ -94,8 +85,6 @@ void restoreCamera(EditorState& state, const Json& json) {
   camera.orthographic = json.at("orthographic").boolean(camera.orthographic);
   state.open.frameWanted = false;
 }
-
-// What is shown --------------------------------------------------------------------------------------------------
 
 Json displayToJson(const DisplaySettings& display) {
   Json json = Json::object().set("shading", nameOf(display.shading));
@@ -144,7 +133,7 @@ void restoreOutliner(ViewState& view, const Json& json) {
   view.outliner.folded = textsFromJson(json.at("folded"));
 }
 
-/// Muscles by name: identities last only while a document is open.
+/// Muscles by name, because identities last only while the document is open.
 Json marksToJson(const Visibility::Marks& marks, const Rig& rig) {
   std::set<std::string> muscles;
   for (const Primitive& primitive : rig.primitives) {
@@ -187,15 +176,14 @@ Json viewToJson(const EditorState& state, bool withPlayingTime) {
 }
 
 std::optional<Json> rememberedView(const SessionState& session, const Document& document) {
-  if (session.viewsFolder.empty() || isSample(viewFileOf(document))) return std::nullopt;
-  return loadView(session.viewsFolder, viewFileOf(document));
+  if (session.viewsFolder.empty() || isSample(document.file())) return std::nullopt;
+  return loadView(session.viewsFolder, document.file());
 }
 
 void rememberView(const EditorState& state) {
-  const std::filesystem::path& file = viewFileOf(state.document);
+  const std::filesystem::path& file = state.document.file();
   if (state.session.viewsFolder.empty() || !state.hasCharacter() || file.empty() || isSample(file)) return;
-  const Result<void> stored = storeView(state.session.viewsFolder, file, viewToJson(state, true));
-  static_cast<void>(stored);
+  static_cast<void>(storeView(state.session.viewsFolder, file, viewToJson(state, true)));
 }
 
 Transport transportOf(const Json& view, const Character& character, const Transport& otherwise) {

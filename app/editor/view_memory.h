@@ -1,4 +1,4 @@
-// app/editor/view_memory.h: a file opened again looks as it was left: clip, time, shading, camera, filters, visibility.
+// app/editor/view_memory.h: the last view of a file: clip, time, shading, camera, filters, visibility.
 #pragma once
 
 #include <filesystem>
@@ -9,18 +9,17 @@
 
 namespace sinew::app {
 
-/// What is remembered of the open document. The time of a clip that plays is left out on demand: it never rests.
+/// The open document's view. @param withPlayingTime  with the time of a playing clip, which always changes
 [[nodiscard]] Json viewToJson(const EditorState& state, bool withPlayingTime);
 
-/// The view kept for this document's file; none for samples, which always open alike.
+/// The view kept for the document's file; nullopt for samples.
 [[nodiscard]] std::optional<Json> rememberedView(const SessionState& session, const Document& document);
-/// Keeps it now. Without a document, for a sample or where no view is to be kept: nothing. A failure is not told: the
-/// next start opens the file as if for the first time.
+/// Keeps the open document's view, unless it is a sample. Ignores failures.
 void rememberView(const EditorState& state);
 
-/// Clip and moment of a view. What the character does not have is as in `otherwise`.
+/// Clip and time of a view, or `otherwise` if the character lacks the clip.
 [[nodiscard]] Transport transportOf(const Json& view, const Character& character, const Transport& otherwise);
-/// All else, into a state that shows the document. What is absent, of another type or out of its range stays as it is.
+/// Restores the rest of the view; missing and unusable values stay unchanged.
 void restoreView(EditorState& state, const Json& view);
 
 }  // namespace sinew::app

@@ -1,12 +1,72 @@
-// app/editor/visibility_commands.cpp: hide, isolate, before and after.
-
+// app/editor/visibility_commands.cpp: visibility of muscles and helper bones, and layers of the mesh.
 #include "app/editor/visibility_commands.h"
 
 #include <algorithm>
 
+#include "app/document/shown_names.h"
+#include "app/editor/blending_edit.h"
 #include "app/editor/commands.h"
+#include "app/editor/edit.h"
+#include "app/ui/code_points.h"
+#include "core/geometry/at.h"
+#include "core/rig/mesh_layers.h"
 
 namespace sinew::app {
+
+bool hasParts(const EditorState& state) { return state.hasCharacter() && state.character().parts.size() > 1; }
+
+std::vector<SkinLayer> partLayers(const EditorState& state) {
+  return layersOf(state.document.rig(), state.character(), state.live->guessedLayers());
+}
+
+bool isLayerSet(const EditorState& state, int part) {
+  return findLayer(state.document.rig(), at(state.character().parts, part).name) >= 0;
+}
+
+void setPartLayer(EditorState& state, int part, std::optional<SkinLayer> layer) {
+  const std::vector<std::string> names = shownPartNames(state.character());
+  const std::string& shown = at(names, part);
+  const std::string label = layer ? "Layer of " + shown + ": " + nameOf(*layer) : "Layer of " + shown + " as guessed";
+  edit(state, label, setLayer(state.document.rig(), at(state.character().parts, part).name, layer));
+}
+
+void guessAllLayers(EditorState& state) { edit(state, "All layers as guessed", withoutLayers(state.document.rig())); }
+
+void forgetPart(EditorState& state, const std::string& name) {
+  const int number = findLayer(state.document.rig(), name) + 1;
+  edit(state, "Forget the layer of " + readableName(name, "part", number),
+       setLayer(state.document.rig(), name, std::nullopt));
+}
+
+std::vector<LitPart> litParts(const EditorState& state) {
+  if (!hasParts(state)) return {};
+  const int hovered = state.frame.hoveredPart;
+  const int chosen = state.open.layers.chosen;
+  if (hovered < 0 && chosen < 0) return {};
+  const std::vector<SkinLayer> layers = partLayers(state);
+  std::vector<LitPart> lit;
+  if (chosen >= 0 && chosen != hovered) lit.push_back({chosen, at(layers, chosen), false});
+  if (hovered >= 0) lit.push_back({hovered, at(layers, hovered), true});
+  return lit;
+}
+
+std::vector<bool> hiddenBones(const EditorState& state) {
+  const std::vector<bool>& helpers = state.open.helperBones;
+  if (!state.hasCharacter() || state.view.outliner.helperBones) return {};
+  if (std::ranges::find(helpers, true) == helpers.end()) return {};
+  std::vector<bool> hidden = helpers;
+  const auto show = [&](int bone) {
+    if (bone >= 0) at(hidden, bone) = false;
+  };
+  for (const int bone : boneOfEach(state.document.rig(), state.character().skeleton)) show(bone);
+  for (const JointTurn& turn : state.open.transport.overrides.turns) show(turn.bone);
+  for (const int bone : shownTerritory(state)) show(bone);
+  show(state.document.selection.bone);
+  return std::ranges::find(hidden, true) == hidden.end() ? std::vector<bool>{} : hidden;
+}
+
+bool isHidden(const std::vector<bool>& hidden, int bone) { return !hidden.empty() && at(hidden, bone); }
+
 namespace {
 
 std::vector<PrimitiveId> selectedMuscles(const Document& document) {

@@ -1,20 +1,47 @@
-// app/editor/visibility_commands.h: hide, isolate, before and after; from keys, menus and the outliner.
+// app/editor/visibility_commands.h: hiding, isolating and locking muscles, helper bones, and layers of the mesh.
 #pragma once
 
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "app/editor/editor_state.h"
 
 namespace sinew::app {
 
-/// Once a frame, before the surface is brought up to date: marks follow renamed muscles, new ones appear.
+// Layers of the mesh's parts (docs/characters.md). Each edit is one undo step.
+
+/// The open character's mesh has more than one part.
+[[nodiscard]] bool hasParts(const EditorState& state);
+/// [parts] Set by the rig, else guessed.
+[[nodiscard]] std::vector<SkinLayer> partLayers(const EditorState& state);
+/// The rig sets the part's layer. @param part  index into Character::parts, as all here
+[[nodiscard]] bool isLayerSet(const EditorState& state, int part);
+
+/// @param layer  nullopt: as guessed
+void setPartLayer(EditorState& state, int part, std::optional<SkinLayer> layer);
+/// Removes all layers from the rig.
+void guessAllLayers(EditorState& state);
+/// Removes the layer of a part that the character lacks.
+void forgetPart(EditorState& state, const std::string& name);
+
+/// The chosen part and the one under the pointer.
+[[nodiscard]] std::vector<LitPart> litParts(const EditorState& state);
+
+/// [bones] Helper bones (core/character/joint_roles.h) to hide in picture, tree and lists, except those with a muscle,
+/// selected, rotated by hand or in the edited territory. Empty: none.
+[[nodiscard]] std::vector<bool> hiddenBones(const EditorState& state);
+/// @param hidden  from hiddenBones()
+[[nodiscard]] bool isHidden(const std::vector<bool>& hidden, int bone);
+
+/// Once a frame, before the surface is updated: shows new muscles.
 void followEdits(Document& document);
 
-/// Hides the selected muscles; shows them if all of them are hidden by themselves.
+/// Hides the selected muscles, or shows them if all are hidden.
 void toggleHideSelection(Document& document);
-/// Show every muscle: hide, solo and isolate end; locks stay.
+/// Ends hide, solo and isolate; locks stay.
 void showAll(Document& document);
-/// Shows the selected muscles alone, or ends that.
+/// Shows only the selected muscles, or all again.
 void toggleIsolation(Document& document);
 void toggleLockSelection(Document& document);
 void unlockAll(Document& document);
@@ -22,9 +49,9 @@ void unlockAll(Document& document);
 /// Something is hidden, soloed or isolated.
 [[nodiscard]] bool anythingHidden(const Document& document);
 
-/// The menu's and the key's part of "before": the key goes down, or the menu entry is chosen.
+/// "Before", without muscles: the key is pressed or the menu entry chosen.
 void latchBare(EditorState& state);
-/// Once a frame. @param keyDown  the action's key is held  @param buttonDown  its button is
+/// Once a frame. @param keyDown  the action's key is held  @param buttonDown  its button is held
 void holdBare(EditorState& state, bool keyDown, bool buttonDown);
 
 /// "2 of 15 muscles hidden" or "".

@@ -7,7 +7,7 @@
 
 #include <algorithm>
 
-#include "app/editor/animated_names.h"
+#include "app/editor/animate.h"
 #include "app/panels/field_edit.h"
 
 namespace sinew::app {

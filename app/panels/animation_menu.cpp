@@ -7,8 +7,8 @@
 #include <set>
 
 #include "app/document/shown_names.h"
-#include "app/editor/animated_names.h"
-#include "app/editor/hidden_bones.h"
+#include "app/editor/animate.h"
+#include "app/editor/visibility_commands.h"
 #include "app/panels/animated_field.h"
 #include "app/ui/reading_order.h"
 #include "core/geometry/at.h"

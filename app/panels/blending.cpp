@@ -10,7 +10,7 @@
 
 #include "app/editor/blending_edit.h"
 #include "app/editor/commands.h"
-#include "app/editor/outliner_edit.h"
+#include "app/editor/outliner.h"
 #include "core/geometry/at.h"
 #include "core/rig/blending_graph.h"
 #include "core/rig/rig_edit.h"

@@ -14,7 +14,7 @@
 #include "app/editor/blending_edit.h"
 #include "app/panels/blending.h"
 #include "app/panels/blending_layout.h"
-#include "app/ui/readable_names.h"
+#include "app/ui/code_points.h"
 #include "core/rig/rig_edit.h"
 
 namespace sinew::app {

@@ -9,7 +9,7 @@
 
 #include "app/editor/blending_edit.h"
 #include "app/panels/blending.h"
-#include "app/ui/readable_names.h"
+#include "app/ui/code_points.h"
 #include "app/ui/reading_order.h"
 #include "core/geometry/at.h"
 #include "core/rig/rig_edit.h"

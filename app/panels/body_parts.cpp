@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "app/document/shown_names.h"
-#include "app/editor/body_parts_commands.h"
+#include "app/editor/muscle_set_commands.h"
 #include "app/panels/bone_list.h"
 #include "app/panels/overlay.h"
 #include "core/character/bindings.h"

@@ -8,8 +8,8 @@
 #include <numeric>
 
 #include "app/document/shown_names.h"
-#include "app/editor/hidden_bones.h"
-#include "app/editor/outliner_rows.h"
+#include "app/editor/outliner.h"
+#include "app/editor/visibility_commands.h"
 #include "app/ui/reading_order.h"
 #include "core/geometry/at.h"
 

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cstdio>
 
-#include "app/editor/check_commands.h"
+#include "app/editor/muscle_set_commands.h"
 #include "app/panels/overlay.h"
-#include "app/ui/readable_names.h"
+#include "app/ui/code_points.h"
 #include "core/geometry/at.h"
 
 namespace sinew::app {

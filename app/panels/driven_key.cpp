@@ -3,7 +3,6 @@
 #include <imgui.h>
 
 #include "app/editor/animate.h"
-#include "app/editor/animated_names.h"
 #include "app/panels/overlay.h"
 
 namespace sinew::app {

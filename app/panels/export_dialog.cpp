@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "app/document/rig_list.h"
+#include "app/document/folder_listing.h"
 #include "app/editor/export_commands.h"
 #include "app/panels/dialog_parts.h"
 #include "app/panels/dialogs.h"

@@ -6,8 +6,8 @@
 #include <string>
 
 #include "app/panels/file_dialog.h"
+#include "app/ui/code_points.h"
 #include "app/ui/data_files.h"
-#include "app/ui/readable_names.h"
 #include "app/ui/reading_order.h"
 #include "app/viewport/render/thumbnails.h"
 

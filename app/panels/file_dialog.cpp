@@ -18,7 +18,6 @@
 #include "app/editor/export_commands.h"
 #include "app/editor/open_file.h"
 #include "app/editor/picture_commands.h"
-#include "app/editor/pictures_commands.h"
 #include "app/editor/reference_commands.h"
 #include "app/panels/dialog_parts.h"
 #include "app/panels/dialogs.h"

@@ -6,7 +6,7 @@
 #include <array>
 #include <string>
 
-#include "app/editor/first_steps.h"
+#include "app/editor/session.h"
 #include "app/panels/overlay.h"
 
 namespace sinew::app {

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <array>
 
-#include "app/editor/animated_names.h"
+#include "app/editor/animate.h"
 #include "app/panels/animated_field.h"
 #include "app/panels/curve_editor.h"
 #include "app/panels/field_edit.h"

@@ -7,7 +7,7 @@
 #include <charconv>
 #include <cmath>
 
-#include "app/document/muscle_names.h"
+#include "app/document/shown_names.h"
 #include "app/editor/commands.h"
 #include "app/panels/animated_field.h"
 #include "app/panels/field_edit.h"

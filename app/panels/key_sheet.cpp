@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "app/panels/dialogs.h"
-#include "app/ui/version.h"
+#include "app/ui/data_files.h"
 
 namespace sinew::app {
 namespace {

@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <string>
 
-#include "app/editor/key_capture.h"
+#include "app/editor/bindings.h"
 #include "app/panels/dialogs.h"
 #include "core/geometry/nearest_name.h"
 

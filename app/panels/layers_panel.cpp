@@ -11,10 +11,10 @@
 #include <vector>
 
 #include "app/document/shown_names.h"
-#include "app/editor/layer_commands.h"
+#include "app/editor/visibility_commands.h"
+#include "app/ui/code_points.h"
 #include "app/ui/keyboard_focus.h"
 #include "app/ui/number_field.h"
-#include "app/ui/readable_names.h"
 #include "app/viewport/render/color_scales.h"
 #include "core/geometry/at.h"
 #include "core/rig/mesh_layers.h"

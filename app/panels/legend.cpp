@@ -13,8 +13,6 @@
 
 #include "app/editor/blending_edit.h"
 #include "app/editor/export_error.h"
-#include "app/editor/layer_commands.h"
-#include "app/editor/territory.h"
 #include "app/editor/visibility_commands.h"
 #include "app/panels/overlay.h"
 #include "app/ui/number_field.h"

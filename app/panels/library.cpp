@@ -14,10 +14,9 @@
 #include <vector>
 
 #include "app/document/muscle_sets.h"
-#include "app/editor/body_parts_commands.h"
 #include "app/editor/library_commands.h"
 #include "app/editor/muscle_set_commands.h"
-#include "app/editor/outliner_rows.h"
+#include "app/editor/outliner.h"
 #include "app/panels/muscle_picture.h"
 #include "app/ui/reading_order.h"
 #include "app/viewport/render/thumbnails.h"

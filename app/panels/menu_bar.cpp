@@ -11,7 +11,7 @@
 #include "app/editor/commands.h"
 #include "app/editor/session.h"
 #include "app/panels/panels.h"
-#include "app/ui/readable_names.h"
+#include "app/ui/code_points.h"
 #include "app/ui/reading_order.h"
 #include "app/viewport/render/thumbnails.h"
 

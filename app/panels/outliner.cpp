@@ -11,15 +11,14 @@
 #include <string>
 
 #include "app/document/shown_names.h"
+#include "app/editor/blending_edit.h"
 #include "app/editor/commands.h"
-#include "app/editor/hidden_bones.h"
-#include "app/editor/outliner_edit.h"
-#include "app/editor/territory.h"
+#include "app/editor/outliner.h"
 #include "app/editor/visibility_commands.h"
 #include "app/panels/outliner.h"
 #include "app/panels/outliner_row.h"
-#include "app/ui/elide.h"
 #include "app/ui/keyboard_focus.h"
+#include "app/ui/reading_order.h"
 #include "core/geometry/at.h"
 
 namespace sinew::app {

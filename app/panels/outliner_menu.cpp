@@ -6,11 +6,10 @@
 
 #include "app/editor/blending_edit.h"
 #include "app/editor/commands.h"
-#include "app/editor/hidden_bones.h"
-#include "app/editor/outliner_edit.h"
+#include "app/editor/outliner.h"
 #include "app/editor/visibility_commands.h"
 #include "app/panels/outliner_row.h"
-#include "app/ui/readable_names.h"
+#include "app/ui/code_points.h"
 #include "app/ui/reading_order.h"
 #include "core/geometry/at.h"
 

@@ -10,8 +10,8 @@
 
 #include "app/editor/blending_edit.h"
 #include "app/editor/commands.h"
-#include "app/editor/outliner_edit.h"
-#include "app/ui/readable_names.h"
+#include "app/editor/outliner.h"
+#include "app/ui/code_points.h"
 #include "app/ui/reading_order.h"
 #include "core/geometry/at.h"
 

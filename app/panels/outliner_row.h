@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "app/editor/outliner_rows.h"
+#include "app/editor/outliner.h"
 #include "app/panels/panel_ui.h"
 
 namespace sinew::app {

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "app/editor/actions.h"
-#include "app/editor/layer_commands.h"
 #include "app/editor/line_commands.h"
+#include "app/editor/visibility_commands.h"
 #include "core/geometry/at.h"
 
 namespace sinew::app {

@@ -5,8 +5,8 @@
 #include <span>
 #include <string>
 
+#include "app/editor/actions.h"
 #include "app/editor/editor_state.h"
-#include "app/editor/possible.h"
 
 namespace sinew::app {
 

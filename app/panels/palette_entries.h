@@ -9,7 +9,6 @@
 
 #include "app/editor/actions.h"
 #include "app/editor/editor_state.h"
-#include "app/editor/possible.h"
 #include "app/panels/palette_controls.h"
 #include "app/panels/palette_search.h"
 #include "app/ui/icons.h"

@@ -2,7 +2,7 @@
 
 #include "app/panels/panels.h"
 
-#include "app/editor/layer_commands.h"
+#include "app/editor/visibility_commands.h"
 #include "app/panels/dialogs.h"
 #include "app/panels/inspector.h"
 #include "app/panels/overlay.h"

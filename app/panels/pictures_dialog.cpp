@@ -10,7 +10,7 @@
 #include <cstdio>
 #include <string>
 
-#include "app/editor/pictures_commands.h"
+#include "app/editor/picture_commands.h"
 #include "app/panels/dialog_parts.h"
 #include "app/panels/dialogs.h"
 #include "app/panels/export_rows.h"

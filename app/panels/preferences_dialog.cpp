@@ -8,7 +8,7 @@
 #include <cstdio>
 #include <string>
 
-#include "app/editor/key_capture.h"
+#include "app/editor/bindings.h"
 #include "app/panels/dialog_parts.h"
 #include "app/panels/dialogs.h"
 #include "app/ui/number_field.h"

@@ -10,11 +10,11 @@
 #include <vector>
 
 #include "app/editor/edit.h"
-#include "app/editor/outliner_rows.h"
+#include "app/editor/outliner.h"
 #include "app/panels/animated_field.h"
 #include "app/panels/field_edit.h"
 #include "app/panels/inspector.h"
-#include "app/ui/readable_names.h"
+#include "app/ui/code_points.h"
 #include "core/geometry/at.h"
 #include "core/rig/morphs.h"
 

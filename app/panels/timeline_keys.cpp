@@ -12,7 +12,6 @@
 #include <imgui_stdlib.h>
 
 #include "app/editor/animate.h"
-#include "app/editor/animated_names.h"
 #include "app/panels/field_edit.h"
 #include "core/geometry/at.h"
 

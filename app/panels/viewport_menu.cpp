@@ -1,7 +1,7 @@
 // app/panels/viewport_menu.cpp: the context menu of the picture: what lies under the pointer, and what to do
 // with it.
 
-#include "app/editor/viewport_menu.h"
+#include "app/editor/commands.h"
 
 #include <imgui.h>
 

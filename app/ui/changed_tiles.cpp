@@ -28,7 +28,7 @@ std::uint64_t bitsOf(const ImVec2& v) {
   return bits;
 }
 
-/// Everything of a command but its triangles.
+/// A command without its triangles.
 std::uint64_t hashOf(const ImDrawCmd& command, std::span<const TextureRevision> textures, std::uint64_t frame) {
   const auto id = reinterpret_cast<std::uintptr_t>(command.TextureId);
   const auto known = std::ranges::find(textures, id, &TextureRevision::texture);
@@ -38,9 +38,9 @@ std::uint64_t hashOf(const ImDrawCmd& command, std::span<const TextureRevision> 
   return mixed(hash, bitsOf({command.ClipRect.z, command.ClipRect.w}));
 }
 
-/// Rows of marked tiles in a row become one rectangle, equal ones below each other too.
+/// Joins marked tiles in a row, and equal runs in adjacent rows, into rectangles.
 std::vector<glm::ivec4> rectsOf(const std::vector<bool>& marked, const glm::ivec2& tiles) {
-  std::vector<glm::ivec4> done, open;  // In tiles. Open: those that end at the row above.
+  std::vector<glm::ivec4> done, open;  // In tiles. Open ones end at the row above.
   for (int y = 0; y < tiles.y; ++y) {
     std::vector<glm::ivec4> row;
     for (int x = 0; x < tiles.x; ++x) {
@@ -70,7 +70,7 @@ glm::ivec4 around(const std::vector<glm::ivec4>& rects) {
   return box;
 }
 
-/// The pixels that the backend lets a command draw: it cuts fractions off, counting rows from below.
+/// Pixels of the backend's scissor, which truncates and counts rows from below.
 glm::ivec4 scissorOf(const ImVec4& clip, const ImDrawData& data) {
   const glm::vec4 at(clip.x - data.DisplayPos.x, clip.y - data.DisplayPos.y, clip.z - data.DisplayPos.x,
                      clip.w - data.DisplayPos.y);

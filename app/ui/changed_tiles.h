@@ -1,4 +1,4 @@
-// app/ui/changed_tiles.h: which parts of the window look different from the frame before.
+// app/ui/changed_tiles.h: which parts of the window differ from the last frame.
 #pragma once
 
 #include <cstdint>
@@ -12,22 +12,19 @@ struct ImDrawData;
 
 namespace sinew::app {
 
-/// A texture whose content is known: equal revisions, equal pixels. A texture that is not listed counts as changed in
-/// every frame.
+/// Equal revisions mean equal pixels. Unlisted textures count as changed in every frame.
 struct TextureRevision {
   std::uintptr_t texture = 0;
   std::uint64_t revision = 0;
 };
 
-/// Compares what is drawn in each square of the window with the frame before, without looking at a pixel. For windows
-/// with one pixel per unit of ImGui's (FramebufferScale 1).
+/// Compares the triangles in each square of the window with the last frame's. For windows with FramebufferScale 1.
 class ChangedTiles {
  public:
-  /// @param size  of the framebuffer, pixels; another one than before: everything has changed
-  /// @param parts  low x and y, high x and y: changed whatever is drawn there
-  /// @return rectangles that hold all changes, at most kMostRects: low x and y, high x and y; pixels, from the top
-  /// left.
-  ///         Within the framebuffer, no two overlap.
+  /// @param size  of the framebuffer, pixels; a new size changes everything
+  /// @param parts  changed in any case: low x and y, high x and y
+  /// @return at most kMostRects disjoint rectangles with all changes: low x and y, high x and y; pixels, from the top
+  /// left
   [[nodiscard]] std::vector<glm::ivec4> update(const ImDrawData& data, const glm::ivec2& size,
                                                std::span<const TextureRevision> textures,
                                                std::span<const glm::vec4> parts = {});
@@ -45,7 +42,7 @@ class ChangedTiles {
   std::vector<std::uint64_t> now_;
 };
 
-/// Limits the drawing to these rectangles (pixels, as above): each command is drawn once in each that it touches.
+/// Limits the drawing to these rectangles, pixels: each command is drawn once in each that it touches.
 void clipDrawing(ImDrawData& data, std::span<const glm::ivec4> rects);
 
 }  // namespace sinew::app

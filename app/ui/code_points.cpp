@@ -1,12 +1,63 @@
-// app/ui/code_points.cpp: the blocks of Unicode that matter here.
-
+// app/ui/code_points.cpp: UTF-8, blocks of Unicode, and names without glyphs.
 #include "app/ui/code_points.h"
 
 #include <algorithm>
 #include <cstddef>
 #include <span>
+#include <string_view>
+#include <utility>
+
+#include "core/geometry/at.h"
 
 namespace sinew::app {
+
+namespace {
+
+/// Set once when the window opens.
+HasGlyph& glyphsOfInterface() {
+  static HasGlyph glyphs;
+  return glyphs;
+}
+
+}  // namespace
+
+std::string readable(const std::string& name, const std::string& instead, const HasGlyph& hasGlyph) {
+  if (!hasGlyph || isAscii(name)) return name;
+  const std::u32string letters = codePoints(name);
+  const auto missing = [&](char32_t c) { return !isInvisible(c) && c >= 0x80 && !hasGlyph(c); };
+  if (std::ranges::none_of(letters, missing)) return name;
+  std::string out;
+  bool said = false;
+  for (std::size_t i = 0; i < letters.size(); ++i) {
+    if (!missing(letters[i])) {
+      out += utf8(std::u32string_view(letters).substr(i, 1));
+      continue;
+    }
+    if (!said) out += instead;
+    said = true;
+  }
+  return out;
+}
+
+void setGlyphs(HasGlyph hasGlyph) { glyphsOfInterface() = std::move(hasGlyph); }
+
+std::string readableName(const std::string& name, const char* word, int number) {
+  if (!glyphsOfInterface() || isAscii(name)) return name;
+  return readable(name, std::string(word) + ' ' + std::to_string(number), glyphsOfInterface());
+}
+
+std::string shownMuscleName(const Rig& rig, int primitive) {
+  return readableName(at(rig.primitives, primitive).name, "muscle", primitive + 1);
+}
+
+std::string shownGroupName(const Rig& rig, int group) {
+  return readableName(at(rig.groups, group).name, "group", group + 1);
+}
+
+std::string shownMorphName(const Rig& rig, int morph) {
+  return readableName(at(rig.morphs, morph).name, "shape", morph + 1);
+}
+
 namespace {
 
 constexpr char32_t kReplacement = 0xFFFD;
@@ -22,7 +73,7 @@ bool isInBlocks(char32_t c, std::span<const LetterBlock> blocks) {
 
 unsigned byteAt(std::string_view text, std::size_t at) { return static_cast<unsigned char>(text[at]); }
 
-/// The bytes of the sequence that begins there, by its first; 0: none begins there.
+/// Length by the first byte; 0: invalid.
 std::size_t sequenceLength(unsigned first) {
   if (first < 0x80u) return 1;
   if (first >= 0xC2u && first < 0xE0u) return 2;
@@ -36,6 +87,10 @@ bool isScalar(char32_t c, std::size_t length) {
 }
 
 }  // namespace
+
+bool isAscii(std::string_view text) {
+  return std::ranges::all_of(text, [](char c) { return static_cast<unsigned char>(c) < 0x80u; });
+}
 
 std::u32string codePoints(std::string_view text) {
   std::u32string out;

@@ -1,22 +1,40 @@
-// app/ui/data_files.h: where the program's own files (shaders, assets) lie.
+// app/ui/data_files.h: the program's own files (shaders, assets, pages), its version, and opening files on the desktop.
 #pragma once
 
 #include <filesystem>
+#include <vector>
 
 namespace sinew::app {
 
-/// A file that ships with the program, by its path in the source tree ("shaders/surface.vert"). Looked for in the
-/// folder SINEW_DATA_DIR (environment) names, then ../share/sinew of the executable's folder (an installed program),
-/// the source tree, the configured data folder, and beside the executable. The first that exists; if none does, the
-/// path in the first place looked at, for the message.
+/// Opens files in the desktop's programs by xdg-open, which may run as long as the program: poll failed().
+class DesktopOpener {
+ public:
+  /// @return whether xdg-open was started
+  bool open(const std::filesystem::path& file);
+  /// Files that could not be opened, each once.
+  [[nodiscard]] std::vector<std::filesystem::path> failed();
+  /// A recent request may still fail: call failed() again soon.
+  [[nodiscard]] bool busy() const;
+
+ private:
+  struct Running {
+    int process = 0;
+    std::filesystem::path file;
+    int looks = 0;
+  };
+  std::vector<Running> running_;
+};
+
+/// Version and commit: "0.2.0 (4bbcc04d41e0)"; the commit ends in "-dirty" if the tree was changed, "unknown" without
+/// git.
+[[nodiscard]] const char* programVersion();
+
+/// A file that ships with the program, by its path in the source tree ("shaders/surface.vert"). Searches the folder
+/// named by the environment's SINEW_DATA_DIR, ../share/sinew of the executable's folder, the source tree, the
+/// configured data folder, and the executable's folder. If none has it: the path in the first one, for the message.
 [[nodiscard]] std::filesystem::path dataFile(const std::filesystem::path& relative);
 
-/// Where the pages of the documentation lie: share/doc/sinew/docs of an installed program, else docs of the source
-/// tree;
-/// "" if they are nowhere.
+/// Pages of the documentation: share/doc/sinew/docs of an installed program, else docs of the source tree, else "".
 [[nodiscard]] std::filesystem::path pagesFolder();
-
-/// Folder of the running program; empty if the system does not tell.
-[[nodiscard]] std::filesystem::path executableFolder();
 
 }  // namespace sinew::app

@@ -1,5 +1,4 @@
-// app/ui/frame_stats.cpp: how long frames took.
-
+// app/ui/frame_stats.cpp: durations of recent frames.
 #include "app/ui/frame_stats.h"
 
 #include <algorithm>
@@ -9,7 +8,7 @@ namespace sinew::app {
 
 void FrameStats::add(double now, double milliseconds) {
   frames_.push_back({now, milliseconds});
-  while (frames_.size() > 1 && now - frames_.front().time > kStatsSeconds) frames_.pop_front();
+  while (frames_.size() > 1 && now - frames_.front().time > 2.0) frames_.pop_front();
 }
 
 double FrameStats::median() const {

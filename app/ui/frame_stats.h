@@ -1,4 +1,4 @@
-// app/ui/frame_stats.h: how long frames took over the last two seconds.
+// app/ui/frame_stats.h: durations of recent frames.
 #pragma once
 
 #include <deque>
@@ -7,12 +7,10 @@
 
 namespace sinew::app {
 
-inline constexpr double kStatsSeconds = 2.0;
-
-/// Durations of the frames of the last kStatsSeconds. Milliseconds.
+/// Durations of the frames of the last two seconds, milliseconds.
 class FrameStats {
  public:
-  /// @param now seconds on a clock that only grows.
+  /// @param now  seconds, monotonic
   void add(double now, double milliseconds);
 
   [[nodiscard]] double now() const { return frames_.empty() ? 0.0 : frames_.back().milliseconds; }
@@ -27,7 +25,7 @@ class FrameStats {
   double prepare = 0.0;  ///< After an edit; 0 in frames without one.
   double upload = 0.0;
   double draw = 0.0;
-  double ui = 0.0;  ///< Keys, panels and tools: what a frame costs besides pose, surface and picture.
+  double ui = 0.0;  ///< Keys, panels and tools.
 
  private:
   struct Sample {

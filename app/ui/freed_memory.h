@@ -1,11 +1,10 @@
-// app/ui/freed_memory.h: memory that is given back is kept for the next who asks.
+// app/ui/freed_memory.h: keeps freed memory for reuse.
 #pragma once
 
 namespace sinew::app {
 
-/// For a process that draws on the processor. Mesa asks for some hundred kilobytes for each piece of a mesh and gives
-/// them back; where they go to the system each time and come back page by page, drawing many vertices takes much
-/// longer. Keeps 64 MB at most. Without glibc: nothing.
+/// For drawing on the processor: Mesa allocates and frees some hundred kilobytes for each piece of a mesh, which is
+/// much slower if they go back to the system each time. Keeps 64 MB at most. Does nothing without glibc.
 void keepFreedMemory();
 
 }  // namespace sinew::app

@@ -1,13 +1,72 @@
-// app/ui/icons.cpp: the icons of tools, playback, files, messages, bones and muscles, and the look-up of all.
+// app/ui/icons.cpp: a drawing for each icon.
 #include "app/ui/icons.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <initializer_list>
 
-#include "app/ui/icon_drawings.h"
+#include <imgui.h>
 
 namespace sinew::app {
 namespace {
+
+constexpr float kHalfCircle = 3.14159265f;  ///< Radians.
+
+/// Draws on a grid of 16 units.
+struct Pen {
+  ImDrawList& list;
+  ImVec2 origin;
+  float unit;
+  ImU32 color;
+  float stroke = 1.4f;    ///< Line width, units.
+  float thinnest = 0.0f;  ///< ... and pixels, at least.
+
+  [[nodiscard]] ImVec2 at(float x, float y) const { return {origin.x + x * unit, origin.y + y * unit}; }
+  [[nodiscard]] float width() const { return std::max(stroke * unit, thinnest); }
+  void line(float x0, float y0, float x1, float y1) const { list.AddLine(at(x0, y0), at(x1, y1), color, width()); }
+  void fill(std::initializer_list<ImVec2> points) const {
+    for (const ImVec2& p : points) list.PathLineTo(at(p.x, p.y));
+    list.PathFillConvex(color);
+  }
+  void outline(std::initializer_list<ImVec2> points, bool closed) const {
+    for (const ImVec2& p : points) list.PathLineTo(at(p.x, p.y));
+    list.PathStroke(color, closed ? ImDrawFlags_Closed : ImDrawFlags_None, width());
+  }
+  void arc(float x, float y, float radius, float from, float to) const {
+    list.PathArcTo(at(x, y), radius * unit, from, to, 20);
+    list.PathStroke(color, ImDrawFlags_None, width());
+  }
+  void ellipse(float x, float y, float a, float b, float turn, bool filled) const {
+    constexpr int kSteps = 24;
+    for (int i = 0; i < kSteps; ++i) {
+      const float angle = 2.0f * kHalfCircle * static_cast<float>(i) / kSteps;
+      const float u = a * std::cos(angle);
+      const float v = b * std::sin(angle);
+      list.PathLineTo(at(x + u * std::cos(turn) - v * std::sin(turn), y + u * std::sin(turn) + v * std::cos(turn)));
+    }
+    if (filled) {
+      list.PathFillConvex(color);
+    } else {
+      list.PathStroke(color, ImDrawFlags_Closed, width());
+    }
+  }
+  void disc(float x, float y, float radius) const { list.AddCircleFilled(at(x, y), radius * unit, color, 16); }
+  void ring(float x, float y, float radius) const { list.AddCircle(at(x, y), radius * unit, color, 20, width()); }
+  void box(float x0, float y0, float x1, float y1, float round) const {
+    list.AddRect(at(x0, y0), at(x1, y1), color, round * unit, 0, width());
+  }
+  /// The upper (-1) or lower (1) lid of an eye.
+  void lid(float way) const {
+    list.PathLineTo(at(1.2f, 8.0f));
+    list.PathBezierCubicCurveTo(at(4.6f, 8.0f + 6.0f * way), at(11.4f, 8.0f + 6.0f * way), at(14.8f, 8.0f));
+    list.PathStroke(color, ImDrawFlags_None, width());
+  }
+};
+
+using IconDrawing = void (*)(const Pen&);
+using IconDrawings = std::array<IconDrawing, kIconCount>;  ///< By Icon; null: nothing is drawn.
+constexpr std::size_t at(Icon icon) { return static_cast<std::size_t>(icon); }
 
 void drawMove(const Pen& pen) {
   pen.line(8, 2.5f, 8, 13.5f);
@@ -54,9 +113,53 @@ void drawAxes(const Pen& pen) {
 
 void drawCircled(const Pen& pen) { pen.ellipse(8, 8, 6.2f, 6.2f, 0.0f, false); }
 
-}  // namespace
+void drawLock(const Pen& pen, bool closed) {
+  pen.list.AddRectFilled(pen.at(3.4f, 7.4f), pen.at(12.6f, 14.0f), pen.color, 1.4f * pen.unit);
+  const float x = closed ? 8.0f : 10.6f;
+  pen.list.PathArcTo(pen.at(x, 5.6f), 2.9f * pen.unit, kHalfCircle, 2.0f * kHalfCircle, 14);
+  if (closed) pen.list.PathLineTo(pen.at(x + 2.9f, 7.6f));
+  pen.list.PathStroke(pen.color, ImDrawFlags_None, pen.width());
+  pen.line(x - 2.9f, 5.4f, x - 2.9f, 7.6f);
+}
 
-void addToolDrawings(IconDrawings& drawings) {
+void drawMatrix(const Pen& pen) {
+  for (int row = 0; row < 3; ++row) {
+    for (int column = 0; column <= row; ++column) {
+      const float x = 2.0f + 4.4f * static_cast<float>(column);
+      const float y = 2.0f + 4.4f * static_cast<float>(row);
+      pen.list.AddRectFilled(pen.at(x, y), pen.at(x + 3.2f, y + 3.2f), pen.color, 0.8f * pen.unit);
+    }
+  }
+}
+
+void drawGraph(const Pen& pen) {
+  pen.line(4.0f, 11.6f, 8.0f, 4.0f);
+  pen.line(8.0f, 4.0f, 12.4f, 10.6f);
+  pen.disc(4.0f, 11.8f, 2.5f);
+  pen.disc(8.0f, 3.8f, 2.5f);
+  pen.disc(12.4f, 11.0f, 2.5f);
+}
+
+/// A body, half of it filled: before and after.
+void drawBefore(const Pen& pen) {
+  pen.ring(8.0f, 8.0f, 5.8f);
+  pen.list.PathArcTo(pen.at(8.0f, 8.0f), 5.8f * pen.unit, -0.5f * kHalfCircle, 0.5f * kHalfCircle, 16);
+  pen.list.PathFillConvex(pen.color);
+}
+
+void drawTerritory(const Pen& pen) {
+  pen.outline({{2.0f, 5.0f}, {6.4f, 2.4f}, {13.6f, 4.2f}, {14.0f, 10.4f}, {9.0f, 13.8f}, {3.0f, 11.6f}}, true);
+  pen.disc(8.0f, 8.0f, 2.2f);
+}
+
+void drawReset(const Pen& pen) {
+  pen.list.PathArcTo(pen.at(8.2f, 8.6f), 4.9f * pen.unit, -0.75f * kHalfCircle, 0.95f * kHalfCircle, 20);
+  pen.list.PathStroke(pen.color, ImDrawFlags_None, pen.width());
+  pen.fill({{1.8f, 5.6f}, {6.8f, 2.2f}, {7.2f, 7.4f}});
+}
+
+IconDrawings allDrawings() {
+  IconDrawings drawings{};
   drawings[at(Icon::kSelect)] = [](const Pen& pen) {
     pen.outline({{4, 2}, {13, 8.6f}, {8.6f, 9.4f}, {6, 13.6f}}, true);
   };
@@ -175,71 +278,6 @@ void addToolDrawings(IconDrawings& drawings) {
     pen.line(5.6f, 5.6f, 10.4f, 10.4f);
     pen.line(10.4f, 5.6f, 5.6f, 10.4f);
   };
-}
-
-void drawIcon(ImDrawList& list, Icon icon, const ImVec2& topLeft, float size, ImU32 color) {
-  static const IconDrawings kDrawings = [] {
-    IconDrawings all{};
-    addToolDrawings(all);
-    addMarkDrawings(all);
-    return all;
-  }();
-  const Pen pen{list, topLeft, size / 16.0f, color};
-  if (const IconDrawing draw = kDrawings[at(icon)]) draw(pen);
-}
-
-// The icons of switches and marks: eye, lock, solo, fold, matrix, graph, territory.
-
-namespace {
-
-void drawLock(const Pen& pen, bool closed) {
-  pen.list.AddRectFilled(pen.at(3.4f, 7.4f), pen.at(12.6f, 14.0f), pen.color, 1.4f * pen.unit);
-  const float x = closed ? 8.0f : 10.6f;
-  pen.list.PathArcTo(pen.at(x, 5.6f), 2.9f * pen.unit, kHalfCircle, 2.0f * kHalfCircle, 14);
-  if (closed) pen.list.PathLineTo(pen.at(x + 2.9f, 7.6f));
-  pen.list.PathStroke(pen.color, ImDrawFlags_None, pen.width());
-  pen.line(x - 2.9f, 5.4f, x - 2.9f, 7.6f);
-}
-
-void drawMatrix(const Pen& pen) {
-  for (int row = 0; row < 3; ++row) {
-    for (int column = 0; column <= row; ++column) {
-      const float x = 2.0f + 4.4f * static_cast<float>(column);
-      const float y = 2.0f + 4.4f * static_cast<float>(row);
-      pen.list.AddRectFilled(pen.at(x, y), pen.at(x + 3.2f, y + 3.2f), pen.color, 0.8f * pen.unit);
-    }
-  }
-}
-
-void drawGraph(const Pen& pen) {
-  pen.line(4.0f, 11.6f, 8.0f, 4.0f);
-  pen.line(8.0f, 4.0f, 12.4f, 10.6f);
-  pen.disc(4.0f, 11.8f, 2.5f);
-  pen.disc(8.0f, 3.8f, 2.5f);
-  pen.disc(12.4f, 11.0f, 2.5f);
-}
-
-/// A body, half of it filled: before and after.
-void drawBefore(const Pen& pen) {
-  pen.ring(8.0f, 8.0f, 5.8f);
-  pen.list.PathArcTo(pen.at(8.0f, 8.0f), 5.8f * pen.unit, -0.5f * kHalfCircle, 0.5f * kHalfCircle, 16);
-  pen.list.PathFillConvex(pen.color);
-}
-
-void drawTerritory(const Pen& pen) {
-  pen.outline({{2.0f, 5.0f}, {6.4f, 2.4f}, {13.6f, 4.2f}, {14.0f, 10.4f}, {9.0f, 13.8f}, {3.0f, 11.6f}}, true);
-  pen.disc(8.0f, 8.0f, 2.2f);
-}
-
-void drawReset(const Pen& pen) {
-  pen.list.PathArcTo(pen.at(8.2f, 8.6f), 4.9f * pen.unit, -0.75f * kHalfCircle, 0.95f * kHalfCircle, 20);
-  pen.list.PathStroke(pen.color, ImDrawFlags_None, pen.width());
-  pen.fill({{1.8f, 5.6f}, {6.8f, 2.2f}, {7.2f, 7.4f}});
-}
-
-}  // namespace
-
-void addMarkDrawings(IconDrawings& drawings) {
   drawings[at(Icon::kEye)] = [](const Pen& pen) {
     pen.lid(-1.0f);
     pen.lid(1.0f);
@@ -278,6 +316,15 @@ void addMarkDrawings(IconDrawings& drawings) {
     pen.outline({{6.2f, 4.4f}, {9.8f, 8.0f}, {6.2f, 11.6f}}, false);
   };
   drawings[at(Icon::kReset)] = drawReset;
+  return drawings;
+}
+
+}  // namespace
+
+void drawIcon(ImDrawList& list, Icon icon, const ImVec2& topLeft, float size, ImU32 color) {
+  static const IconDrawings kDrawings = allDrawings();
+  const Pen pen{list, topLeft, size / 16.0f, color};
+  if (const IconDrawing draw = kDrawings[at(icon)]) draw(pen);
 }
 
 }  // namespace sinew::app

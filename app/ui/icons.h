@@ -1,4 +1,4 @@
-// app/ui/icons.h: small pictures drawn as vectors, so that no icon font is needed.
+// app/ui/icons.h: icons drawn as vectors, without an icon font.
 #pragma once
 
 #include <cstddef>
@@ -61,7 +61,7 @@ enum class Icon {
 };
 inline constexpr std::size_t kIconCount = static_cast<std::size_t>(Icon::kReset) + 1;
 
-/// Draws into a square. @param topLeft, size  screen coordinates.
+/// @param topLeft, size  of a square, screen coordinates
 void drawIcon(ImDrawList& list, Icon icon, const ImVec2& topLeft, float size, ImU32 color);
 
 }  // namespace sinew::app

@@ -1,7 +1,4 @@
-// app/ui/imgui_layer.cpp: ImGui on our window.
-//
-// The stock GLFW backend reads buttons and keys as they are now, past the queue; so this is a backend of our own.
-
+// app/ui/imgui_layer.cpp: ImGui's platform backend. (The stock GLFW backend bypasses the input queue.)
 #include "app/ui/imgui_layer.h"
 
 #include <epoxy/gl.h>
@@ -16,7 +13,6 @@
 
 #include "app/ui/code_points.h"
 #include "app/ui/keyboard_focus.h"
-#include "app/ui/readable_names.h"
 #include "app/ui/reading_order.h"
 #include "app/ui/style.h"
 
@@ -155,7 +151,7 @@ void ImGuiLayer::beginFrame(const RawInput& input, double seconds, double drawin
                                   static_cast<float>(pixelHeight) / io.DisplaySize.y};
   }
   io.DeltaTime = static_cast<float>(std::clamp(seconds, 1e-4, 1.0));
-  // Down, up, down come in three frames: slow ones must not part a double click.
+  // A double click takes three frames, which may be slow.
   io.MouseDoubleClickTime = kDoubleClickSeconds + 2.0f * static_cast<float>(std::clamp(drawing, 0.0, 1.0));
   feedImGui(input);
   ImGui_ImplOpenGL3_NewFrame();

@@ -1,12 +1,12 @@
-// app/ui/imgui_layer.h: ImGui on our window, fed from the input queue.
+// app/ui/imgui_layer.h: ImGui in the window, fed from the input queue.
 #pragma once
 
 #include <array>
 #include <string_view>
 
-#include "app/ui/fonts.h"
 #include "app/ui/input_queue.h"
-#include "app/ui/name_texture.h"
+#include "app/ui/letters.h"
+#include "app/ui/style.h"
 
 struct GLFWcursor;
 struct GLFWwindow;
@@ -14,13 +14,12 @@ struct ImDrawData;
 
 namespace sinew::app {
 
-/// Writes one frame's input into the current ImGui context. Needs no window: tests drive panels through it.
+/// Writes one frame's input into the current ImGui context.
 void feedImGui(const RawInput& input);
-
-/// Tells ImGui which codes RawInput::keys uses for the keys it names itself.
+/// Sets ImGui's key map to the codes of RawInput::keys.
 void mapKeys();
 
-/// Owns the ImGui context and its OpenGL backend. The window's context must be current for all of its life.
+/// Owns the ImGui context and its OpenGL backend. The window's OpenGL context must stay current.
 class ImGuiLayer {
  public:
   explicit ImGuiLayer(GLFWwindow* window, float scale);
@@ -28,19 +27,17 @@ class ImGuiLayer {
   ImGuiLayer(const ImGuiLayer&) = delete;
   ImGuiLayer& operator=(const ImGuiLayer&) = delete;
 
-  /// @param seconds  since the last frame.
-  /// @param drawing  what a frame takes now, without waiting for events.
+  /// @param seconds  since the last frame  @param drawing  duration of a frame without waiting for events
   void beginFrame(const RawInput& input, double seconds, double drawing);
-  /// Shows the pointer ImGui asks for. @return what is to be drawn; until the next frame begins.
+  /// Sets the pointer's shape. @return what to draw, valid until the next frame
   ImDrawData& endFrame();
 
-  /// Between frames: the interface at a scale, its texture with all letters that were shown. The fonts before are gone.
-  /// @return whether anything is drawn otherwise.
+  /// Between frames: rebuilds the fonts for a new scale or new letters. @return whether it did
   bool prepareFonts(float scale);
-  /// The frame that has ended shows letters that the next one has.
+  /// The last frame lacked letters that the next one will have.
   [[nodiscard]] bool lettersMissing() const { return names_.outdated(); }
 
-  /// Those of a document's names, which say as well whose Chinese letters they are.
+  /// Letters of a document's names, with the region of its Chinese letters.
   void wantLetters(std::u32string_view letters, HanRegion region) {
     names_.setRegion(region);
     names_.want(letters);

@@ -1,5 +1,4 @@
-// app/ui/input_queue.cpp: window events, one transition a frame.
-
+// app/ui/input_queue.cpp: window events, one transition per frame.
 #include "app/ui/input_queue.h"
 
 #define GLFW_INCLUDE_NONE
@@ -26,12 +25,9 @@ void updateModifiers(RawInput& frame) {
 void InputQueue::push(const Event& event) { events_.push_back(event); }
 
 void InputQueue::move(const glm::vec2& position) {
-  // Consecutive moves are one: only the last can be seen anyway, and a stalled frame must not pile them up.
-  if (!events_.empty() && events_.back().kind == Kind::kMove) {
-    events_.back().amount = position;
-  } else {
-    push({Kind::kMove, position, 0, false});
-  }
+  // Only the last of consecutive moves matters.
+  if (!events_.empty() && events_.back().kind == Kind::kMove) events_.back().amount = position;
+  else push({Kind::kMove, position, 0, false});
 }
 
 void InputQueue::enter(bool inside) { push({Kind::kEnter, {}, 0, inside}); }
@@ -43,11 +39,8 @@ void InputQueue::button(int button, bool down) {
 }
 
 void InputQueue::scroll(const glm::vec2& amount) {
-  if (!events_.empty() && events_.back().kind == Kind::kScroll) {
-    events_.back().amount += amount;
-  } else {
-    push({Kind::kScroll, amount, 0, false});
-  }
+  if (!events_.empty() && events_.back().kind == Kind::kScroll) events_.back().amount += amount;
+  else push({Kind::kScroll, amount, 0, false});
 }
 
 void InputQueue::key(int key, bool down) {
@@ -58,7 +51,7 @@ void InputQueue::key(int key, bool down) {
 
 void InputQueue::keyRepeat(int key) {
   if (!isKey(key)) return;
-  // A slow frame must not collect repeats that go on long after the key is up.
+  // A slow frame must not collect repeats.
   if (!events_.empty() && events_.back().kind == Kind::kKeyRepeat && events_.back().code == key) return;
   push({Kind::kKeyRepeat, {}, key, true});
 }

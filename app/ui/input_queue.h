@@ -1,4 +1,4 @@
-// app/ui/input_queue.h: window events recorded as they come, handed out one transition a frame.
+// app/ui/input_queue.h: window events, handed out one transition per frame.
 #pragma once
 
 #include <array>
@@ -13,9 +13,9 @@ namespace sinew::app {
 inline constexpr int kMouseButtons = 5;
 inline constexpr int kKeyCodes = 512;  ///< GLFW's key codes are below this.
 
-/// What the interface sees in one frame: the state after its one transition, and that transition.
+/// Input of one frame: the state after one transition, and the transition.
 struct RawInput {
-  glm::vec2 mouse{-1.0f};  ///< Window coordinates, pixels of the window; (0, 0) the top left corner.
+  glm::vec2 mouse{-1.0f};  ///< Window coordinates, from the top left corner.
   bool mouseInside = false;
   std::array<bool, kMouseButtons> buttons{};  ///< 0 left, 1 right, 2 middle.
   std::array<bool, kKeyCodes> keys{};
@@ -31,25 +31,24 @@ struct RawInput {
   int repeatedKey = -1;  ///< Held down and repeated by the system.
 };
 
-/// The interface samples its input once a frame; a click, or a drag's last move and its release, would be lost when a
-/// slow frame swallows both. So events wait here and next() gives as many as one frame can tell apart: any run of
-/// moves; or one button; or releases of keys, one press and the text it typed. A position never overtakes a button, or
-/// the reverse.
+/// The interface samples its input once per frame, so a slow frame would lose a click. Events wait here, and next()
+/// takes what one frame can tell apart, in order: any run of moves; or one button; or releases of keys, one press and
+/// its text.
 class InputQueue {
  public:
   void move(const glm::vec2& position);
   void enter(bool inside);
-  void button(int button, bool down);  ///< Others than kMouseButtons are ignored, as are repeats of the same state.
+  void button(int button, bool down);  ///< Ignores unknown buttons and repeats.
   void scroll(const glm::vec2& amount);
   void key(int key, bool down);
   void keyRepeat(int key);
   void character(char32_t codepoint);
-  /// Focus went away: releases whatever is held, as the system will not tell.
+  /// Releases all keys and buttons when the focus is lost, as the system does not report it.
   void releaseAll();
 
-  /// The next frame's input. Without events: the state as it stands, no transition.
+  /// The next frame's input; without events, no transition.
   [[nodiscard]] const RawInput& next();
-  /// More is waiting: the next frame should not wait for the system.
+  /// More events are waiting.
   [[nodiscard]] bool pending() const { return !events_.empty(); }
 
  private:
@@ -66,10 +65,10 @@ class InputQueue {
 
   std::deque<Event> events_;
   RawInput frame_;
-  // As they will stand once the queue is empty; against these repeats are dropped.
+  // States once the queue is empty, to drop repeats.
   std::array<bool, kMouseButtons> lastButtons_{};
   std::array<bool, kKeyCodes> lastKeys_{};
-  // What the frame in the making has taken.
+  // Taken for the current frame.
   bool moved_ = false;
   bool scrolled_ = false;
   bool keyed_ = false;

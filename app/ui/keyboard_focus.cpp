@@ -1,8 +1,5 @@
-// app/ui/keyboard_focus.cpp: ImGui's own navigation, fed with the keys that the editor can spare.
-//
-// ImGui would take arrows and Space at all times, and its Tab knows fields only. So its keyboard navigation stays off;
-// what it has for gamepads is fed with keys while the ring is shown.
-
+// app/ui/keyboard_focus.cpp: ImGui's gamepad navigation, fed with keys while the ring is shown. Its keyboard navigation
+// stays off: it would always take arrows and Space, and its Tab knows fields only.
 #include "app/ui/keyboard_focus.h"
 
 #include <imgui.h>
@@ -43,7 +40,7 @@ bool menuIsOpen() {
   return popup != nullptr && (popup->Flags & ImGuiWindowFlags_Modal) == 0;
 }
 
-/// Controls that Tab goes through, in the order in which they are drawn.
+/// Controls for Tab, in drawing order.
 std::vector<const LaidOut*> reachable(const WidgetLog& controls) {
   const ImGuiWindow* const popup = frontPopup();
   std::vector<const LaidOut*> all;
@@ -53,7 +50,7 @@ std::vector<const LaidOut*> reachable(const WidgetLog& controls) {
     if (window == nullptr || !window->WasActive) continue;
     if (popup != nullptr && window->RootWindow != popup->RootWindow) continue;
     if (popup == nullptr && (window->RootWindow->Flags & ImGuiWindowFlags_Popup) != 0) continue;
-    // What is cut off and cannot be scrolled to is drawn under something else.
+    // Skips what is cut off and cannot be scrolled to.
     const bool seen = control.visible.z >= 3.0f && control.visible.w >= 3.0f;
     if (!seen && !control.scrollsX && !control.scrollsY) continue;
     if (std::ranges::find(all, control.item, &LaidOut::item) == all.end()) all.push_back(&control);
@@ -67,7 +64,7 @@ std::size_t nextOf(const std::vector<const LaidOut*>& all, std::size_t now, bool
   if (!panels) return next;
   const auto panelOf = [&](std::size_t i) { return ImGui::FindWindowByName(all[i]->window.c_str())->RootWindow; };
   while (next != now && panelOf(next) == panelOf(now)) next = (next + step) % all.size();
-  // Backwards too, its first control.
+  // Backwards as well, to the panel's first control.
   while (back && next > 0 && panelOf(next - 1) == panelOf(next)) --next;
   return next;
 }
@@ -81,7 +78,6 @@ bool focusShown() {
 
 void feedFocusKeys(const RawInput& input) {
   ImGuiIO& io = ImGui::GetIO();
-  // Pressing the mouse goes on with the mouse.
   if (input.pressedButton >= 0) ImGui::GetCurrentContext()->NavDisableHighlight = true;
   const bool takes = (focusShown() || menuIsOpen()) && !typesText();
   if (takes) io.ConfigFlags |= ImGuiConfigFlags_NavEnableGamepad;
@@ -94,7 +90,7 @@ void feedFocusKeys(const RawInput& input) {
 }
 
 bool moveFocus(WidgetLog& controls, const RawInput& input) {
-  // ImGui's own Ctrl+Tab is on without its navigation, and goes to windows, not to controls.
+  // Disables ImGui's Ctrl+Tab, which switches windows.
   ImGui::GetCurrentContext()->NavWindowingTarget = nullptr;
   const int key = keyOf(input);
   if (key < 0 || input.alt || input.super || typesText()) return false;
@@ -102,13 +98,13 @@ bool moveFocus(WidgetLog& controls, const RawInput& input) {
     const auto isOurs = [key](const NavigationKey& each) { return each.key == key; };
     return focusShown() && !input.control && std::ranges::any_of(kNavigationKeys, isOurs);
   }
-  ImGui::NavMoveRequestCancel();  // ImGui's own Tab, which knows fields only.
+  ImGui::NavMoveRequestCancel();  // ImGui's own Tab.
   const std::vector<const LaidOut*> all = reachable(controls);
   if (all.empty()) return true;
   const ImGuiContext& context = *ImGui::GetCurrentContext();
   const auto now = std::ranges::find(all, context.NavId, &LaidOut::item);
   std::size_t next = input.shift ? all.size() - 1 : 0;
-  // Where the mouse has worked last, the ring first comes up there.
+  // The ring first appears at the item that the mouse used last.
   if (now != all.end()) {
     const auto place = static_cast<std::size_t>(now - all.begin());
     next = focusShown() ? nextOf(all, place, input.shift, input.control) : place;

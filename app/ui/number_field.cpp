@@ -1,4 +1,4 @@
-// app/ui/number_field.cpp: every number that can be dragged or typed, as a field or as a slider.
+// app/ui/number_field.cpp: arithmetic, and number fields on ImGui's drags.
 #include "app/ui/number_field.h"
 
 #include <algorithm>
@@ -11,15 +11,13 @@
 #include <string>
 #include <utility>
 
-#include <imgui_internal.h>  // Whether a number is typed, and what is left of a drag: 1.86 keeps both to itself.
+#include <imgui_internal.h>  // Typing state and the rest of a drag, which 1.86 keeps internal.
 
 namespace sinew::app {
 
-// A descent through sums, products, signs and powers.
-
 namespace {
 
-constexpr int kDeepest = 64;  ///< Brackets and signs within one another.
+constexpr int kDeepest = 64;  ///< Nested brackets and signs.
 constexpr std::string_view kUnits[] = {"%", "\xc2\xb0", "deg", "x"};
 
 bool isDigit(char c) { return c >= '0' && c <= '9'; }
@@ -32,7 +30,7 @@ std::string_view trimmed(std::string_view text) {
   return text;
 }
 
-/// Parses and calculates at once. After the first mistake every part gives 0 and the reason stays.
+/// Recursive descent that calculates at once. After the first error every part gives 0.
 class Parser {
  public:
   explicit Parser(std::string_view text) : rest_(text) {}
@@ -66,7 +64,6 @@ class Parser {
     while (!rest_.empty() && isSpace(rest_.front())) rest_.remove_prefix(1);
   }
 
-  /// Takes the next character if it is `c`.
   bool take(char c) {
     skipSpaces();
     if (rest_.empty() || rest_.front() != c) return false;
@@ -74,7 +71,6 @@ class Parser {
     return true;
   }
 
-  /// Takes a whole word.
   bool takeWord(std::string_view word) {
     if (!rest_.starts_with(word)) return false;
     if (rest_.size() > word.size() && isLetter(rest_[word.size()])) return false;
@@ -191,9 +187,9 @@ Result<Typed> evaluate(std::string_view text, double current) {
 
 namespace {
 
-constexpr float kPrecise = 0.1f;  ///< What Shift makes of a drag, as on the handles in the picture.
+constexpr float kPrecise = 0.1f;  ///< Factor on a drag with Shift.
 
-/// ImGui gives Shift, Alt and Ctrl meanings of its own in these fields: while it looks at them they are up.
+/// Hides Shift, Alt and Ctrl from ImGui, which gives them other meanings in these fields.
 class ModifiersUp {
  public:
   explicit ModifiersUp(bool typing) : io_(ImGui::GetIO()), typing_(typing) {
@@ -244,11 +240,11 @@ void drawBar(Ui& ui, float fraction) {
   list.PushClipRect(low, {end, high.y}, true);
   list.AddRectFilled(low, high, palette::kAccent.faded(lit ? 0.34f : 0.26f).packed(), rounding);
   list.PopClipRect();
-  // The end as a short stroke at the lower edge: the number stands above it.
+  // A short stroke at the lower edge marks the end.
   list.AddRectFilled({end - edge, high.y - ui.px(5)}, {end, high.y}, ImGui::GetColorU32(palette::kAccent));
 }
 
-/// A frame around a field whose text gives no number, and why under it.
+/// A frame around a field with a mistake, and the reason below.
 void drawMistake(const ImRect& box, const std::string& reason) {
   ImGui::GetWindowDrawList()->AddRect(box.Min, box.Max, palette::kWarning.packed(), ImGui::GetStyle().FrameRounding);
   ImGui::SetNextWindowPos({box.Min.x, box.Max.y + 0.25f * ImGui::GetFontSize()});
@@ -257,13 +253,12 @@ void drawMistake(const ImRect& box, const std::string& reason) {
   ImGui::EndTooltip();
 }
 
-/// The text of a field while it is typed in, in the place of its number. ImGui's own reads single numbers only.
-/// @return the text as it stands
+/// A text field in place of the number, because ImGui's own reads single numbers only. @return the text
 std::string textField(const char* label, ImGuiID id, const ImRect& box) {
   constexpr int kLongest = 128;
   ImGui::ItemSize(box, ImGui::GetStyle().FramePadding.y);
   if (!ImGui::ItemAdd(box, id, &box, ImGuiItemFlags_Inputable)) return {};
-  // Made by ImGui for the digits of one number.
+  // ImGui's buffer has room for one number.
   ImVector<ImWchar>& room = ImGui::GetCurrentContext()->InputTextState.TextW;
   if (room.Size <= kLongest) room.resize(kLongest + 1);
   char text[kLongest] = "";
@@ -271,7 +266,7 @@ std::string textField(const char* label, ImGuiID id, const ImRect& box) {
   return text;
 }
 
-/// @param begun  the value before anything was typed
+/// @param begun  the value before typing
 float typedValue(const char* label, ImGuiID id, float begun, const NumberLook& look) {
   const ImVec2 low = ImGui::GetCursorScreenPos();
   const ImRect box(low, {low.x + ImGui::CalcItemWidth(), low.y + ImGui::GetFrameHeight()});
@@ -279,7 +274,7 @@ float typedValue(const char* label, ImGuiID id, float begun, const NumberLook& l
   Typing& typing = look.typing != nullptr ? *look.typing : ignored;
   const std::string text = textField(label, id, box);
   typing = {true, {}};
-  // As it was found: the value itself, not what its digits say. Esc puts the same text back.
+  // Unchanged text keeps the value, whatever its digits round to.
   if (text == ImGui::GetCurrentContext()->InputTextState.InitialTextA.Data) return begun;
   const Result<Typed> typed = evaluate(text, static_cast<double>(begun));
   if (!typed) {
@@ -329,7 +324,7 @@ bool numberField(const char* label, float& value, const NumberLook& look) {
   if (dragged && step > 0.0f && value != before) {
     const float wanted = value;
     value = toStep(wanted, step, look.least, look.most);
-    // What the step leaves over counts with the next movement, in the unit that ImGui adds up in.
+    // The rest counts with the next movement, in ImGui's unit.
     float left = wanted - value;
     if (look.logarithmic) left = fractionOf(wanted, look) - fractionOf(value, look);
     ImGui::GetCurrentContext()->DragCurrentAccum += left;

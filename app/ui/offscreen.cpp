@@ -20,7 +20,7 @@ bool listed(const char* extensions, const char* name) {
   return extensions != nullptr && std::strstr(extensions, name) != nullptr;
 }
 
-/// Makes a context on a display current; leaves the display terminated if that fails.
+/// Makes a context on a display current; on failure terminates the display.
 EglContext contextOn(EGLDisplay display) {
   EglContext made;
   if (display == EGL_NO_DISPLAY || eglInitialize(display, nullptr, nullptr) != EGL_TRUE) return made;
@@ -51,7 +51,7 @@ EglContext contextOn(EGLDisplay display) {
 }
 
 EglContext firstContext() {
-  // Asked for by name: epoxy aborts on eglGetPlatformDisplay before any display exists.
+  // By name: epoxy aborts on eglGetPlatformDisplay without a display.
   const char* extensions = eglQueryString(EGL_NO_DISPLAY, EGL_EXTENSIONS);
   const auto platformDisplay =
       reinterpret_cast<PFNEGLGETPLATFORMDISPLAYEXTPROC>(eglGetProcAddress("eglGetPlatformDisplayEXT"));
@@ -92,7 +92,7 @@ OffscreenContext::~OffscreenContext() {
   eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
   if (surface_ != nullptr) eglDestroySurface(display_, surface_);
   eglDestroyContext(display_, context_);
-  // The display is one for the whole process and stays: others may use it, and making it anew costs a driver's start.
+  // The process-wide display stays: others may use it, and initializing it again is slow.
 }
 
 }  // namespace sinew::app

@@ -7,11 +7,11 @@
 
 namespace sinew::app {
 
-/// OpenGL 4.5 core, made by EGL: surfaceless, else on a device, else on the default display. Current on the thread that
-/// made it until destroyed; there is no framebuffer 0 to draw into, use your own (Viewport has one).
+/// OpenGL 4.5 core by EGL: surfaceless, else on a device, else on the default display. Current on its thread until
+/// destroyed. It has no framebuffer 0.
 class OffscreenContext {
  public:
-  /// Error: no EGL, or no driver that offers OpenGL 4.5.
+  /// Error: no driver offers OpenGL 4.5 through EGL.
   [[nodiscard]] static Result<std::unique_ptr<OffscreenContext>> create();
   ~OffscreenContext();
   OffscreenContext(const OffscreenContext&) = delete;

@@ -1,19 +1,41 @@
-// app/ui/reading_order.h: text that is read from the right, as it has to be drawn from the left.
+// app/ui/reading_order.h: text as it is drawn: long names elided, right-to-left text in visual order.
 #pragma once
 
+#include <functional>
+#include <span>
 #include <string>
 #include <string_view>
 
 namespace sinew::app {
 
-/// Where a text has Hebrew or Arabic letters: in the order of the screen, Arabic letters joined, in a line that as a
-/// whole goes from left to right, as the interface does. Line by line. Marked (U+202D), so that a second call
-/// leaves it as it is. Any other text: itself. For labels: a text field has to keep what is typed. Notes it as shown.
+// Elides long names so that different names stay different.
+
+/// Width of a text in any unit; grows with the text.
+using MeasureText = std::function<float(std::string_view)>;
+
+/// Common beginnings and ends of a list's names: "mixamorig:", "_Twist_01".
+struct SharedEnds {
+  std::string_view prefix;
+  std::string_view suffix;
+};
+
+/// The longest ends with a separator (one of "_:.-| /") that more than half of at least two names share. Views into the
+/// names; empty: none.
+[[nodiscard]] SharedEnds sharedEnds(std::span<const std::string_view> names);
+
+/// The text if it fits; else with an ellipsis for the shared prefix, then for the suffix too, else in the middle of the
+/// rest. Whole UTF-8 characters; no wider than `width` unless the ellipsis alone is.
+[[nodiscard]] std::string elided(const std::string& text, float width, const MeasureText& measure,
+                                 const SharedEnds& shared = {});
+
+/// Text with Hebrew or Arabic letters in visual order, Arabic letters joined, each line left to right as a whole; other
+/// text unchanged. Marked with U+202D, so that a second call changes nothing. For labels, not for text fields, which
+/// keep what is typed. Calls noteShown().
 [[nodiscard]] std::string inReadingOrder(const std::string& text);
 
-/// What is shown otherwise: typed or pasted.
+/// Notes letters that are shown otherwise: typed or pasted.
 void noteShown(std::u32string_view letters);
-/// Letters beyond ASCII that have been shown since the last call.
+/// Letters beyond ASCII that were noted since the last call.
 [[nodiscard]] std::u32string takeShown();
 
 }  // namespace sinew::app

@@ -1,9 +1,8 @@
 // app/ui/ui.cpp: the controls that all panels share.
-
 #include "app/ui/ui.h"
 
 #include <imgui.h>
-#include <imgui_internal.h>  // GetItemID, hover times and open popups, which 1.86 keeps to itself.
+#include <imgui_internal.h>  // Hover times and open popups, which 1.86 keeps internal.
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
@@ -18,7 +17,7 @@ namespace sinew::app {
 namespace {
 
 constexpr float kLabelColumn = 84.0f;  // Design pixels, as all here.
-constexpr float kWideRow = 220.0f;     // Less room than this: a name stands above its fields.
+constexpr float kWideRow = 220.0f;     // In less room a name stands above its fields.
 constexpr double kTooltipSeconds = 0.45;
 constexpr double kNextFrame = 1e-3;
 
@@ -27,7 +26,7 @@ ImU32 iconColor(bool active, bool hovered) {
   return (hovered ? palette::kText : palette::kMuted).packed();
 }
 
-/// In the order in which it is read; its letters are joined only for the screen.
+/// In logical order.
 std::string cutToFit(const std::string& text, float width, const SharedEnds& shared = {}) {
   const auto measure = [](std::string_view part) {
     if (part.empty()) return 0.0f;
@@ -39,7 +38,7 @@ std::string cutToFit(const std::string& text, float width, const SharedEnds& sha
 void showTooltip(Ui& ui, const std::string& text) {
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {ui.px(10), ui.px(7)});
   ImGui::BeginTooltip();
-  // Its first frame only measures it: where no other frame is due, it would never be seen.
+  // The first frame only measures it; the next one shows it.
   if (ImGui::IsWindowAppearing()) ui.wakeIn(kNextFrame);
   ImGui::PushTextWrapPos(ui.px(320));
   ImGui::TextUnformatted(inReadingOrder(text).c_str());
@@ -142,7 +141,7 @@ void placeDialog(Ui& ui, float designWidth) {
 bool closeMenuOnEscape() {
   const ImGuiContext& context = *ImGui::GetCurrentContext();
   if (!ImGui::IsKeyPressed(GLFW_KEY_ESCAPE, false)) return false;
-  // A menu goes with all its submenus: one alone would come back at once, as the pointer still lies on its entry.
+  // Closes all submenus: the pointer would reopen a single one at once.
   int level = context.OpenPopupStack.Size;
   const auto isModal = [&](int popup) {
     const ImGuiWindow* window = context.OpenPopupStack[popup].Window;

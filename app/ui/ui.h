@@ -1,79 +1,73 @@
-// app/ui/ui.h: what every control is handed, and the few controls that all panels share.
+// app/ui/ui.h: the interface of a frame, and the controls that all panels share.
 #pragma once
 
 #include <algorithm>
 #include <span>
 #include <string>
 
-#include "app/ui/elide.h"
-#include "app/ui/fonts.h"
 #include "app/ui/icons.h"
+#include "app/ui/reading_order.h"
 #include "app/ui/style.h"
 #include "app/ui/widget_log.h"
 
 namespace sinew::app {
 
-/// The interface for the length of a frame. Knows no document.
+/// The interface during a frame. Knows no document.
 struct Ui {
   WidgetLog& widgets;
   const Fonts& fonts;
   float scale = 1.0f;        ///< Window coordinates per design pixel.
-  double wakeAfter = 0.0;    ///< Out: seconds until another frame is wanted though nothing happens; 0: none is.
+  double wakeAfter = 0.0;    ///< Out: seconds until another frame is wanted without input; 0: none.
   bool escapeTaken = false;  ///< Esc has closed a menu or list in this frame.
 
-  /// Design pixels -> window coordinates.
+  /// Design pixels to window coordinates.
   [[nodiscard]] float px(float design) const { return design * scale; }
-  /// Another frame is wanted in so many seconds at the latest.
+  /// Requests a frame within so many seconds.
   void wakeIn(double seconds) { wakeAfter = wakeAfter > 0.0 ? std::min(wakeAfter, seconds) : seconds; }
 };
 
-/// A section heading: bold text.
 void heading(Ui& ui, const char* text);
 void mutedText(const char* text);
-/// Shown while the last item is hovered, disabled or not, after a short delay.
+/// Tooltip of the last item, disabled or not, after a short delay.
 void tooltip(Ui& ui, const std::string& text);
 
-/// Square button with an icon; lit when active. Notes itself as `id`.
+/// Square button with an icon, lit when active; notes itself as `id`.
 bool iconButton(Ui& ui, const std::string& id, Icon icon, bool active, float size, const std::string& hint = "");
-/// Small rounded button with a word; filled when active. Notes itself as `id`.
+/// Small rounded button, filled when active; notes itself as `id`.
 bool pillButton(Ui& ui, const std::string& id, const char* label, bool active);
 
-/// A property's name in the left column; the next item fills the rest of the row. In a narrow panel the name gets less
-/// room, and is elided.
+/// A property's name, elided if needed, in the left column; the next item fills the rest of the row.
 void beginRow(Ui& ui, const char* label);
-/// The same where the row needs much room: in a narrow panel the name stands above it.
+/// The same for wide items: in a narrow panel the name stands above.
 void beginWideRow(Ui& ui, const char* label);
 
-/// Around a modal window: padding and round corners.
+/// Padding and corners of a modal window.
 void pushDialogStyle(Ui& ui);
 void popDialogStyle();
-/// Before a modal window: in the middle, as wide as wished and no larger than the window; what is too high scrolls.
+/// Before a modal window: centers it, with this width but no larger than the window.
 void placeDialog(Ui& ui, float designWidth);
 
-/// Once a frame, before all panels: Esc closes the topmost menu or list (ImGui does so only with its own keyboard
-/// navigation). @return whether one was closed: then Esc has done its work.
+/// Once a frame, before all panels: Esc closes the topmost menu or list. @return whether one was closed
 bool closeMenuOnEscape();
-/// Esc in this frame, and no menu or list has taken it.
+/// Esc was pressed in this frame and closed no menu or list.
 [[nodiscard]] bool escapePressed(const Ui& ui);
 
-/// Two or more words of which one is chosen, in a row that fills the width; notes itself as ID/WORD in lower case.
-/// @return the index that was clicked, or -1
+/// A row of words of which one is chosen; notes itself as ID/WORD in lower case. @return the clicked index, or -1
 int segmented(Ui& ui, const std::string& id, const char* const* words, int count, int chosen, float width);
 
-/// A text as elided() makes it for a width in the current font.
+/// elided() for a width in the current font.
 [[nodiscard]] std::string fitted(const std::string& text, float width, const SharedEnds& shared = {});
-/// The same into a draw list. @return whether something was left out: then a tooltip says it all.
+/// Draws it into a list. @return whether something was left out, for a tooltip
 bool clippedText(ImDrawList& list, const ImVec2& at, float width, ImU32 color, const std::string& text,
                  const SharedEnds& shared = {});
-/// At the cursor, muted, no wider than the room that is left; the whole text in the tooltip.
+/// Muted text, elided to the available width, with the whole text as tooltip.
 void mutedLine(Ui& ui, const std::string& text);
-/// Shown while `over` holds, for what is drawn by hand.
+/// Tooltip for what is drawn by hand.
 void tooltipWhile(Ui& ui, bool over, const std::string& text);
 
-/// How many of the items fit into a room, in order. If not all do, the rest is reached through a button of the width
-/// `more`, which then has room too.
+/// How many items fit into a room; if not all, together with a button of width `more` for the rest.
 [[nodiscard]] std::size_t fittingCount(std::span<const float> widths, float room, float more);
-/// The button for what did not fit; a click opens a menu of it. Notes itself as `id`. True: endMore() has to follow.
+/// Button with a menu for items that did not fit; notes itself as `id`. If true, endMore() must follow.
 bool beginMore(Ui& ui, const std::string& id, const ImVec2& size);
 void endMore();
 

@@ -1,5 +1,4 @@
 // app/ui/widget_log.cpp: where every control is on the screen.
-
 #include "app/ui/widget_log.h"
 
 #include <imgui.h>
@@ -19,11 +18,11 @@ void noteScrolling(LaidOut& item) {
   }
 }
 
-/// The item that was submitted last gets the keyboard, visibly.
+/// Focuses the last item visibly.
 void takeFocus(ImGuiWindow* window) {
   ImGuiContext& context = *ImGui::GetCurrentContext();
   ImGui::FocusWindow(window);
-  // A dialog that has just come up would give it to its first control with the next frame.
+  // A new dialog would focus its first control in the next frame.
   context.NavInitRequest = false;
   context.NavInitResultId = 0;
   ImGui::SetFocusID(context.LastItemData.ID, window);
@@ -63,7 +62,7 @@ void WidgetLog::note(const std::string& id) {
   noteScrolling(item);
   const ImGuiContext& context = *ImGui::GetCurrentContext();
   ImGuiWindow* const window = ImGui::GetCurrentWindow();
-  // A window that has just begun counts as the last item.
+  // After Begin(), the window counts as the last item.
   item.item = context.LastItemData.ID == window->MoveId ? 0 : context.LastItemData.ID;
   item.usable = (context.LastItemData.InFlags & (ImGuiItemFlags_Disabled | ImGuiItemFlags_NoNav)) == 0;
   const bool sought = !sought_.empty() && id == sought_;
@@ -73,7 +72,7 @@ void WidgetLog::note(const std::string& id) {
   const bool cut = item.visible.z < item.whole.z - 1.0f || item.visible.w < item.whole.w - 1.0f;
   if ((sought || focused) && cut) ImGui::ScrollToBringRectIntoView(window, ImRect(low, high));
   laidOut_.push_back(std::move(item));
-  // A sliver cannot be clicked: its center would lie on the edge of what covers the rest.
+  // Too narrow to click.
   if (right - x < 3.0f || bottom - y < 3.0f) return;
   note(id, {x, y, right - x, bottom - y});
 }

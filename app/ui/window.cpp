@@ -1,18 +1,35 @@
 // app/ui/window.cpp: GLFW behind the Window.
-
 #include "app/ui/window.h"
-
-#include <glm/common.hpp>
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
 #include <algorithm>
+#include <string_view>
 #include <utility>
 
-#include "app/ui/key_meaning.h"
+#include <glm/common.hpp>
 
 namespace sinew::app {
+
+namespace {
+
+/// GLFW's codes of these keys are their ASCII characters.
+constexpr std::string_view kPunctuation = "',-./;=[\\]`";
+
+}  // namespace
+
+int keyMeaning(int key, const char* printed) {
+  const bool printable = key > GLFW_KEY_SPACE && key < GLFW_KEY_ESCAPE;
+  const bool digit = key >= GLFW_KEY_0 && key <= GLFW_KEY_9;
+  if (!printable || digit || printed == nullptr) return key;
+  const std::string_view sign = printed;
+  if (sign.size() != 1) return key;  // Not ASCII.
+  if (sign[0] >= 'a' && sign[0] <= 'z') return GLFW_KEY_A + (sign[0] - 'a');
+  if (sign[0] >= 'A' && sign[0] <= 'Z') return GLFW_KEY_A + (sign[0] - 'A');
+  return kPunctuation.find(sign[0]) != std::string_view::npos ? static_cast<int>(sign[0]) : key;
+}
+
 namespace {
 
 std::string lastGlfwError() {
@@ -27,15 +44,15 @@ void setContextHints() {
   glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 5);
   glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
   glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
-  // The viewport has its own framebuffer and samples; the window's only gets copies.
+  // The viewport has its own framebuffer with samples.
   glfwWindowHint(GLFW_SAMPLES, 0);
   glfwWindowHint(GLFW_DEPTH_BITS, 0);
-  // What the desktop entry calls its windows, so that they get its name and icon.
+  // As in the desktop entry, for name and icon.
   glfwWindowHintString(GLFW_X11_CLASS_NAME, "sinew");
   glfwWindowHintString(GLFW_X11_INSTANCE_NAME, "sinew");
 }
 
-/// Enough of it lies on a screen to be seen and taken hold of.
+/// Enough of it is on a screen to be grabbed.
 bool isOnScreen(const WindowPlace& place) {
   constexpr int kSeen = 100;
   int count = 0;
@@ -50,7 +67,7 @@ bool isOnScreen(const WindowPlace& place) {
   });
 }
 
-/// At most as large as the first screen; without one, as it is. In units that grow with the content scale.
+/// At most as large as the primary screen, in units that grow with the content scale.
 glm::ivec2 fittedToScreen(const glm::ivec2& size) {
   GLFWmonitor* monitor = glfwGetPrimaryMonitor();
   if (monitor == nullptr) return size;
@@ -78,7 +95,7 @@ Result<std::unique_ptr<Window>> Window::open(const glm::ivec2& size, const std::
   setContextHints();
   std::unique_ptr<Window> window(new Window);
   const bool known = isOnScreen(before);
-  // The size it had is in the screen's own pixels; it is shown once it stands where it stood.
+  // Its former size is in pixels; it is shown after it is placed.
   if (known) glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_FALSE);
   if (known) glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE);
   const glm::ivec2 wanted = known ? glm::ivec2(before.width, before.height) : fittedToScreen(size);
@@ -127,14 +144,11 @@ void Window::installCallbacks() {
 
 void Window::takeKey(int key, int scancode, int action) {
   if (key < 0 || key >= kKeyCodes) return;
-  // The layout may change while a key is held: it goes up as what it went down as.
+  // The layout may change while a key is held: its release means the same as its press.
   int& meaning = meanings_[static_cast<std::size_t>(key)];
   if (action == GLFW_PRESS || meaning == 0) meaning = keyMeaning(key, glfwGetKeyName(key, scancode));
-  if (action == GLFW_REPEAT) {
-    input_.keyRepeat(meaning);
-  } else {
-    input_.key(meaning, action == GLFW_PRESS);
-  }
+  if (action == GLFW_REPEAT) input_.keyRepeat(meaning);
+  else input_.key(meaning, action == GLFW_PRESS);
   if (action == GLFW_RELEASE) meaning = 0;
 }
 
@@ -154,7 +168,7 @@ float Window::contentScale() const {
   float x = 1.0f;
   float y = 1.0f;
   glfwGetWindowContentScale(window_, &x, &y);
-  // Window coordinates may already be scaled (as elsewhere than X11): what is left is the interface's own factor.
+  // Window coordinates may already be scaled (not on X11); the interface scales by the rest.
   const glm::ivec2 window = size();
   const float ratio = window.x > 0 ? static_cast<float>(framebufferSize().x) / static_cast<float>(window.x) : 1.0f;
   return std::clamp(std::max(x, y) / std::max(ratio, 0.1f), 1.0f, 4.0f);

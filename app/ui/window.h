@@ -1,4 +1,4 @@
-// app/ui/window.h: the one window: OpenGL 4.5 core, events into a queue, dropped files.
+// app/ui/window.h: the editor's window: OpenGL 4.5 core, events into a queue, dropped files.
 #pragma once
 
 #include <array>
@@ -14,16 +14,19 @@
 #include "sinew/geometry/result.h"
 
 struct GLFWwindow;
-
 namespace sinew::app {
 
-/// Owns GLFW and the window. One at a time, main thread only. Its address is what the callbacks know, so it never
-/// moves.
+/// The key with the printed letter, because GLFW's codes name places on a US keyboard. Letters and punctuation follow
+/// the user's layout; digits keep their place (AZERTY has them with Shift), and so do keys with signs beyond ASCII.
+/// @param key  GLFW's code  @param printed  from glfwGetKeyName; may be null
+[[nodiscard]] int keyMeaning(int key, const char* printed);
+
+/// Owns GLFW and the window. One at a time, main thread only. Never moves, because callbacks keep its address.
 class Window {
  public:
   /// Opens the window and makes its context current. Error: no display, or no OpenGL 4.5.
-  /// @param size  for a first start: grows with the screen's content scale.
-  /// @param before  where it was the last time; matters if it is still on a screen.
+  /// @param size  for the first start; grows with the screen's content scale
+  /// @param before  the last place; ignored if it is on no screen
   [[nodiscard]] static Result<std::unique_ptr<Window>> open(const glm::ivec2& size, const std::string& title,
                                                             const WindowPlace& before = {});
   ~Window();
@@ -32,22 +35,22 @@ class Window {
 
   [[nodiscard]] GLFWwindow* handle() const { return window_; }
   [[nodiscard]] InputQueue& input() { return input_; }
-  [[nodiscard]] glm::ivec2 size() const;             ///< Window coordinates, as the mouse has them.
+  [[nodiscard]] glm::ivec2 size() const;             ///< Window coordinates.
   [[nodiscard]] glm::ivec2 framebufferSize() const;  ///< Pixels.
   [[nodiscard]] float contentScale() const;          ///< 1 on ordinary screens, 2 on dense ones.
-  /// Now; of a maximized or minimized window, what it was before.
+  /// While maximized or minimized, the place before.
   [[nodiscard]] WindowPlace place() const;
 
   void setTitle(const std::string& title);
   [[nodiscard]] bool closeRequested() const;
   void clearCloseRequest();
 
-  void poll();                ///< Takes what has come.
-  void wait(double seconds);  ///< Sleeps until something comes, or that long.
+  void poll();                ///< Takes waiting events.
+  void wait(double seconds);  ///< Sleeps until an event, at most so long.
   void swap();
   /// Files dropped since the last call.
   [[nodiscard]] std::vector<std::filesystem::path> takeDrops();
-  /// Since the last call, the system asked for a new picture (uncovered, resized).
+  /// The window was uncovered or resized since the last call.
   [[nodiscard]] bool takeRefresh();
 
  private:
@@ -59,8 +62,8 @@ class Window {
   InputQueue input_;
   std::vector<std::filesystem::path> drops_;
   std::string title_;
-  mutable WindowPlace place_;              ///< The last that was neither maximized nor minimized.
-  std::array<int, kKeyCodes> meanings_{};  ///< What a held key meant when it went down; 0: it is up.
+  mutable WindowPlace place_;              ///< The last one neither maximized nor minimized.
+  std::array<int, kKeyCodes> meanings_{};  ///< keyMeaning() of a held key when it was pressed; 0: it is up.
   bool refresh_ = true;
 };
 

@@ -1,4 +1,4 @@
-// app/ui/window_place.h: where a window is, or was the last time.
+// app/ui/window_place.h: position and size of the window.
 #pragma once
 
 namespace sinew::app {

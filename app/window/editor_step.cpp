@@ -13,19 +13,16 @@
 
 #include "app/editor/actions.h"
 #include "app/editor/bindings.h"
-#include "app/editor/body_parts_commands.h"
-#include "app/editor/check_commands.h"
+#include "app/editor/blending_edit.h"
 #include "app/editor/clip_commands.h"
 #include "app/editor/commands.h"
 #include "app/editor/edit.h"
 #include "app/editor/export_commands.h"
 #include "app/editor/export_error.h"
-#include "app/editor/hidden_bones.h"
 #include "app/editor/line_commands.h"
 #include "app/editor/muscle_set_commands.h"
 #include "app/editor/reference_commands.h"
 #include "app/editor/session.h"
-#include "app/editor/territory.h"
 #include "app/editor/visibility_commands.h"
 #include "app/panels/panels.h"
 #include "app/ui/keyboard_focus.h"
@@ -35,17 +32,16 @@
 namespace sinew::app {
 namespace {
 
-/// A text field has the keyboard. ImGui goes on wanting text for a frame after the field is left, and a key that
-/// comes in that frame would be lost.
+/// A text field is active. (ImGui's WantTextInput alone lasts a frame too long, and would lose a key.)
 bool isTyping() { return ImGui::GetIO().WantTextInput && ImGui::IsAnyItemActive(); }
 
-/// The user has given Tab to an action.
+/// The user has assigned Tab to an action.
 bool tabIsAnAction(const EditorState& state, const RawInput& input) {
   if (input.pressedKey != GLFW_KEY_TAB) return false;
   return ownerOf({GLFW_KEY_TAB, input.control, input.shift, input.alt}, state.session.preferences) != nullptr;
 }
 
-/// Esc where nothing is selected and no tool draws: what stands over the picture, the last first.
+/// Esc closes what lies over the picture, if nothing is selected and no tool draws.
 bool closesWhatIsOpen(EditorState& state, const RawInput& input) {
   if (input.pressedKey != GLFW_KEY_ESCAPE || input.control || input.shift || input.alt) return false;
   const Selection& selection = state.document.selection;
@@ -64,7 +60,7 @@ bool closesWhatIsOpen(EditorState& state, const RawInput& input) {
   return true;
 }
 
-/// Esc first leaves the number that the arrows change, then takes the ring away.
+/// Esc first leaves the active number field, then hides the focus ring.
 bool leavesRing(const RawInput& input) {
   if (input.pressedKey != GLFW_KEY_ESCAPE || !focusShown()) return false;
   if (ImGui::IsAnyItemActive()) ImGui::ClearActiveID();
@@ -88,7 +84,7 @@ void EditorStep::run(EditorState& state, const RawInput& input, const Fonts& fon
   Stopwatch watch;
   followExports(state);
   followOpenedPages(state);
-  // A press on a panel keeps a drag that goes on without a button, before the panel begins a gesture of its own.
+  // A press on a panel ends a drag without a button, before the panel begins its own gesture.
   if (!viewportFree_ && input.pressedButton >= 0) keepDrag(state.view.tools, state.document);
   const bool viewportFree = viewportFree_ = runInterface(state, input, fonts);
   double interface = watch.lap();
@@ -100,7 +96,7 @@ void EditorStep::run(EditorState& state, const RawInput& input, const Fonts& fon
   state.session.stats.ui = interface;
 }
 
-/// Keys and panels. @return whether the mouse is over the picture and nothing lies in front of it.
+/// Keys and panels. @return whether the mouse is over the uncovered picture
 bool EditorStep::runInterface(EditorState& state, const RawInput& input, const Fonts& fonts) {
   const bool popup = ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
   const bool dragging = ownsKeyboard(state.view.tools);
@@ -150,7 +146,7 @@ void EditorStep::runTools(EditorState& state, const RawInput& input, bool viewpo
 void EditorStep::updateSurface(EditorState& state) {
   if (!state.hasCharacter()) return;
   followClipFiles(state);
-  state.live->movePose(state.open.transport);  // The pose tool may have turned a joint.
+  state.live->movePose(state.open.transport);  // The pose tool may have rotated a joint.
   followEdits(state.document);
   forgetSettledWarnings(state);
   const Result<bool> updated = state.live->update(state.document, surfaceView(state));

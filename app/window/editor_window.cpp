@@ -1,4 +1,4 @@
-// app/window/editor_window.cpp: one frame, in order.
+// app/window/editor_window.cpp: the loop of the editor, and one frame in order.
 #include "app/window/editor_window.h"
 
 #include <algorithm>
@@ -14,12 +14,10 @@
 #include <imgui.h>
 
 #include "app/document/folder_listing.h"
-#include "app/document/thumbnail_files.h"
 #include "app/document/view_files.h"
 #include "app/editor/bindings.h"
 #include "app/editor/commands.h"
 #include "app/editor/edit.h"
-#include "app/editor/keep_muscles.h"
 #include "app/editor/open_file.h"
 #include "app/editor/reference_commands.h"
 #include "app/editor/session.h"
@@ -30,16 +28,12 @@
 #include "app/viewport/render/thumbnails.h"
 #include "app/viewport/render/viewport.h"
 #include "app/window/editor_step.h"
-#include "app/window/moving_resolution.h"
 #include "app/window/picture.h"
-#include "app/window/screen.h"
 #include "app/window/session_keeper.h"
 #include "app/window/state_log.h"
 #include "app/window/surface_on_card.h"
 
 namespace sinew::app {
-
-// All names of a document, as letters.
 
 namespace {
 
@@ -79,10 +73,10 @@ namespace {
 
 constexpr glm::ivec2 kWindowSize{1280, 800};
 constexpr const char* kTitle = "Sinew";
-constexpr double kIdleSeconds = 1.0;    ///< Longest sleep when nothing happens.
-constexpr double kCaretSeconds = 0.25;  ///< ... while a text field's caret blinks.
-constexpr double kLookSeconds = 0.5;    ///< Between looks at where the window is.
-constexpr int kSettleFrames = 3;  ///< Drawn after the last input: ImGui shows hovers and closed popups a frame late.
+constexpr double kIdleSeconds = 1.0;    ///< Longest sleep.
+constexpr double kCaretSeconds = 0.25;  ///< ... while a caret blinks.
+constexpr double kLookSeconds = 0.5;    ///< Between queries of the window's place.
+constexpr int kSettleFrames = 3;        ///< Drawn after input: ImGui shows hovers and closed popups late.
 
 double secondsNow() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
@@ -104,8 +98,8 @@ class Editor {
     state_.session.thumbnails = &thumbnails_;
   }
 
-  /// The document the command line named, else a bundled character. Error: it cannot be smoothed.
-  /// @param orphan  the rig the command line named, if its character is missing: asks for it
+  /// Opens the document of the command line, else a sample. Error: it cannot be smoothed.
+  /// @param orphan  the command line's rig if its character is missing: asks for the character
   Result<void> open(std::optional<Document> document, const std::filesystem::path& orphan) {
     if (document) {
       if (!showDocument(state_, std::move(*document))) return Error{"", "", state_.session.messages.back().text};
@@ -133,13 +127,13 @@ class Editor {
   }
 
  private:
-  /// What the command line says, else the preferences, else the system.
+  /// From the command line, else the preferences, else the system.
   static float scaleOf(const Window& window, const EditorState& state, const EditorOptions& options) {
     if (options.scale > 0.0f) return options.scale;
     return state.session.preferences.scale > 0.0f ? state.session.preferences.scale : window.contentScale();
   }
 
-  /// How long to sleep at most while nothing moves.
+  /// Longest sleep while nothing moves.
   double idleSeconds(bool caret) const {
     double seconds = caret ? kCaretSeconds : kIdleSeconds;
     if (step_.wakeAfter() > 0.0) seconds = std::min(seconds, step_.wakeAfter());
@@ -148,7 +142,7 @@ class Editor {
     return seconds;
   }
 
-  /// Takes events, sleeping if nothing moves. @return whether a frame is due.
+  /// Takes events, sleeping if nothing moves. @return whether a frame is due
   bool waitForWork() {
     const bool moving = (state_.open.transport.playing && state_.hasCharacter()) || state_.frame.route.needsFrame ||
                         window_.input().pending() || settle_ > 0;
@@ -163,7 +157,7 @@ class Editor {
     } else {
       window_.poll();
     }
-    state_.frame.now = secondsNow();  // What is dropped here is said at this time.
+    state_.frame.now = secondsNow();  // For messages about dropped files.
     for (const std::filesystem::path& file : window_.takeDrops()) {
       if (state_.hasCharacter() && isReferenceName(file.filename().string())) dropReference(state_, file);
       else dropFile(state_, file);
@@ -188,7 +182,7 @@ class Editor {
     settle_ = kSettleFrames;
   }
 
-  /// One sample at a time, so that no input waits for more; a frame follows where the picture has changed.
+  /// Adds one sample at a time, so that input need not wait.
   void refinePicture() {
     if (const auto wanted = std::exchange(state_.session.pictureWanted, std::nullopt)) savePicture(*wanted);
     if (continuous_ || settle_ > 0 || window_.input().pending() || state_.session.quit) return;
@@ -199,7 +193,7 @@ class Editor {
   void frame() {
     const double start = secondsNow();
     const double since = lastFrame_ > 0.0 ? start - lastFrame_ : 1.0 / 60.0;
-    // After a sleep the time since the last frame means nothing to what moves.
+    // After a sleep, movements do not advance by the time slept.
     const double delta = continuous_ ? since : 1.0 / 60.0;
     lastFrame_ = start;
     if (settle_ > 0) --settle_;
@@ -211,7 +205,7 @@ class Editor {
     if (imgui_.prepareFonts(state_.frame.uiScale)) screen_.forget();
     imgui_.beginFrame(input, since, state_.session.stats.now() * 1e-3);
     step_.run(state_, input, imgui_.fonts(), delta);
-    if (step_.cameraMoves()) settle_ = std::max(settle_, 2);  // What is hovered is seen a frame later.
+    if (step_.cameraMoves()) settle_ = std::max(settle_, 2);  // The hover follows a frame later.
     const View& view = state_.frame.route.view;
     onCard_.follow(state_);
     const double drawing = secondsNow();
@@ -227,7 +221,7 @@ class Editor {
     ++frameNumber_;
   }
 
-  /// Of a document that has been opened: whose Chinese letters, and which no font has.
+  /// After opening a document: requests its letters, and reports those that no font has.
   void readNames() {
     if (namesOf_ == state_.session.documentsOpened) return;
     namesOf_ = state_.session.documentsOpened;
@@ -237,10 +231,10 @@ class Editor {
     if (!missing.empty()) addMessage(state_.session, MessageKind::kNote, missing);
   }
 
-  /// A graphics processor draws all pixels; what it takes cannot be told from a wait for the monitor.
+  /// On a graphics card the time to draw includes the wait for the monitor, and says nothing.
   bool adapts() const { return isSoftwareRenderer() && !state_.session.preferences.fullWhileMoving; }
 
-  /// Scale of a picture that is drawn in this frame. The first of a movement is whole: it may be the only one.
+  /// Scale of this frame's picture. The first frame of a movement is full size: it may be the only one.
   std::optional<float> resolution(const RawInput& input) {
     const bool moves = state_.open.transport.playing || step_.cameraMoves() || state_.frame.route.needsFrame ||
                        std::ranges::find(input.buttons, true) != input.buttons.end();
@@ -267,15 +261,15 @@ class Editor {
     else show();
   }
 
-  /// The frame that is drawn becomes the window's.
+  /// Shows the drawn frame.
   void show() {
     if (!std::exchange(unshown_, false)) return;
     window_.swap();
     screen_.noteShown();
   }
 
-  /// Whether a frame is shown in the next one, when the surface is made: a swap waits for all pixels, and where the
-  /// processor draws them, its other cores are free until then.
+  /// Shows a frame while the next one's surface is computed: where the processor draws, its other cores are free until
+  /// the swap, which waits for all pixels.
   bool overlaps() const { return isSoftwareRenderer() && moving_ > 1; }
 
   Window& window_;
@@ -296,10 +290,10 @@ class Editor {
   double lastLook_ = -kLookSeconds;
   WindowPlace place_;
   long long frameNumber_ = 0;
-  std::size_t namesOf_ = static_cast<std::size_t>(-1);  ///< The documentsOpened whose names were read.
+  std::size_t namesOf_ = static_cast<std::size_t>(-1);  ///< documentsOpened when names were read.
   int settle_ = kSettleFrames;
-  bool unshown_ = false;         ///< A frame is drawn and not shown yet.
-  int exposed_ = kSettleFrames;  ///< Frames that are shown though they are equal to those before.
+  bool unshown_ = false;         ///< A frame is drawn but not shown.
+  int exposed_ = kSettleFrames;  ///< Frames to show even if unchanged.
   bool continuous_ = false;
 };
 
@@ -317,7 +311,7 @@ int runEditor(const EditorOptions& options) {
     if (!opened) return refuse(opened.error());
     log = std::move(opened).value();
   }
-  // Before the window: a bad file is reported even without a display, and no window flashes up.
+  // Before the window opens, so that a bad file is reported without a display.
   std::optional<Document> document;
   std::optional<Error> orphaned;  ///< A rig without its character: the window asks for it.
   if (!options.file.empty()) {
@@ -335,7 +329,7 @@ int runEditor(const EditorOptions& options) {
   const float grown = options.scale > 0.0f ? options.scale : std::max(state.session.preferences.scale, 1.0f);
   const glm::ivec2 size(glm::vec2(kWindowSize) * grown);
   WindowPlace place = state.session.preferences.window;
-  // What a smaller interface left behind has no room for a larger one.
+  // The window of a smaller interface may be too small.
   const bool larger = options.scale > std::max(state.session.preferences.scale, 1.0f);
   if (larger && (place.width < size.x || place.height < size.y)) place = {};
   const Result<std::unique_ptr<Window>> window = Window::open(size, kTitle, place);

@@ -1,19 +1,24 @@
-// app/window/picture.cpp: the viewport's picture.
-
+// app/window/picture.cpp: the viewport's picture, its resolution while it moves, and the frame in the window.
 #include "app/window/picture.h"
 
-#include <imgui.h>
-
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstdint>
 #include <system_error>
 #include <utility>
+#include <vector>
 
+#include <backends/imgui_impl_opengl3.h>
+#include <imgui.h>
+#include <glm/common.hpp>
+
+#include "app/editor/blending_edit.h"
 #include "app/editor/commands.h"
 #include "app/editor/export_error.h"
-#include "app/editor/hidden_bones.h"
-#include "app/editor/layer_commands.h"
-#include "app/editor/territory.h"
+#include "app/editor/visibility_commands.h"
+#include "app/ui/style.h"
+#include "app/viewport/render/gl_objects.h"
 #include "app/viewport/render/png.h"
 #include "app/viewport/tools/axis_triad.h"
 #include "app/viewport/tools/gizmo_draw.h"
@@ -23,11 +28,122 @@
 #include "core/files/disk/atomic_file.h"
 
 namespace sinew::app {
+
 namespace {
 
-constexpr double kRestSeconds = 0.2;  ///< A picture that has stood so long is refined.
+constexpr int kMarks = 4;
 
-/// All muscles, or the selected ones alone; these are shown whether muscles are switched on or not.
+/// @param pixels  low corner and size, rows from below
+void clear(const glm::ivec4& pixels, float shade) {
+  const Tint back = palette::kBackground;
+  glEnable(GL_SCISSOR_TEST);
+  glScissor(pixels.x, pixels.y, pixels.z, pixels.w);
+  glClearColor(back.r, back.g, back.b + shade, 1.0f);
+  glClear(GL_COLOR_BUFFER_BIT);
+  glDisable(GL_SCISSOR_TEST);
+}
+
+/// Clears the rectangle outside of `covered`. Both: low x and y, high x and y, from the top left.
+void clearAround(const glm::ivec4& rect, const glm::ivec4& covered, int height) {
+  const glm::ivec2 low(std::max(rect.x, covered.x), std::max(rect.y, covered.y));
+  const glm::ivec2 high(std::min(rect.z, covered.z), std::min(rect.w, covered.w));
+  std::array parts{rect, glm::ivec4(0), glm::ivec4(0), glm::ivec4(0)};
+  if (low.x < high.x && low.y < high.y) {
+    parts = {glm::ivec4(rect.x, rect.y, rect.z, low.y), glm::ivec4(rect.x, high.y, rect.z, rect.w),
+             glm::ivec4(rect.x, low.y, low.x, high.y), glm::ivec4(high.x, low.y, rect.z, high.y)};
+  }
+  for (const glm::ivec4& part : parts) {
+    if (part.x >= part.z || part.y >= part.w) continue;
+    clear({part.x, height - part.w, part.z - part.x, part.w - part.y}, 0.0f);
+  }
+}
+
+/// OpenGL leaves the back buffer undefined after a swap. A corner pixel with an invisible step of blue, different in
+/// each frame, shows whether it is the last frame.
+void leaveMark(int mark) { clear({0, 0, 1, 1}, static_cast<float>(mark) / 255.0f); }
+
+bool hasMark(int mark) {
+  std::array<std::uint8_t, 4> pixel{};
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, 0);
+  glPixelStorei(GL_PACK_ALIGNMENT, 1);
+  glReadPixels(0, 0, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, pixel.data());
+  const Tint back = palette::kBackground;
+  const std::array<float, 3> wanted{back.r, back.g, back.b + static_cast<float>(mark) / 255.0f};
+  for (std::size_t c = 0; c < wanted.size(); ++c) {
+    if (static_cast<long>(pixel[c]) != std::lround(255.0f * wanted[c])) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+Screen::Screen() : software_(isSoftwareRenderer()) {}
+
+bool Screen::draw(ImDrawData& data, const glm::ivec2& size, std::span<const TextureRevision> textures,
+                  std::span<const glm::vec4> parts, const glm::vec4& covered, bool still) {
+  if (size.x <= 0 || size.y <= 0) return false;
+  glBindFramebuffer(GL_FRAMEBUFFER, 0);
+  glViewport(0, 0, size.x, size.y);
+  if (!software_ || data.FramebufferScale.x != 1.0f || data.FramebufferScale.y != 1.0f) {
+    clear({0, 0, size}, 0.0f);
+    ImGui_ImplOpenGL3_RenderDrawData(&data);
+    return true;
+  }
+  const std::vector<glm::ivec4> changed = tiles_.update(data, size, textures, parts);
+  if (changed.empty() && still) return false;
+  const glm::ivec4 inside(glm::ceil(covered.x), glm::ceil(covered.y), glm::floor(covered.z), glm::floor(covered.w));
+  for (const glm::ivec4& rect : changed) clearAround(rect, inside, size.y);
+  clipDrawing(data, changed);
+  ImGui_ImplOpenGL3_RenderDrawData(&data);
+  mark_ = (mark_ + 1) % kMarks;
+  leaveMark(mark_);
+  return true;
+}
+
+void Screen::noteShown() {
+  if (software_ && !hasMark(mark_)) forget();
+}
+
+namespace {
+
+constexpr double kTolerance = 1.1;  ///< Accepted multiple of the goal.
+
+double areaRatio(float to, float from) {
+  const double ratio = static_cast<double>(to) / static_cast<double>(from);
+  return ratio * ratio;
+}
+
+}  // namespace
+
+double MovingResolution::room(double other) { return std::max(kFrameGoal - other, 0.5 * kFrameGoal); }
+
+void MovingResolution::change(std::size_t step) {
+  step_ = step;
+  slow_ = fast_ = 0;
+}
+
+void MovingResolution::add(const FrameCost& cost) {
+  const double room = MovingResolution::room(cost.other);
+  const bool slow = cost.drawing > kTolerance * room;
+  least_ = slow_ == 0 ? cost.drawing : std::min(least_, cost.drawing);
+  slow_ = slow ? slow_ + 1 : 0;
+  // At worst all drawing, the hidden part included, grows with the number of pixels.
+  const bool fast =
+      step_ > 0 && (cost.drawing + cost.hidden) * areaRatio(kScales[step_ - 1], kScales[step_]) <= room + cost.hidden;
+  fast_ = fast ? fast_ + 1 : 0;
+  if (slow_ >= kFewFrames && step_ + 1 < kScales.size()) {
+    // Two steps at once if all slow frames are far beyond the goal.
+    const bool far = least_ * areaRatio(kScales[step_ + 1], kScales[step_]) > kTolerance * room;
+    change(std::min(step_ + (far ? 2 : 1), kScales.size() - 1));
+  } else if (fast_ >= kManyFrames) {
+    change(step_ - 1);
+  }
+}
+
+namespace {
+
+constexpr double kRestSeconds = 0.2;  ///< Rest before a picture is refined.
+
 PictureKey keyOf(const EditorState& state, const View& view) {
   PictureKey key;
   key.document = state.session.documentsOpened;
@@ -57,7 +173,7 @@ PictureKey keyOf(const EditorState& state, const View& view) {
   return key;
 }
 
-/// What a saved picture shows: all but what answers the pointer, marks the selection and is there to work after.
+/// Without hover, selection and reference pictures.
 PictureKey keyToSave(const EditorState& state) {
   PictureKey key = keyOf(state, state.frame.route.view);
   key.display.skeleton = state.view.display.skeleton;
@@ -120,7 +236,7 @@ void Picture::noteChange(const glm::vec4& shown, bool whole) {
   if (whole) ++revision_;
 }
 
-/// The texture holds what the state is now: nothing has moved since it was drawn.
+/// The texture shows the current state.
 bool Picture::showsNow(const EditorState& state) const {
   return state.hasCharacter() && drawn_.document == state.session.documentsOpened && drawnAt_ > 0.0 &&
          drawn_.surface == shownRevision(state);
@@ -185,8 +301,7 @@ void Picture::draw(EditorState& state, const DrawnOnCard* card, const View& view
     noteChange(state.frame.viewport, viewport_.colorTexture() != before);
   }
   const Document& document = state.document;
-  file_ = document.rigFile.empty() ? document.characterFile : document.rigFile;
-  if (document.commands.modified()) file_.clear();
+  file_ = document.commands.modified() ? std::filesystem::path() : document.file();
   if (viewport_.isRefined()) keepThumbnail();
   const glm::vec4& v = state.frame.viewport;
   const ImVec2 low{v.x, v.y};

@@ -1,5 +1,4 @@
-// app/window/session_keeper.cpp: preferences and unsaved work on the disk.
-
+// app/window/session_keeper.cpp: preferences, views and unsaved work on disk.
 #include "app/window/session_keeper.h"
 
 #include <system_error>
@@ -14,8 +13,8 @@
 namespace sinew::app {
 namespace {
 
-constexpr double kSettleSeconds = 1.0;  ///< What is being dragged is written once it rests.
-constexpr double kDiskSeconds = 1.0;    ///< Between looks at open files.
+constexpr double kSettleSeconds = 1.0;  ///< Unchanged for so long before it is written.
+constexpr double kDiskSeconds = 1.0;    ///< Between checks of open files.
 
 Preferences preferencesOf(const EditorState& state, const WindowPlace& window) {
   Preferences preferences = currentPreferences(state);
@@ -73,11 +72,9 @@ void SessionKeeper::finish(EditorState& state, const WindowPlace& window) {
   if (last != stored_) writePreferences(state, last);
 }
 
-/// Other editors may have opened files as well: theirs are taken over, with this document in front.
+/// Puts this document in front, and merges files that other editors have opened.
 void SessionKeeper::keepRecent(EditorState& state) {
-  const Document& document = state.document;
-  const std::pair now(state.session.documentsOpened,
-                      document.rigFile.empty() ? document.characterFile : document.rigFile);
+  const std::pair now(state.session.documentsOpened, state.document.file());
   if (now == remembered_ || now.second.empty()) return;
   remembered_ = now;
   rememberDocument(state);
@@ -116,7 +113,7 @@ bool SessionKeeper::writeWork(EditorState& state) {
   return written.ok();
 }
 
-/// What changes is kept once it rests; it is looked at once in kSettleSeconds, however often this is called.
+/// Looks once in kSettleSeconds and keeps a changed view once it rests.
 void SessionKeeper::keepView(const EditorState& state, double now) {
   if (viewsFolder_.empty() || !state.hasCharacter() || (viewSeenAt_ && now - *viewSeenAt_ < kSettleSeconds)) return;
   viewSeenAt_ = now;
@@ -138,8 +135,7 @@ void SessionKeeper::keepPreferences(EditorState& state, double now, const Window
   }
 }
 
-/// What another window has changed since stays as that one left it. A failure is reported once; the next change tries
-/// again.
+/// Keeps changes of other windows. A failure is reported once; the next change tries again.
 void SessionKeeper::writePreferences(EditorState& state, const Preferences& preferences) {
   stored_ = preferences;
   const Result<void> saved = saveMergedPreferences(base_, preferences, preferencesFile_);

@@ -12,20 +12,20 @@
 
 namespace sinew::app {
 
-/// From the start of the editor to its clean end. After any other end the recovery file stays for the next start.
+/// Lives from start to clean exit. After a crash the recovery file stays for the next start.
 class SessionKeeper {
  public:
   /// @param viewsFolder  "": views of files are not kept
   SessionKeeper(std::filesystem::path preferencesFile, std::filesystem::path recoveryFolder,
                 std::filesystem::path viewsFolder = {});
 
-  /// Preferences and layout into the state; work that a crash left is offered. What is wrong is a message.
+  /// Loads preferences and layout, and offers work left by a crash. Failures become messages.
   void start(EditorState& state);
-  /// Called with every frame and at least once a second. @param now  seconds on a clock that only grows.
+  /// Call every frame and at least once a second. @param now  seconds, monotonic
   void tick(EditorState& state, double now, const WindowPlace& window);
-  /// Seconds until tick() has something to do; none: not before something changes.
+  /// Seconds until tick() has work; nullopt: not before a change.
   [[nodiscard]] std::optional<double> secondsLeft(const EditorState& state, double now) const;
-  /// The clean end: what was unsaved was given up or saved.
+  /// Clean exit.
   void finish(EditorState& state, const WindowPlace& window);
 
  private:
@@ -41,11 +41,11 @@ class SessionKeeper {
   std::filesystem::path viewsFolder_;
   std::optional<RecoveryFile> recovery_;
   AutosaveClock clock_;
-  Preferences base_;    ///< This window's own when they were read or written last.
-  Preferences stored_;  ///< The same, or what could not be written.
+  Preferences base_;    ///< This window's when last read or written.
+  Preferences stored_;  ///< The same, or those that could not be written.
   Preferences seen_;    ///< At the last look.
   double seenAt_ = 0.0;
-  std::string viewStored_;  ///< The view as last kept, of which document included.
+  std::string viewStored_;  ///< As last kept, with its document.
   std::string viewSeen_;    ///< At the last look.
   std::optional<double> viewSeenAt_;
   double diskSeenAt_ = -1e9;

@@ -9,7 +9,6 @@
 #include <utility>
 
 #include "app/editor/animate.h"
-#include "app/editor/animated_names.h"
 #include "app/ui/keyboard_focus.h"
 #include "app/viewport/render/shading_names.h"
 #include "core/files/json/json.h"
@@ -40,9 +39,8 @@ Json documentState(const Document& document) {
     const int index = findPrimitive(document.rig(), id);
     if (index >= 0) selection.push(document.rig().primitives[static_cast<std::size_t>(index)].name);
   }
-  const std::filesystem::path& path = document.rigFile.empty() ? document.characterFile : document.rigFile;
   return Json::object()
-      .set("path", path.string())
+      .set("path", document.file().string())
       .set("modified", document.commands.modified())
       .set("primitives", static_cast<int>(document.rig().primitives.size()))
       .set("selection", selection)
@@ -103,10 +101,6 @@ Json symmetryState(const Document& document) {
       .set("twin", active < 0 ? std::string() : document.rig().primitives[static_cast<std::size_t>(active)].mirror);
 }
 
-Json boxState(const EditorState& state) {
-  return Json::object().set("armed", state.view.tools.box.armed).set("dragging", state.view.tools.box.drag.has_value());
-}
-
 Json gizmoState(const EditorState& state) {
   Json handles = Json::object();
   for (const auto& [name, pixel] : state.frame.route.gizmo.namedPixels()) {
@@ -123,7 +117,7 @@ Json gizmoState(const EditorState& state) {
       .set("handles", handles);
 }
 
-/// The active muscle's line: its ends in the window, and how it stands.
+/// The active muscle's line, with its ends in the window.
 Json lineState(const EditorState& state, const View& view) {
   Json line = Json::object();
   const auto shown = state.hasCharacter() ? activeLine(state.document, state.live->pose()) : std::nullopt;
@@ -156,7 +150,7 @@ void addAnimated(const EditorState& state, const std::vector<AnimatedNumber>& an
   }
 }
 
-/// The driven keys being set; what of the active muscle and its line is keyed here or driven, and its numbers now.
+/// Driven keys being set; keys, drivers and current numbers of the active muscle and its line.
 Json animationState(const EditorState& state) {
   Json animation = Json::object();
   if (!state.hasCharacter()) return animation;
@@ -207,19 +201,14 @@ Json clipNames(const EditorState& state) {
   return clips;
 }
 
-std::string clipName(const EditorState& state) {
-  if (!state.hasCharacter() || state.open.transport.clip < 0) return "";
-  return state.character().clips[static_cast<std::size_t>(state.open.transport.clip)].name;
-}
-
-/// Seconds: where playing begins and ends.
+/// Start and end, seconds.
 Json playedRange(const EditorState& state) {
   if (!state.hasCharacter()) return numbers({});
   const PlayRange range = playRange(state.open.transport, state.character());
   return numbers({static_cast<float>(range.from), static_cast<float>(range.to)});
 }
 
-/// Joints turned by hand.
+/// Joints rotated by hand.
 Json poseState(const EditorState& state) {
   const PoseOverrides& overrides = state.open.transport.overrides;
   Json turns = Json::object();
@@ -239,7 +228,7 @@ Json messageState(const EditorState& state) {
   return messages;
 }
 
-/// Those that are not done.
+/// Unfinished exports.
 Json exportState(const EditorState& state) {
   Json exports = Json::array();
   for (const ExportStand& stand : state.session.exports.stands()) {
@@ -324,16 +313,17 @@ std::string headText(const EditorState& state, long long frame, double seconds) 
       .dump();
 }
 
-}  // namespace
-
+/// One line of JSON without what differs in every frame (frame, seconds, fps, ms). Positions are window coordinates;
+/// those outside of window or picture are left out.
 std::string stateText(const EditorState& state, const WidgetLog& widgets, const View& view) {
   const SmoothingReport report = state.hasCharacter() ? state.live->report() : SmoothingReport{};
   const SmoothingSettings& smoothing = state.document.rig().smoothing;
   const glm::vec4& v = state.frame.viewport;
-  const glm::vec2 mouse = inWindow(state, state.view.tools.lastPixel);
+  const ViewportTools& tools = state.view.tools;
+  const glm::vec2 mouse = inWindow(state, tools.lastPixel);
   return Json::object()
       .set("document", documentState(state.document))
-      .set("clip", clipName(state))
+      .set("clip", state.hasCharacter() ? clipNow(state) : std::string())
       .set("clips", clipNames(state))
       .set("clip_time", state.open.transport.time)
       .set("playing", state.open.transport.playing)
@@ -359,7 +349,7 @@ std::string stateText(const EditorState& state, const WidgetLog& widgets, const 
       .set("keymap", nameOf(state.session.preferences.keymap))
       .set("scale", state.frame.uiScale)
       .set("symmetry", symmetryState(state.document))
-      .set("box", boxState(state))
+      .set("box", Json::object().set("armed", tools.box.armed).set("dragging", tools.box.drag.has_value()))
       .set("gizmo", gizmoState(state))
       .set("line", lineState(state, view))
       .set("flex", state.open.flex.shown())
@@ -376,6 +366,8 @@ std::string stateText(const EditorState& state, const WidgetLog& widgets, const 
       .set("toast", state.session.toast ? state.session.toast->text : std::string())
       .dump();
 }
+
+}  // namespace
 
 Result<StateLog> StateLog::open(const std::filesystem::path& file) {
   StateLog log;

@@ -1,4 +1,4 @@
-// app/window/state_log.h: --log-state: a JSON line for every drawn frame that changed (docs/formats.md).
+// app/window/state_log.h: --log-state: a JSON line for every frame that changed (docs/formats.md).
 #pragma once
 
 #include <cstdio>
@@ -12,10 +12,6 @@
 #include "sinew/geometry/result.h"
 
 namespace sinew::app {
-
-/// The state as one line of JSON without the parts that differ in every frame (frame, seconds, fps, ms). All positions
-/// are window coordinates; what is outside the window or the picture is left out.
-[[nodiscard]] std::string stateText(const EditorState& state, const WidgetLog& widgets, const View& view);
 
 /// An open log.
 class StateLog {

@@ -1,4 +1,4 @@
-// app/window/surface_on_card.cpp: measured once, then followed; whatever goes wrong, the processor takes over.
+// app/window/surface_on_card.cpp: measures once, then follows; on any failure the processor takes over.
 #include "app/window/surface_on_card.h"
 
 #include <array>
@@ -13,7 +13,7 @@
 namespace sinew::app {
 namespace {
 
-constexpr std::size_t kRounds = 3;  ///< Of each, the median of which counts.
+constexpr std::size_t kRounds = 3;  ///< The median counts.
 
 std::string millisecondsText(double seconds) {
   std::array<char, 32> text{};
@@ -21,7 +21,7 @@ std::string millisecondsText(double seconds) {
   return text.data();
 }
 
-/// What the card does not draw, whatever it is asked for.
+/// The card cannot draw the current view.
 bool needsProcessor(const EditorState& state) { return state.view.display.cullBackFaces || showsExportError(state); }
 
 }  // namespace
@@ -37,7 +37,7 @@ std::optional<std::string> SurfaceOnCard::compilePrograms() {
 std::optional<std::string> SurfaceOnCard::prepare(const std::shared_ptr<const Preparation>& preparation) {
   if (card_ && &card_->preparation() == preparation.get()) return std::nullopt;
   if (refused_ == preparation) return refusedWhy_;
-  card_.reset();  // Its memory first: the next one may need it.
+  card_.reset();  // Frees its memory for the next one.
   auto card = DrawnOnCard::create(programs_, preparation);
   if (card) {
     card_ = std::move(card).value();
@@ -64,7 +64,7 @@ std::optional<std::string> SurfaceOnCard::make(const EditorState& state) {
   return std::nullopt;
 }
 
-/// Both make the surface that is shown; again once it has muscles. What could not be measured is tried again.
+/// Measures both with the shown surface, again once it has muscles. A failed measurement is tried again.
 bool SurfaceOnCard::measuredFaster(EditorState& state) {
   std::string& why = state.session.surfaceMaker.why;
   const std::pair of(state.session.documentsOpened, !state.document.rig().primitives.empty());
@@ -101,11 +101,11 @@ bool SurfaceOnCard::wanted(EditorState& state) {
     return false;
   }
   if (by == SurfaceBy::kAutomatic && isSoftwareRenderer()) {
-    maker.why = "there is no graphics card: it draws, too";
+    maker.why = "there is no graphics card";
     return false;
   }
   if (needsProcessor(state)) {
-    maker.why = "it alone makes what is shown now";
+    maker.why = "only it can draw the current view";
     return false;
   }
   if (const auto reason = compilePrograms()) {
@@ -118,7 +118,7 @@ bool SurfaceOnCard::wanted(EditorState& state) {
   return true;
 }
 
-/// Each reason is told once, until another takes its place.
+/// Reports each new reason once.
 void SurfaceOnCard::leave(EditorState& state, const std::string& why) {
   state.session.surfaceMaker.why = why;
   const bool asked = state.session.preferences.surfaceBy == SurfaceBy::kCard || !broken_.empty();
@@ -132,7 +132,7 @@ void SurfaceOnCard::follow(EditorState& state) {
   SurfaceMakerState& maker = state.session.surfaceMaker;
   shows_ = false;
   if (wanted(state)) {
-    if (card_) maker.onCardSeconds = card_->secondsIfDone();  // Of a frame before: nothing waits.
+    if (card_) maker.onCardSeconds = card_->secondsIfDone();  // Of an earlier frame: no wait.
     if (const auto reason = make(state)) leave(state, *reason);
     else shows_ = true;
   } else if (!state.hasCharacter()) {

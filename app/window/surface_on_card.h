@@ -1,5 +1,4 @@
-// app/window/surface_on_card.h: the graphics card's part in the editor: whether it computes the surface, and that
-// surface.
+// app/window/surface_on_card.h: whether the graphics card computes the surface, and that surface.
 #pragma once
 
 #include <cstddef>
@@ -16,11 +15,11 @@ namespace sinew::app {
 /// Follows the open document. The OpenGL context must be current. docs/performance.md
 class SurfaceOnCard {
  public:
-  /// After the frame's surface is up to date, before its picture: decides, and makes the surface on the card if it is
-  /// to be there. Says in state.session.surfaceMaker how it was decided.
+  /// Call between the frame's surface and its picture: decides, and computes the surface on the card if chosen.
+  /// state.session.surfaceMaker has the reason.
   void follow(EditorState& state);
 
-  /// What the picture draws. Null: the processor's surface.
+  /// Null: draw the processor's surface.
   [[nodiscard]] const DrawnOnCard* drawn() const { return shows_ ? card_.get() : nullptr; }
 
  private:
@@ -32,16 +31,16 @@ class SurfaceOnCard {
   void leave(EditorState& state, const std::string& why);
 
   std::shared_ptr<const StagePrograms> programs_;
-  std::string broken_;  ///< Why the card is of no use to this window; "": it is.
+  std::string broken_;  ///< Why the card cannot be used at all; "": it can.
   std::unique_ptr<DrawnOnCard> card_;
-  std::shared_ptr<const Preparation> refused_;  ///< The last preparation that is left to the processor,
+  std::shared_ptr<const Preparation> refused_;  ///< The last preparation that the card refused,
   std::string refusedWhy_;                      ///< and why.
-  std::size_t made_ = 0;                        ///< LiveSurface::revision() of what card_ holds.
-  std::size_t madeOf_ = 0;                      ///< SessionState::documentsOpened of that.
+  std::size_t made_ = 0;                        ///< LiveSurface::revision() of card_'s surface.
+  std::size_t madeOf_ = 0;                      ///< Its SessionState::documentsOpened.
   bool shows_ = false;
-  std::string said_;                                        ///< The last reason that was told.
+  std::string said_;                                        ///< The last reported reason.
   std::optional<std::pair<std::size_t, bool>> measuredOf_;  ///< Document, and whether it had muscles.
-  std::string measurement_;                                 ///< In words.
+  std::string measurement_;
   bool cardIsFaster_ = false;
 };
 

@@ -249,7 +249,7 @@ Result<std::shared_ptr<const Preparation>> prepare(const std::shared_ptr<const C
                                                    BlendingGraphMemo& graphs) {
   const Character& character = *tables->character;
   if (Result<void> able = checkProcessor(); !able) return able.error();
-  if (Result<void> valid = options.isValid ? Result<void>() : validate(rig, graphs); !valid) return valid.error();
+  if (Result<void> valid = validate(rig, graphs); !valid) return valid.error();
   if (Result<void> fits = checkRegion(character.mesh, options.region); !fits) return fits.error();
   const bool adaptive = rig.smoothing.detail == DetailKind::kAdaptive && !options.depth;
   const int depth = options.depth.value_or(rig.smoothing.depth);

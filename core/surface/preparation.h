@@ -112,7 +112,6 @@ struct PreparationOptions {
   std::shared_ptr<const RigPoser> poser{};  ///< A poser of this rig and character, if there is one.
   std::span<const std::uint8_t> region{};   ///< [T] a Region. Empty: the whole body.
   ProjectionKind projection = ProjectionKind::kNewton;  ///< Same as the former one.
-  bool isValid = false;                                 ///< The rig has passed validate(); skip it.
 };
 
 /// Error: the rig is invalid, the blending graph too large, or the refined mesh would not fit memory.

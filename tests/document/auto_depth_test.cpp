@@ -1,14 +1,14 @@
 // tests/document/auto_depth_test.cpp: monotone, bounded, calm.
-#include "app/document/auto_depth.h"
 
 #include <cmath>
 #include <limits>
 
 #include <gtest/gtest.h>
 
+#include "app/document/playback.h"
 #include "tests/support/characters/synthetic_characters.h"
 
-namespace sinew {
+namespace sinew::app {
 namespace {
 
 TEST(AutoDepth, GrowsWithTheSizeOnScreenFromOneToTheMost) {
@@ -73,4 +73,4 @@ TEST(AutoTolerance, DoesNotFlickerOnABorder) {
 }
 
 }  // namespace
-}  // namespace sinew
+}  // namespace sinew::app

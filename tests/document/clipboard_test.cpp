@@ -1,6 +1,6 @@
 // tests/document/clipboard_test.cpp: muscles as text, in this document and another.
 
-#include "app/document/clipboard.h"
+#include "app/editor/symmetry_commands.h"
 
 #include <gtest/gtest.h>
 

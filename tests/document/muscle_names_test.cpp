@@ -1,6 +1,6 @@
 // tests/document/muscle_names_test.cpp: a muscle is called after its bone until somebody renames it.
 
-#include "app/document/muscle_names.h"
+#include "app/document/shown_names.h"
 
 #include <array>
 #include <string>

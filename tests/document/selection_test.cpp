@@ -1,6 +1,6 @@
 // tests/document/selection_test.cpp: picking.
 
-#include "app/document/selection.h"
+#include "app/document/document.h"
 
 #include <gtest/gtest.h>
 

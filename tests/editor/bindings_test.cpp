@@ -14,8 +14,6 @@
 #include <set>
 #include <string>
 
-#include "app/editor/key_capture.h"
-
 namespace sinew::app {
 namespace {
 

@@ -11,7 +11,7 @@
 #include <string>
 
 #include "app/editor/actions.h"
-#include "app/ui/key_meaning.h"
+#include "app/ui/window.h"
 
 namespace sinew::app {
 namespace {

@@ -6,10 +6,10 @@
 #include <filesystem>
 
 #include "app/editor/commands.h"
-#include "app/editor/hidden_bones.h"
 #include "app/editor/open_file.h"
-#include "app/editor/outliner_rows.h"
+#include "app/editor/outliner.h"
 #include "app/editor/pose_commands.h"
+#include "app/editor/visibility_commands.h"
 #include "app/viewport/render/picking.h"
 #include "core/files/disk/atomic_file.h"
 #include "core/rig/motion_clip.h"

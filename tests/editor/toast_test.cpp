@@ -1,6 +1,6 @@
 // tests/editor/toast_test.cpp: what is said of an edit, how long, and how often.
 
-#include "app/editor/toast.h"
+#include "app/editor/editor_state.h"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 # Usage: window_frames.py PROGRAM [RIG...]     a minute; needs Xvfb and xdotool, as the GUI tests do
 """Not a test of ctest: times depend on what else the machine does. Both views take turns, so that both see the same machine.
 All numbers are from the log that the editor writes (--log-state). While something moves the editor may draw fewer pixels
-(app/window/moving_resolution.h); how many is printed too. Exit status 1 where anatomy's frame is more than 3 times clay's."""
+(app/window/picture.h); how many is printed too. Exit status 1 where anatomy's frame is more than 3 times clay's."""
 import pathlib
 import statistics
 import subprocess

@@ -1,6 +1,6 @@
 // tests/panels/body_parts_test.cpp: Muscles > Parts of the body by hand: what was found, corrections, undo.
 #include "app/editor/actions.h"
-#include "app/editor/body_parts_commands.h"
+#include "app/editor/muscle_set_commands.h"
 #include "tests/support/editor/headless_editor.h"
 
 namespace sinew::app {

@@ -1,5 +1,5 @@
 // tests/panels/first_steps_test.cpp: Help > First steps, done as a beginner would, in another order, and left.
-#include "app/editor/first_steps.h"
+#include "app/editor/session.h"
 
 #include <imgui.h>
 #include <imgui_internal.h>  // The windows of a context, which 1.86 keeps to itself.
@@ -7,7 +7,6 @@
 #include <string>
 
 #include "app/editor/actions.h"
-#include "app/editor/session.h"
 #include "sinew/rig/rig_edit.h"
 #include "tests/support/editor/headless_editor.h"
 

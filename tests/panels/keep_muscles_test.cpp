@@ -4,7 +4,7 @@
 #include <string>
 
 #include "app/editor/actions.h"
-#include "app/editor/keep_muscles.h"
+#include "app/editor/open_file.h"
 #include "tests/support/characters/gltf_builder.h"
 #include "tests/support/editor/headless_editor.h"
 #include "tests/support/temporary_folder.h"

@@ -1,14 +1,14 @@
 // tests/panels/layers_test.cpp: the list of the mesh's parts: what it shows, clicks that change the rig and
 // the surface.
 
-#include "app/editor/layer_commands.h"
+#include "app/editor/visibility_commands.h"
 
 #include <algorithm>
 #include <fstream>
 #include <sstream>
 
 #include "app/editor/actions.h"
-#include "app/ui/readable_names.h"
+#include "app/ui/code_points.h"
 #include "core/rig/mesh_layers.h"
 #include "sinew/rig/rig_edit.h"
 #include "sinew/surface/smoother.h"

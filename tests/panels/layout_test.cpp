@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "app/panels/layout_sizes.h"
-#include "app/ui/fonts.h"
+#include "app/ui/style.h"
 #include "tests/support/editor/drawn_text.h"
 #include "tests/support/editor/headless_editor.h"
 

@@ -2,8 +2,7 @@
 
 #include "tests/support/editor/headless_editor.h"
 
-#include "app/editor/outliner_edit.h"
-#include "app/editor/outliner_rows.h"
+#include "app/editor/outliner.h"
 #include "app/editor/session.h"
 #include "tests/support/editor/muscles_named.h"
 

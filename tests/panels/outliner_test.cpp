@@ -5,8 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/editor/outliner_edit.h"
-#include "app/editor/outliner_rows.h"
+#include "app/editor/outliner.h"
 #include "tests/support/editor/muscles_named.h"
 
 namespace sinew::app {

@@ -1,7 +1,7 @@
 // tests/panels/pictures_test.cpp: File > Export > Turntable or contact sheet: what it asks of `sinew render`,
 // its dialog, and the file that is made.
 
-#include "app/editor/pictures_commands.h"
+#include "app/editor/picture_commands.h"
 
 #include <algorithm>
 #include <chrono>

@@ -9,7 +9,7 @@
 
 #include "app/editor/blending_edit.h"
 #include "app/editor/edit.h"
-#include "app/editor/outliner_edit.h"
+#include "app/editor/outliner.h"
 #include "core/rig/validation.h"
 #include "sinew/files/rig_json.h"
 #include "tests/support/editor/headless_editor.h"

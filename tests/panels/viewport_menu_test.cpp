@@ -1,5 +1,5 @@
 // tests/panels/viewport_menu_test.cpp: the picture's context menu does what it says to what lies under the pointer.
-#include "app/editor/viewport_menu.h"
+#include "app/editor/commands.h"
 
 #include <algorithm>
 

@@ -1,6 +1,6 @@
 // tests/ui/elide_test.cpp: long names in little room, by the properties that readers rely on.
 
-#include "app/ui/elide.h"
+#include "app/ui/reading_order.h"
 
 #include <gtest/gtest.h>
 

@@ -5,8 +5,7 @@
 #include <filesystem>
 #include <string_view>
 
-#include "app/ui/letter_faces.h"
-#include "app/ui/letter_fonts.h"
+#include "app/ui/letters.h"
 
 namespace sinew::app {
 namespace {

@@ -1,6 +1,6 @@
 // tests/ui/name_texture_test.cpp: letters that are shown are in the next texture.
 
-#include "app/ui/name_texture.h"
+#include "app/ui/letters.h"
 
 #include <imgui.h>
 

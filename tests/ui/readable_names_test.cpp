@@ -1,11 +1,10 @@
 // tests/ui/readable_names_test.cpp: names that no font can show are numbers, in lists and nowhere else.
 
-#include "app/ui/readable_names.h"
+#include "app/ui/code_points.h"
 
 #include <gtest/gtest.h>
 
 #include "app/document/shown_names.h"
-#include "app/ui/code_points.h"
 
 namespace sinew::app {
 namespace {

@@ -10,7 +10,7 @@
 
 #include <stb_image.h>
 
-#include "app/document/thumbnail_files.h"
+#include "app/document/view_files.h"
 #include "app/viewport/render/png.h"
 #include "core/files/disk/atomic_file.h"
 

@@ -14,7 +14,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "app/document/muscle_names.h"
+#include "app/document/shown_names.h"
 #include "app/viewport/tools/gizmo_basis.h"
 #include "core/character/bindings.h"
 #include "core/geometry/at.h"

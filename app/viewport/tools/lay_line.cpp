@@ -7,7 +7,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "app/document/muscle_names.h"
+#include "app/document/shown_names.h"
 #include "app/viewport/render/picking.h"
 #include "core/bodies/mend.h"
 #include "core/character/bone_segments.h"

@@ -7,7 +7,7 @@
 #include <glm/geometric.hpp>
 
 #include "app/document/shown_names.h"
-#include "app/ui/readable_names.h"
+#include "app/ui/code_points.h"
 #include "core/geometry/at.h"
 
 namespace sinew::app {

@@ -8,7 +8,7 @@
 #include <glm/geometric.hpp>
 
 #include "app/document/shown_names.h"
-#include "app/ui/readable_names.h"
+#include "app/ui/code_points.h"
 #include "app/viewport/render/picking.h"
 #include "core/character/bindings.h"
 #include "core/rig/attachment.h"

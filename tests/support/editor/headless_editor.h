@@ -9,9 +9,9 @@
 #include <gtest/gtest.h>
 
 #include "app/editor/actions.h"
+#include "app/editor/blending_edit.h"
 #include "app/editor/commands.h"
 #include "app/editor/open_file.h"
-#include "app/editor/territory.h"
 #include "app/editor/visibility_commands.h"
 #include "app/ui/imgui_layer.h"
 #include "app/ui/style.h"

@@ -1,6 +1,6 @@
 // tests/viewport/render/moving_resolution_test.cpp: the resolution of a moving picture follows given times, and
 // settles.
-#include "app/window/moving_resolution.h"
+#include "app/window/picture.h"
 
 #include <gtest/gtest.h>
 

@@ -5,7 +5,7 @@
 #include <chrono>
 #include <cstdlib>
 
-#include "app/document/thumbnail_files.h"
+#include "app/document/view_files.h"
 #include "app/viewport/render/png.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/viewport/render/pictures.h"

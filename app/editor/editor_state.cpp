@@ -1,6 +1,5 @@
-// app/editor/toast.cpp: how long it is shown, and how it goes.
-
-#include "app/editor/toast.h"
+// app/editor/editor_state.cpp: how long toasts are shown, and how they fade.
+#include "app/editor/editor_state.h"
 
 #include <algorithm>
 
@@ -9,8 +8,8 @@ namespace {
 
 constexpr double kLeastSeconds = 2.0;
 constexpr double kMostSeconds = 8.0;
-constexpr double kRefusalSeconds = 1.5;    ///< More, for a reason that is to be understood.
-constexpr double kSecondsPerByte = 0.045;  ///< About the pace of reading.
+constexpr double kRefusalSeconds = 1.5;    ///< Extra time for a reason.
+constexpr double kSecondsPerByte = 0.045;  ///< About reading speed.
 constexpr double kFadeSeconds = 0.4;
 constexpr double kFadeStep = 1.0 / 30.0;
 
