@@ -7,7 +7,7 @@
 #include "app/editor/action_table.h"
 #include "app/editor/pose_commands.h"
 #include "app/editor/territory.h"
-#include "app/viewport/tools/tool.h"
+#include "app/viewport/tools/viewport_tools.h"
 
 namespace sinew::app::table {
 namespace {

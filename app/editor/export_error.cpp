@@ -9,8 +9,8 @@
 
 #include "app/document/export_report.h"
 #include "app/editor/commands.h"
-#include "app/viewport/render/framing.h"
 #include "app/viewport/render/occlusion.h"
+#include "app/viewport/render/view.h"
 #include "core/geometry/at.h"
 #include "core/rig/motion_clip.h"
 

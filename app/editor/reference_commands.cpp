@@ -13,7 +13,7 @@
 #include "app/editor/edit.h"
 #include "app/editor/picture_commands.h"
 #include "app/editor/session.h"
-#include "app/viewport/render/framing.h"
+#include "app/viewport/render/view.h"
 
 namespace sinew::app {
 namespace {

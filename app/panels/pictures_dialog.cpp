@@ -15,7 +15,7 @@
 #include "app/panels/dialogs.h"
 #include "app/panels/export_rows.h"
 #include "app/ui/number_field.h"
-#include "app/viewport/render/movie.h"
+#include "app/viewport/render/picture_files.h"
 
 namespace sinew::app {
 namespace {

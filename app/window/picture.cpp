@@ -14,11 +14,9 @@
 #include "app/editor/hidden_bones.h"
 #include "app/editor/layer_commands.h"
 #include "app/editor/territory.h"
-#include "app/viewport/render/png.h"
+#include "app/viewport/render/picture_files.h"
 #include "app/viewport/tools/axis_triad.h"
-#include "app/viewport/tools/gizmo_draw.h"
-#include "app/viewport/tools/hover_draw.h"
-#include "app/viewport/tools/line_draw.h"
+#include "app/viewport/tools/draw_tools.h"
 #include "core/character/skinning.h"
 #include "core/files/disk/atomic_file.h"
 

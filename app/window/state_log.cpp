@@ -11,7 +11,7 @@
 #include "app/editor/animate.h"
 #include "app/editor/animated_names.h"
 #include "app/ui/keyboard_focus.h"
-#include "app/viewport/render/shading_names.h"
+#include "app/viewport/render/scene.h"
 #include "core/files/json/json.h"
 
 namespace sinew::app {

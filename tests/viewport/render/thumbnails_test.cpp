@@ -6,7 +6,7 @@
 #include <cstdlib>
 
 #include "app/document/thumbnail_files.h"
-#include "app/viewport/render/png.h"
+#include "app/viewport/render/picture_files.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/viewport/render/pictures.h"
 
