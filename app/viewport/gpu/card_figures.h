@@ -32,7 +32,7 @@ struct CardDifference {
 };
 
 struct CardFigures {
-  int vertices = 0;  ///< Of one body.
+  int vertices = 0;  ///< Per body.
   int triangles = 0;
   int bodies = 1;              ///< Computed per frame.
   int together = 1;            ///< Bodies in one batch.

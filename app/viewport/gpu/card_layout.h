@@ -11,7 +11,7 @@ namespace sinew::app::card {
 
 // Limits of the shaders at one place of the skin; surfaces that exceed them are computed by the processor.
 inline constexpr std::size_t kMostCandidates = 96;  ///< Muscles (exact.glsl, swell_shaped.comp).
-inline constexpr std::size_t kMostCliques = 64;     ///< Of groups (field.glsl).
+inline constexpr std::size_t kMostCliques = 64;     ///< Cliques of groups (field.glsl).
 inline constexpr int kMostSlots = 64;               ///< Groups, one bit each.
 
 struct Influence {
@@ -35,7 +35,7 @@ static_assert(sizeof(Refined) == 32);
 
 struct Candidate {
   std::int32_t primitive = 0;
-  std::uint32_t slot = 0;  ///< Of its group.
+  std::uint32_t slot = 0;  ///< Slot of its group.
   std::array<float, 3> weights{};
 };
 static_assert(sizeof(Candidate) == 20);
@@ -53,9 +53,9 @@ struct Primitive {
 static_assert(sizeof(Primitive) == 128);
 
 struct Ring {
-  std::int32_t begin = 0, end = 0;                ///< Of its neighbors.
-  std::int32_t cornersBegin = 0, cornersEnd = 0;  ///< Of its triangles' corners.
-  std::int32_t acrossBegin = 0, acrossEnd = 0;    ///< Of the opposite vertices, stored after all neighbors.
+  std::int32_t begin = 0, end = 0;                ///< Neighbors.
+  std::int32_t cornersBegin = 0, cornersEnd = 0;  ///< Corners of its triangles.
+  std::int32_t acrossBegin = 0, acrossEnd = 0;    ///< Opposite vertices, stored after all neighbors.
   float share = 0.0f;
   std::int32_t isBorder = 0;
 };

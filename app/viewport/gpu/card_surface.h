@@ -122,7 +122,7 @@ class CardSurface {
   /// Buffer of card::Drawn, [bodies * D].
   [[nodiscard]] GLuint drawnVertices() const { return of(Buffer::kDrawn).id(); }
   [[nodiscard]] const Preparation& preparation() const { return *preparation_; }
-  /// Of the last body that was posed.
+  /// Muscles of the last posed body.
   [[nodiscard]] std::span<const PosedPrimitive> muscles() const { return posed_.field.primitives; }
   [[nodiscard]] const std::vector<TriangleClass>& classes() const { return posed_.field.bind->classes; }
   [[nodiscard]] std::span<const glm::mat4> matrices() const { return matrices_; }  ///< [bodies * bindings]
@@ -131,7 +131,7 @@ class CardSurface {
   [[nodiscard]] std::size_t bodyBytes() const { return bodyBytes_; }
   [[nodiscard]] std::size_t poseBytes() const;
 
-  /// Of the last make(), when finished.
+  /// Times of the last make(), when finished.
   [[nodiscard]] std::optional<PartSeconds> secondsIfDone() const { return timers_.secondsIfDone(); }
 
   // For tests and measurements: these wait for the card.

@@ -48,7 +48,7 @@ struct CardTables {
   std::vector<card::Triangle> triangles;   ///< [T']
   std::vector<std::int32_t> drawVertices;  ///< [D]
   std::vector<card::Anchor> anchors;       ///< [V'] in `replace`, else empty.
-  std::vector<float> omegas;               ///< [V'] likewise: how far each moves to the muscles' surface.
+  std::vector<float> omegas;               ///< [V'] likewise: distance that each moves to the muscles' surface.
   card::Making making;
 };
 

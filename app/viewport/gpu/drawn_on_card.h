@@ -47,7 +47,7 @@ class DrawnOnCard {
   [[nodiscard]] const Surface& surface() const { return shell_; }
   [[nodiscard]] const CardVertices& vertices() const { return vertices_; }
   [[nodiscard]] const Preparation& preparation() const { return card_.preparation(); }
-  /// Of the last make(), when finished.
+  /// Times of the last make(), when finished.
   [[nodiscard]] std::optional<PartSeconds> secondsIfDone() const { return card_.secondsIfDone(); }
   [[nodiscard]] PartSeconds seconds() const { return card_.seconds(); }  ///< Waits for the card.
 

@@ -14,7 +14,7 @@
 
 namespace sinew::app {
 
-// What ellipsoids and bones are drawn in. Linear.
+// Linear colors of ellipsoids and their outlines.
 
 /// Outline of one ellipsoid.
 struct OutlineLook {

@@ -23,7 +23,7 @@ struct ShadowMesh {
     int firstTriangle = 0;
     int triangles = 0;
   };
-  std::vector<std::uint32_t> indices;  ///< Of drawn vertices, three per triangle, in either order.
+  std::vector<std::uint32_t> indices;  ///< Drawn vertices, three per triangle, in either order.
   std::vector<Range> ranges;
 };
 
@@ -60,7 +60,7 @@ class SeenTriangles {
 
   /// In the order drawn: all that OpenGL draws, and those on which rounding might decide.
   [[nodiscard]] std::span<const Corners> triangles() const { return triangles_; }
-  /// Of triangles().
+  /// Parts of triangles() by material.
   [[nodiscard]] std::span<const Range> ranges() const { return ranges_; }
 
  private:

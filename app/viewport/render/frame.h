@@ -1,4 +1,4 @@
-// app/viewport/render/frame.h: what the drawers of one picture share: camera, light, background.
+// app/viewport/render/frame.h: camera, light and background of one picture, for its drawers.
 #pragma once
 
 #include "app/document/picture_look.h"

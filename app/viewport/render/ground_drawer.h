@@ -38,7 +38,7 @@ class GroundDrawer {
   [[nodiscard]] const glm::vec4& shadowPlace() const { return area_; }
 
  private:
-  /// What background and floor depend on.
+  /// Everything that background and floor depend on.
   struct KeptLook {
     View view;
     DisplaySettings settings;
@@ -68,7 +68,7 @@ class GroundDrawer {
 /// Scale of the grid for a distance of the eye.
 struct GridZoom {
   float reach = 1.0f;        ///< Factor on the floor's extent, >= 1.
-  float cell = 1.0f;         ///< Of the middle rank, character units; the others have a fifth and five times it.
+  float cell = 1.0f;         ///< Middle rank, character units; the others have a fifth and five times it.
   float towardsNext = 0.0f;  ///< 0..1: blend to the next rank; 1 looks like 0 with five times the cells.
 };
 [[nodiscard]] GridZoom gridZoom(const View& view, const glm::vec3& center, float height);

@@ -35,7 +35,7 @@ class PrimitiveDrawer {
   ShapeMesh visible_, influence_, outlined_, rims_;
   GlBuffer outlines_;
   std::vector<glm::vec4> outlinePoints_;  ///< World, shape by shape.
-  GlTexture depth_;                       ///< Of opaque things; one sample per pixel.
+  GlTexture depth_;                       ///< Depth of opaque things; one sample per pixel.
   GlFramebuffer depthCopy_;
   glm::ivec2 depthSize_{0};
 };

@@ -84,7 +84,7 @@ namespace {
 constexpr std::uintmax_t kLargestReference = 64u << 20;
 constexpr std::size_t kMostPixels = std::size_t{gltf::kMaxImageSide} * gltf::kMaxImageSide;
 constexpr int kLargestSide = 4096;    ///< After scaling.
-constexpr float kRoomBehind = 0.02f;  ///< Of the height, between body and picture.
+constexpr float kRoomBehind = 0.02f;  ///< Between body and picture, fraction of the height.
 
 constexpr float kQuarter = 0.5f * std::numbers::pi_v<float>;
 

@@ -65,7 +65,7 @@ using ReferencePictures = std::array<ReferencePicture, kReferenceSides>;
 [[nodiscard]] ReferencePlane referencePlane(ReferenceSide side, const ReferencePicture& picture, const Bounds& body,
                                             float height);
 
-/// Of the pictures that are shown.
+/// Planes of the pictures that are shown.
 [[nodiscard]] std::vector<ReferencePlane> referencePlanes(const ReferencePictures& pictures,
                                                           const Character& character);
 

@@ -52,7 +52,7 @@ struct DisplaySettings {
   friend bool operator==(const DisplaySettings&, const DisplaySettings&) = default;
 };
 
-/// The muscle line that a primitive rides, in the pose.
+/// The muscle line that carries a primitive, in the pose.
 struct ShapeLine {
   LinePath path;
   float activation = 0.0f;  ///< 0..1
@@ -68,8 +68,8 @@ struct PrimitiveShape {
   Shape shape{};
   float reach = 1.4142135f;
   int sign = 1;
-  glm::vec3 radii{1.0f};                 ///< Of the rig, the same in every pose.
-  std::optional<ShapeLine> line;         ///< nullopt: it rides a bone.
+  glm::vec3 radii{1.0f};                 ///< In the rig, the same in every pose.
+  std::optional<ShapeLine> line;         ///< nullopt: carried by a bone.
   glm::vec3 color{0.85f, 0.20f, 0.11f};  ///< Linear: its group's.
   bool selected = false;
   bool active = false;  ///< The last selected one, shown by handles and inspector.
@@ -139,7 +139,7 @@ struct Scene {
   std::vector<ReferencePlane> references;
 };
 
-// What files, the command line and the state log call the shadings.
+// Names of the shadings in files, on the command line and in the state log.
 
 inline constexpr std::array kShadingNames{"textured", "clay", "classes", "heat"};
 

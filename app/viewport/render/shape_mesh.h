@@ -18,7 +18,7 @@ struct ShapeInstance {
   glm::mat4 shapeInWorld{1.0f};
   glm::vec4 color{1.0f};  ///< Linear, opacity in w.
   glm::vec4 style{0.0f};  ///< Outline, glow: 0..1.
-  FormVectors form{};     ///< Of shapes, where style.w > 0.
+  FormVectors form{};     ///< For shapes, where style.w > 0.
 };
 
 /// The surface rho = `scale` of a primitive as an instance of the unit ball, without color, outline and glow.

@@ -74,7 +74,7 @@ class SurfaceDrawer {
     glm::vec3 normal;
     float displacement;
   };
-  using Range = ShadowMesh::Range;  ///< Of the index buffer.
+  using Range = ShadowMesh::Range;  ///< Part of the index buffer.
   /// Attributes that do not change with the pose.
   struct SkinValues {
     std::uint8_t open = 255;
@@ -85,7 +85,7 @@ class SurfaceDrawer {
   void rebuildSkinValues(const ControlMesh& mesh);
   void fillVertices(const Scene& scene);
   void stage(const Surface& surface);
-  /// Of the bound array, and of the second surface.
+  /// Draws from the bound array, and the second surface.
   void drawTriangles(int firstTriangle, int triangles) const;
   void takeCardVertices();
   void fillClasses(const Scene& scene);
@@ -119,7 +119,7 @@ class SurfaceDrawer {
   SeenTriangles seen_;                    ///< In seenIndices_.
   bool drawsSeen_ = false;                ///< Opaque materials are drawn from there.
   std::vector<int> shadowClusters_;
-  std::vector<Range> shadowRanges_;  ///< Of shadowIndices_ where the processor draws, else of indices_.
+  std::vector<Range> shadowRanges_;  ///< Parts of shadowIndices_ where the processor draws, else of indices_.
   std::vector<Vertex> staging_;
   std::optional<CardVertices> cardVertices_;
   std::vector<float> open_;        ///< [V] how open each control vertex is (occlusion.h).
@@ -128,7 +128,7 @@ class SurfaceDrawer {
   std::uint64_t revision_ = 0;     ///< Uploaded Scene::surfaceRevision; 0: unknown.
   bool hasClasses_ = false;        ///< classes_ belong to the last upload().
   bool hasBeside_ = false;         ///< besideVertices_ are drawn.
-  Bounds bounds_;                  ///< Of all that is drawn.
+  Bounds bounds_;                  ///< Everything drawn.
 };
 
 }  // namespace sinew::app

@@ -66,7 +66,7 @@ float aspectOf(const glm::ivec2& size) { return static_cast<float>(size.x) / sta
 /// Bounds of points along camera axes.
 struct Fit {
   glm::vec2 center{0.0f};    ///< Right and up of the eye, along the axes.
-  float eyeBackward = 0.0f;  ///< Of a perspective eye.
+  float eyeBackward = 0.0f;  ///< Position of a perspective eye.
   glm::vec2 halfExtent{0.0f};
   float nearestBackward = 0.0f, furthestBackward = 0.0f;
 };

@@ -99,7 +99,7 @@ std::optional<glm::vec4> boxAround(const View& view, std::span<const glm::vec3> 
   return glm::vec4(low, glm::clamp((high + kRoom) / size, low, glm::vec2(1.0f)));
 }
 
-/// Boxes of the character and its shadow; empty if anything else stands before the background.
+/// Boxes of the character and its shadow; empty if anything else is in front of the background.
 std::vector<glm::vec4> boxesOf(const Frame& frame, const glm::vec4& shadow) {
   const DisplaySettings& shown = frame.settings;
   if (shown.controlMesh || !frame.scene.segments.empty() || shown.primitives || shown.influence || shown.skeleton ||

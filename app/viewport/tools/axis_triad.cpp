@@ -30,7 +30,7 @@ AxisEnd oppositeOf(AxisEnd end) {
   return static_cast<AxisEnd>(number % 2 == 0 ? number + 1 : number - 1);
 }
 
-/// The stand of the camera, or the end of its transition.
+/// Position of the camera, or the end of its transition.
 CameraStand standAhead(const Camera& camera) { return camera.transition ? camera.transition->to : camera.stand; }
 
 /// Looks from an end of an axis, or from the opposite one if it already does.

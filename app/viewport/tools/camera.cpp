@@ -150,7 +150,7 @@ void frameBounds(Camera& camera, const Bounds& boundsInWorld, const glm::ivec2& 
   const auto extentOf = [](const glm::vec4& part) { return glm::vec2(part.z - part.x, part.w - part.y); };
   const auto distanceIn = [&](const glm::vec4& part) { return distanceToShow(towards, half, size, extentOf(part)); };
   const float nearest = distanceIn(std::ranges::min(parts, {}, distanceIn));
-  // Of those that show it nearly as large, the largest.
+  // The largest part among those that show it nearly as large.
   const auto roomIn = [&](const glm::vec4& part) {
     const glm::vec2 extent = extentOf(part);
     return distanceIn(part) <= nearest * kAlmostAsLarge ? extent.x * extent.y : 0.0f;

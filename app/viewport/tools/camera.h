@@ -31,7 +31,7 @@ struct CameraStand {
   glm::vec2 aim{0.0f};
 };
 
-/// A move between two stands.
+/// A move between two positions.
 struct CameraTransition {
   CameraStand from;
   CameraStand to;
@@ -76,7 +76,7 @@ void showStandardView(Camera& camera, StandardView view);
 bool advance(Camera& camera, float deltaSeconds);
 [[nodiscard]] inline bool isMoving(const Camera& camera) { return camera.transition.has_value(); }
 
-/// Matrices of the current stand. Near and far planes depend on the distance and the scene's bounds.
+/// Matrices of the current position. Near and far planes depend on the distance and the scene's bounds.
 [[nodiscard]] View viewOf(const Camera& camera, const glm::ivec2& size);
 
 }  // namespace sinew::app

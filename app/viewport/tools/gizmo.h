@@ -102,13 +102,13 @@ inline constexpr int kGizmoHandleCount = 24;  ///< kNone included.
 [[nodiscard]] const char* nameOf(GizmoMode mode);  ///< "poles", "move", "rotate", "scale"
 [[nodiscard]] const char* nameOf(GizmoAxes axes);  ///< "world", "bone", "primitive"
 
-/// What a gizmo needs to know of a frame.
+/// A frame as the gizmo sees it.
 struct GizmoContext {
   View view;
   glm::mat4 boneInWorld{1.0f};
   float characterHeight = 1.0f;             ///< H: the step of a snapped move is 1 % of it.
   float uiScale = 1.0f;                     ///< Pixels of View per design pixel.
-  float reach = 2.0f;                       ///< Of the muscle; limits its belly.
+  float reach = 2.0f;                       ///< Reach of the muscle; limits its belly.
   bool shapeHandles = false;                ///< With handles for belly and bend.
   std::optional<glm::vec3> pivotInWorld{};  ///< Place of the handles and center of rotations; else the center.
 };
@@ -116,7 +116,7 @@ struct GizmoContext {
 /// Motion along one way, summed over the frames of a drag.
 struct GizmoTrack {
   glm::vec3 traveled{0.0f};   ///< Coordinates in the gizmo's axes (world lengths), or x = radians, or x = pixels.
-  glm::vec2 lastPixel{0.0f};  ///< Of the last frame.
+  glm::vec2 lastPixel{0.0f};  ///< In the last frame.
 };
 
 /// Effect of a drag so far, in world space, for muscles dragged along.
@@ -234,7 +234,7 @@ struct HandleParts {
 struct GizmoBasis {
   glm::mat3 bone{1.0f};               ///< B.
   glm::dmat3 boneInverse{1.0};        ///< Double, for bones in meters under a scale of 0.01.
-  glm::vec3 origin{0.0f};             ///< Of the handles: the pivot or the ellipsoid's center; world.
+  glm::vec3 origin{0.0f};             ///< Place of the handles: the pivot or the ellipsoid's center; world.
   glm::vec3 center{0.0f};             ///< The ellipsoid's, world.
   std::array<glm::vec3, 3> axes;      ///< Unit, world.
   glm::vec3 toEye{0.0f, 0.0f, 1.0f};  ///< Unit, from the origin.
@@ -272,7 +272,7 @@ inline constexpr float kGizmoArmPixels = 95.0f;
 
 /// Middle of the axis relative to the center, in bone space.
 [[nodiscard]] glm::vec3 axisMiddleInBone(const Placement& inBone);
-/// Of four points between the poles of the thickest section the one furthest towards `toEye`; relative to the center.
+/// The point of the thickest section, half way between poles, that is furthest towards `toEye`; relative to the center.
 /// @param toEye  bone space
 [[nodiscard]] glm::vec3 thickestInBone(const Placement& inBone, const glm::vec3& toEye);
 

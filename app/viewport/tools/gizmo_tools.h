@@ -22,7 +22,7 @@ struct GizmoCompanion {
 };
 
 /// The other selected muscles that a drag of `active` (a rig index) moves: attached, neither hidden nor locked, in the
-/// order of selection. Of linked twins only the active or first selected one, since the other follows.
+/// order of selection. Only the active or first selected one of linked twins, since the other follows.
 [[nodiscard]] std::vector<GizmoCompanion> companionsOf(const Document& document, int active);
 
 /// Mean of the centers of the active muscle and its companions in a pose; nullopt without companions.

@@ -10,15 +10,15 @@
 
 namespace sinew::app {
 
-/// What the first click on a place found, and what the last one picked. Entries have identities, so that playing clips
-/// does not confuse them.
+/// The things found by the first click on a place, and the one picked last. Entries have identities, so that playing
+/// clips does not confuse them.
 struct PickCycle {
   std::vector<PickEntry> here;  ///< Empty: no cycle.
   std::size_t taken = 0;        ///< Index into `here`.
   glm::vec2 pixel{0.0f};        ///< The first click's.
   View view;
   std::vector<glm::mat4> boneInWorld;
-  std::size_t step = 0;  ///< Of the document at the last click.
+  std::size_t step = 0;  ///< Document step of the last click.
 };
 
 /// "deltoid L", "bone spine"; "" for a muscle that the rig lacks.
@@ -42,7 +42,7 @@ void aimAtSelected(ViewportHover& hover, const Document& document);
 
 /// "2 of 5 here" in a cycle, "5 here" before the first click; "" for a single thing.
 [[nodiscard]] std::string countHere(const ViewportHover& hover);
-/// What the next click picks in a cycle: a muscle's name, or "bone" and its name.
+/// Name of the next pick in a cycle: a muscle's name, or "bone" and its name.
 [[nodiscard]] std::string nextHere(const ViewportHover& hover, const Document& document);
 
 }  // namespace sinew::app

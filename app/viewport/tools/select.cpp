@@ -32,7 +32,7 @@ struct Candidate {
   float rank;  ///< Within the place; smaller is taken first.
 };
 
-/// What the ray hits, for all muscles.
+/// Hits of the ray, for all muscles.
 struct Sight {
   const ViewportContext& context;
   const Ray& ray;

@@ -55,13 +55,13 @@ struct SkinPoint {
   glm::vec3 normal{0.0f};  ///< World, unit, outward.
 };
 
-/// What is under the pointer. Index -1: none.
+/// Things under the pointer. Index -1: none.
 struct ViewportHover {
   int primitive = -1;  ///< Rig index of what a click picks, see musclesUnder.
-  int bone = -1;       ///< Of the skin, by weight; or of the skeleton in x-ray.
+  int bone = -1;       ///< Strongest bone of the skin, or a bone in x-ray.
   std::optional<SkinAnchor> skin;
   glm::vec3 pointInWorld{0.0f};  ///< The nearest hit; valid if primitive >= 0, bone >= 0 or skin.
-  std::vector<PickEntry> here;   ///< What clicks on this place pick, in turn.
+  std::vector<PickEntry> here;   ///< Picked by clicks on this place, in turn.
   std::size_t at = 0;            ///< Index into `here` of the next pick.
   int taken = -1;                ///< Index of the last pick; -1: none yet.
 

@@ -96,7 +96,7 @@ struct GizmoTarget {
 
 /// A row of the table in viewport_tools.cpp, with the functions that the input router calls; null: not used.
 struct Tool {
-  const char* id;      ///< Of its action: "tool/add-muscle".
+  const char* id;      ///< Id of its action: "tool/add-muscle".
   const char* label;   ///< "Add muscle"
   const char* hint;    ///< One sentence for tooltip and palette.
   int key;             ///< GLFW's code in the default keymap.
