@@ -2,7 +2,7 @@
 // camera, so that every side is shown well; outdoors the sun stands still.
 
 #ifdef CHOSEN_LOOK
-// A preset's numbers: LightBlock in app/viewport/render/lights.h.
+// A preset's numbers: LightBlock in app/viewport/render/frame.h.
 layout(std140, binding = 1) uniform Light {
   vec4 sky;
   vec4 floorBounce;

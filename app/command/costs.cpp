@@ -12,7 +12,7 @@
 
 #include "app/command/measuring.h"
 #include "app/ui/offscreen.h"
-#include "app/viewport/render/framing.h"
+#include "app/viewport/render/view.h"
 #include "app/viewport/render/viewport.h"
 #include "core/character/bindings.h"
 #include "core/character/skinning.h"

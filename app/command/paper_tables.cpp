@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "app/command/measuring.h"
-#include "app/viewport/render/framing.h"
+#include "app/viewport/render/view.h"
 #include "core/character/skinning.h"
 #include "core/geometry/instruction_set.h"
 

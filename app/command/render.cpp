@@ -1,4 +1,5 @@
 // app/command/render.cpp: open, frame all moments at once, then pose, smooth, draw and write each.
+
 #include <cstdio>
 #include <filesystem>
 #include <future>
@@ -18,8 +19,7 @@
 #include "app/command/verb.h"
 #include "app/ui/offscreen.h"
 #include "app/viewport/gpu/drawn_on_card.h"
-#include "app/viewport/render/movie.h"
-#include "app/viewport/render/png.h"
+#include "app/viewport/render/picture_files.h"
 #include "app/viewport/render/render_target.h"
 #include "app/viewport/render/scene.h"
 #include "app/viewport/render/viewport.h"

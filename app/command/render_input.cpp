@@ -1,4 +1,5 @@
 // app/command/render_input.cpp: opening, moments, framing.
+
 #include "app/command/render_input.h"
 
 #include <array>
@@ -15,8 +16,8 @@
 #include "app/command/contact_sheet.h"
 #include "app/document/document.h"
 #include "app/document/playback.h"
-#include "app/viewport/render/framing.h"
 #include "app/viewport/render/picking.h"
+#include "app/viewport/render/view.h"
 #include "core/character/bone_segments.h"
 #include "core/character/skinning.h"
 #include "core/rig/attachment.h"

@@ -9,8 +9,8 @@
 #include <optional>
 #include <string_view>
 
-#include "app/viewport/render/movie.h"
-#include "app/viewport/render/shading_names.h"
+#include "app/viewport/render/picture_files.h"
+#include "app/viewport/render/scene.h"
 #include "core/geometry/nearest_name.h"
 
 namespace sinew::app {

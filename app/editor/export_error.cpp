@@ -1,4 +1,5 @@
 // app/editor/export_error.cpp: compares the export with the live surface vertex by vertex at the current time.
+
 #include "app/editor/export_error.h"
 
 #include <algorithm>
@@ -10,8 +11,8 @@
 #include "app/document/export_report.h"
 #include "app/editor/animate.h"
 #include "app/editor/commands.h"
-#include "app/viewport/render/framing.h"
 #include "app/viewport/render/occlusion.h"
+#include "app/viewport/render/view.h"
 #include "core/geometry/at.h"
 #include "core/rig/motion_clip.h"
 

@@ -1,4 +1,5 @@
 // app/editor/reference_commands.cpp: reference pictures.
+
 #include "app/editor/reference_commands.h"
 
 #include <algorithm>
@@ -13,7 +14,7 @@
 #include "app/editor/edit.h"
 #include "app/editor/picture_commands.h"
 #include "app/editor/session.h"
-#include "app/viewport/render/framing.h"
+#include "app/viewport/render/view.h"
 
 namespace sinew::app {
 namespace {

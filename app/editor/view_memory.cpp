@@ -1,4 +1,5 @@
 // app/editor/view_memory.cpp: a document's view as JSON.
+
 #include "app/editor/view_memory.h"
 
 #include <algorithm>
@@ -12,7 +13,7 @@
 #include "app/document/view_files.h"
 #include "app/editor/edit.h"
 #include "app/editor/session.h"
-#include "app/viewport/render/shading_names.h"
+#include "app/viewport/render/scene.h"
 #include "core/rig/motion_clip.h"
 
 namespace sinew::app {

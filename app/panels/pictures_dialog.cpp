@@ -1,4 +1,5 @@
 // app/panels/pictures_dialog.cpp: File > Export > Turntable or contact sheet.
+
 #include <imgui.h>
 #include <imgui_stdlib.h>
 
@@ -15,7 +16,11 @@
 #include "app/panels/dialogs.h"
 #include "app/panels/export_rows.h"
 #include "app/ui/number_field.h"
-#include "app/viewport/render/movie.h"
+#include "app/viewport/render/picture_files.h"
+
+#define GLFW_INCLUDE_NONE
+
+
 
 namespace sinew::app {
 namespace {

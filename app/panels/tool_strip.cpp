@@ -10,7 +10,7 @@
 
 #include "app/panels/legend.h"
 #include "app/panels/overlay.h"
-#include "app/viewport/tools/tool.h"
+#include "app/viewport/tools/viewport_tools.h"
 
 namespace sinew::app {
 namespace {

@@ -1,4 +1,5 @@
 // app/window/picture.cpp: the viewport's picture, its resolution while it moves, and the frame in the window.
+
 #include "app/window/picture.h"
 
 #include <algorithm>
@@ -19,11 +20,9 @@
 #include "app/editor/visibility_commands.h"
 #include "app/ui/style.h"
 #include "app/viewport/render/gl_objects.h"
-#include "app/viewport/render/png.h"
+#include "app/viewport/render/picture_files.h"
 #include "app/viewport/tools/axis_triad.h"
-#include "app/viewport/tools/gizmo_draw.h"
-#include "app/viewport/tools/hover_draw.h"
-#include "app/viewport/tools/line_draw.h"
+#include "app/viewport/tools/draw_tools.h"
 #include "core/character/skinning.h"
 #include "core/files/disk/atomic_file.h"
 

@@ -1,4 +1,5 @@
 // app/window/state_log.cpp: the editor's state as JSON.
+
 #include "app/window/state_log.h"
 
 #include <algorithm>
@@ -10,7 +11,7 @@
 
 #include "app/editor/animate.h"
 #include "app/ui/keyboard_focus.h"
-#include "app/viewport/render/shading_names.h"
+#include "app/viewport/render/scene.h"
 #include "core/files/json/json.h"
 
 namespace sinew::app {

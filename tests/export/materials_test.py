@@ -25,7 +25,7 @@ from three_test import modules
 
 MOST = 3.0  # Of 255, mean over the pixels of the object and the channels.
 SIZE = (480, 480)
-FIELD, MARGIN = 0.55, 0.08  # As app/viewport/render/framing.h has them.
+FIELD, MARGIN = 0.55, 0.08  # As app/viewport/render/view.h has them.
 ROUGH_METALS = ("iron", "striped")
 CHARACTERS = {"Fox.glb": 2, "greenman.glb": 2, "cesium_man.gltf": 1, "robot.glb": 1, "fighter.glb": 1, "woman.glb": 1}
 
@@ -132,7 +132,7 @@ def output(program, *words):
 
 
 def extremes(points):
-    """As extremePoints in app/viewport/render/framing.cpp."""
+    """As extremePoints in app/viewport/render/view.cpp."""
     for i in range(96):
         y = 1 - (2 * i + 1) / 96
         ring, angle = math.sqrt(1 - y * y), 2.3999632 * i

@@ -9,7 +9,7 @@
 
 #include "app/editor/actions.h"
 #include "app/editor/view_memory.h"
-#include "app/viewport/render/png.h"
+#include "app/viewport/render/picture_files.h"
 #include "core/files/disk/atomic_file.h"
 #include "tests/support/editor/headless_editor.h"
 #include "tests/support/temporary_folder.h"

@@ -1,13 +1,13 @@
-// app/viewport/gpu/card_figures.cpp: both ways side by side; medians over frames.
+// app/viewport/gpu/card_figures.cpp: measures and compares; medians over frames.
 #include "app/viewport/gpu/card_figures.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <iterator>
 #include <numbers>
 #include <vector>
 
-#include "app/viewport/gpu/card_surface.h"
 #include "core/geometry/index_table.h"
 #include "core/geometry/stopwatch.h"
 #include "core/surface/smooth.h"
@@ -30,11 +30,10 @@ double medianOf(std::vector<double> values) {
 template <class Seconds>
 double medianOf(const std::vector<Seconds>& all, const auto& of) {
   std::vector<double> values;
-  for (const Seconds& one : all) values.push_back(of(one));
+  std::ranges::transform(all, std::back_inserter(values), of);
   return medianOf(std::move(values));
 }
 
-/// The surface as projected, and finished.
 struct BothStages {
   std::vector<glm::vec3> projected;
   Surface finished;
@@ -54,30 +53,30 @@ BothStages stagesOf(const std::shared_ptr<const Preparation>& preparation, const
 }
 
 double degreesBetween(const glm::vec3& a, const glm::vec3& b) {
-  // By the difference: the cosine of a small angle loses its digits.
+  // From the chord: the cosine of a small angle loses digits.
   const double half = std::min(1.0, 0.5 * static_cast<double>(glm::distance(a, b)));
   return 2.0 * std::asin(half) * 180.0 / std::numbers::pi;
 }
 
-/// Refined triangles that face against the mean normal of their corners, by more than rounding can turn them.
-/// @param position, normal  of a vertex
+/// Refined triangles that face against the mean normal of their corners by more than rounding.
+/// @param position, normal  functions of a vertex
 int turnedTriangles(const Refinement& refinement, const auto& position, const auto& normal) {
   int turned = 0;
   for (const auto& corners : refinement.triangles) {
     const auto at = [&](int corner) { return static_cast<std::size_t>(corners[static_cast<std::size_t>(corner)]); };
-    const glm::vec3 way = glm::cross(position(at(1)) - position(at(0)), position(at(2)) - position(at(0)));
+    const glm::vec3 facing = glm::cross(position(at(1)) - position(at(0)), position(at(2)) - position(at(0)));
     const glm::vec3 mean = normal(at(0)) + normal(at(1)) + normal(at(2));
-    turned += glm::dot(way, mean) < -1e-2f * glm::length(way) * glm::length(mean) ? 1 : 0;
+    turned += glm::dot(facing, mean) < -1e-2f * glm::length(facing) * glm::length(mean) ? 1 : 0;
   }
   return turned;
 }
 
 bool isNumber(const glm::vec4& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 
-/// So many bodies that they fit.
+/// Bodies that fit into one batch.
 int bodiesTogether(const Preparation& preparation, int bodies) {
-  constexpr std::size_t kOfVertex = 320;  // Bytes, with its two triangles and as it is drawn.
-  const auto one = kOfVertex * static_cast<std::size_t>(preparation.refinement().vertexCount);
+  constexpr std::size_t kBytesPerVertex = 320;  // With its two triangles and its drawn vertex.
+  const auto one = kBytesPerVertex * static_cast<std::size_t>(preparation.refinement().vertexCount);
   const auto most = std::max(std::size_t{1}, kMostBytesTogether / one);
   return static_cast<int>(std::min(most, static_cast<std::size_t>(bodies)));
 }
@@ -217,12 +216,12 @@ std::string textOf(const std::string& name, const CardFigures& figures) {
   row("total", 1e3 * total(figures.card), p.total());
   add("  with posing, upload and waiting: %.3f ms\n", 1e3 * figures.cardWhole);
   const CardDifference& d = figures.difference;
-  add("  apart at most: roots %.1e H, surface %.1e H, normals %.3f degrees\n", d.roots, d.surface, d.normals);
-  add("  of %s vertices %d are more than 1e-4 H apart, %d more than 1 degree, %d no numbers; %d roots in double "
-      "precision\n",
+  add("  largest difference: roots %.1e H, surface %.1e H, normals %.3f degrees\n", d.roots, d.surface, d.normals);
+  add("  of %s vertices %d differ by more than 1e-4 H, %d by more than 1 degree, %d are not finite; %d roots in "
+      "double precision\n",
       grouped(d.vertices).c_str(), d.farVertices, d.farNormals, d.notNumbers, d.unsure);
-  add("  triangles turned over: %d on the card, %d on the processor\n", d.turned, d.turnedOnProcessor);
-  add("  on the card: %.1f MiB once, %.1f MiB a body (%.0f bytes a vertex); %.1f KiB uploaded a frame\n",
+  add("  flipped triangles: %d on the card, %d on the processor\n", d.turned, d.turnedOnProcessor);
+  add("  on the card: %.1f MiB once, %.1f MiB per body (%.0f bytes per vertex); %.1f KiB uploaded per frame\n",
       static_cast<double>(figures.tableBytes) / 1048576.0, static_cast<double>(figures.bodyBytes) / 1048576.0,
       static_cast<double>(figures.bodyBytes) / figures.vertices, static_cast<double>(figures.poseBytes) / 1024.0);
   return text;

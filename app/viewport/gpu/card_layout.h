@@ -1,5 +1,4 @@
-// app/viewport/gpu/card_layout.h: what lies in the buffers on the graphics card, as the shaders of shaders/compute read
-// it (std430).
+// app/viewport/gpu/card_layout.h: contents of the buffers on the graphics card (std430), as shaders/compute reads them.
 #pragma once
 
 #include <array>
@@ -10,11 +9,10 @@
 
 namespace sinew::app::card {
 
-// Limits of the shaders; what has more is left to the processor.
-/// Muscles that one place of the skin sees (exact.glsl, swell_shaped.comp).
-inline constexpr std::size_t kMostCandidates = 96;
-inline constexpr std::size_t kMostCliques = 64;  ///< Cliques of their groups (field.glsl).
-inline constexpr int kMostSlots = 64;            ///< Groups: one bit each.
+// Limits of the shaders at one place of the skin; surfaces that exceed them are computed by the processor.
+inline constexpr std::size_t kMostCandidates = 96;  ///< Muscles (exact.glsl, swell_shaped.comp).
+inline constexpr std::size_t kMostCliques = 64;     ///< Cliques of groups (field.glsl).
+inline constexpr int kMostSlots = 64;               ///< Groups, one bit each.
 
 struct Influence {
   std::int32_t binding = 0;
@@ -37,27 +35,27 @@ static_assert(sizeof(Refined) == 32);
 
 struct Candidate {
   std::int32_t primitive = 0;
-  std::uint32_t slot = 0;  ///< Of its group.
+  std::uint32_t slot = 0;  ///< Slot of its group.
   std::array<float, 3> weights{};
 };
 static_assert(sizeof(Candidate) == 20);
 
 struct Primitive {
-  std::array<glm::vec4, 3>
-      toUnit{};            ///< Columns; w: strength, width over which it blends, 1 / radius of a sphere or 0.
+  /// Columns; w: strength, blend width, 1 / radius of a sphere or 0.
+  std::array<glm::vec4, 3> toUnit{};
   glm::vec4 center{0.0f};  ///< World; w: radius of a ball that holds the influence.
-  // UnitShape of one that is no ellipsoid.
+  // UnitShape of a shape that is not an ellipsoid.
   glm::vec4 bendCurve{0.0f};
   glm::vec4 section{0.0f};  ///< lateral, taper, core, inverseEnd
-  glm::vec4 low{0.0f};      ///< w: 1: it is no ellipsoid.
-  glm::vec4 high{0.0f};     ///< w: mean radius, of an ellipsoid too.
+  glm::vec4 low{0.0f};      ///< w: 1 for such a shape.
+  glm::vec4 high{0.0f};     ///< w: mean radius, also of ellipsoids.
 };
 static_assert(sizeof(Primitive) == 128);
 
 struct Ring {
-  std::int32_t begin = 0, end = 0;                ///< Of its neighbors.
-  std::int32_t cornersBegin = 0, cornersEnd = 0;  ///< Of its triangles' corners.
-  std::int32_t acrossBegin = 0, acrossEnd = 0;    ///< Of the vertices across, after all neighbors.
+  std::int32_t begin = 0, end = 0;                ///< Neighbors.
+  std::int32_t cornersBegin = 0, cornersEnd = 0;  ///< Corners of its triangles.
+  std::int32_t acrossBegin = 0, acrossEnd = 0;    ///< Opposite vertices, stored after all neighbors.
   float share = 0.0f;
   std::int32_t isBorder = 0;
 };
@@ -65,7 +63,7 @@ static_assert(sizeof(Ring) == 32);
 
 struct Triangle {
   std::array<std::int32_t, 3> corners{};
-  float bindFront = 0.0f;  ///< Of a control triangle 1 / it, or 0 (core/surface/finish/crease_lift.h).
+  float bindFront = 0.0f;  ///< Its inverse or 0 for control triangles (core/surface/finish/crease_lift.h).
 };
 static_assert(sizeof(Triangle) == 16);
 
@@ -81,7 +79,7 @@ struct Line {
 };
 static_assert(sizeof(Line) == 32);
 
-/// Of `replace`: a point that rides on a bone.
+/// Point that moves with a bone, for `replace`.
 struct Anchor {
   std::array<float, 3> inBone{};
   std::int32_t bone = 0;
@@ -95,7 +93,7 @@ struct Root {
   float onSkin = 0.0f;
   float blendWidth = 0.0f;
   RootState state = RootState::kUntouched;
-  float height = 0.0f;  ///< The way, or less below what hangs over the skin; of kUnsure the muscles' mean radius.
+  float height = 0.0f;  ///< `way`, or less below overhangs; for kUnsure the muscles' mean radius.
 };
 static_assert(sizeof(Root) == 20);
 
@@ -105,20 +103,20 @@ struct Mark {
 };
 static_assert(sizeof(Mark) == 8);
 
-/// The head of a work list: groups of a dispatch over it, and how many items there are.
+/// Head of a work list: its dispatch groups and the number of items.
 struct ListHead {
   std::uint32_t x = 0, y = 1, z = 1, count = 0;
 };
 static_assert(sizeof(ListHead) == 16);
 
-/// What a round asks of the next one: shaders/compute/rounds.glsl.
+/// Groups that a round requests of the next one: shaders/compute/rounds.glsl.
 struct Round {
   std::array<std::uint32_t, 4> vertexGroups{};
   std::array<std::uint32_t, 4> triangleGroups{};
 };
 static_assert(sizeof(Round) == 32);
 
-/// A vertex as it is drawn: shaders/surface.vert.
+/// Input of shaders/surface.vert.
 struct Drawn {
   std::array<float, 3> position{};
   std::array<float, 3> normal{};
@@ -126,7 +124,7 @@ struct Drawn {
 };
 static_assert(sizeof(Drawn) == 28);
 
-/// The numbers that all stages read (std140): shaders/compute/items.glsl.
+/// Uniforms of all stages (std140): shaders/compute/items.glsl.
 struct Making {
   std::int32_t controlVertices = 0, controlEdges = 0, refinedVertices = 0, refinedTriangles = 0;
   std::int32_t drawnVertices = 0, primitives = 0, bindings = 0, patchKind = 0;

@@ -1,22 +1,54 @@
-// app/viewport/gpu/card_surface.cpp: buffers on the card, and the stages one after the other.
+// app/viewport/gpu/card_surface.cpp: buffers on the card, and the stages in order.
+
 #include "app/viewport/gpu/card_surface.h"
 
 #include <algorithm>
-#include <cstddef>
 #include <utility>
 
 #include <glm/vec2.hpp>
 
-#include "app/viewport/gpu/card_layout.h"
 #include "core/surface/finish/lifted_heights.h"
 
 namespace sinew::app {
 
-// What the shaders have no code for, and their limits.
+namespace {
+
+/// By Stage.
+constexpr std::array<const char*, kStages> kFiles{
+    "shaders/compute/skin.comp",         "shaders/compute/patch.comp",       "shaders/compute/patch.comp",
+    "shaders/compute/replace.comp",      "shaders/compute/swell.comp",       "shaders/compute/swell_exact.comp",
+    "shaders/compute/swell_shaped.comp", "shaders/compute/place.comp",       "shaders/compute/near.comp",
+    "shaders/compute/crease_front.comp", "shaders/compute/crease.comp",      "shaders/compute/slope.comp",
+    "shaders/compute/lower.comp",        "shaders/compute/bend.comp",        "shaders/compute/weigh.comp",
+    "shaders/compute/filter.comp",       "shaders/compute/fold_start.comp",  "shaders/compute/spread_ask.comp",
+    "shaders/compute/spread_move.comp",  "shaders/compute/fold_height.comp", "shaders/compute/rims.comp",
+    "shaders/compute/soften.comp",       "shaders/compute/hold.comp",        "shaders/compute/teeth.comp",
+    "shaders/compute/even.comp",         "shaders/compute/drawn.comp"};
+static_assert(kFiles.back() != nullptr, "a file for each stage");
+
+}  // namespace
+
+Result<StagePrograms> StagePrograms::create() {
+  if (epoxy_gl_version() < 45) return Error{"", "", "the graphics driver does not offer OpenGL 4.5: " + rendererName()};
+  StagePrograms programs;
+  for (std::size_t i = 0; i < kStages; ++i) {
+    const bool flat = static_cast<Stage>(i) == Stage::kFlatPatch;
+    Result<GlProgram> program = GlProgram::load({kFiles[i]}, {flat ? "REPLACE" : "SWELL"});
+    if (!program) return program.error();
+    programs.programs_[i] = std::move(program).value();
+  }
+  return programs;
+}
+
+const char* nameOf(SurfacePart part) {
+  constexpr std::array<const char*, kSurfaceParts> kNames{"skin",  "patch",   "project", "heights",
+                                                          "folds", "normals", "drawn"};
+  return kNames[static_cast<std::size_t>(part)];
+}
 
 namespace {
 
-/// What the lists of muscles exceed.
+/// The limit that the lists of muscles exceed.
 std::optional<std::string> tooMany(const CandidateLists& lists) {
   std::size_t muscles = 0, ways = 0;
   int groups = 0;
@@ -47,8 +79,6 @@ std::optional<std::string> leftToProcessor(const Preparation& preparation, int b
   if (bodies > 1 && !preparation.character().morphTargets.empty()) return "a crowd's bodies have morph targets";
   return tooMany(*preparation.seen);
 }
-
-// OpenGL's time stamps.
 
 PartTimers::PartTimers() {
   for (std::size_t i = 0; i <= kSurfaceParts; ++i) stamps_.push_back(makeQuery(GL_TIMESTAMP));
@@ -83,7 +113,7 @@ namespace {
 
 constexpr GLuint kMakingBinding = 2;  ///< shaders/compute/items.glsl.
 
-/// Where a round's groups stand in the buffer of those asked for.
+// Places of a round's groups in kRoundsAsked.
 constexpr std::size_t verticesOf(int round) { return static_cast<std::size_t>(round) * sizeof(card::Round); }
 constexpr std::size_t trianglesOf(int round) { return verticesOf(round) + offsetof(card::Round, triangleGroups); }
 
@@ -238,17 +268,13 @@ void CardSurface::run(Stage stage, int items, std::initializer_list<Buffer> buff
   glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT);
 }
 
-void CardSurface::runAsked(Stage stage, std::size_t offset, std::initializer_list<Buffer> buffers) const {
+void CardSurface::runRound(Stage stage, bool isFirst, int items, std::size_t offset,
+                           std::initializer_list<Buffer> buffers) const {
+  if (isFirst) return run(stage, items, buffers);
   bind(stage, buffers);
   glBindBuffer(GL_DISPATCH_INDIRECT_BUFFER, of(Buffer::kRoundsAsked).id());
   glDispatchComputeIndirect(static_cast<GLintptr>(offset));
   glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT);
-}
-
-void CardSurface::runRound(Stage stage, bool isFirst, int items, std::size_t offset,
-                           std::initializer_list<Buffer> buffers) const {
-  if (isFirst) run(stage, items, buffers);
-  else runAsked(stage, offset, buffers);
 }
 
 void CardSurface::runListed(Stage stage, std::initializer_list<Buffer> buffers) const {
@@ -351,7 +377,8 @@ void CardSurface::runPart(SurfacePart part) const {
     case SurfacePart::kHeights:
       if (wrapsBody()) return;
       boundHeights();
-      return preparation_->filtersHeights() ? filterHeights() : void();
+      if (preparation_->filtersHeights()) filterHeights();
+      return;
     case SurfacePart::kFolds:
       return wrapsBody() ? void() : removeFolds();
     case SurfacePart::kNormals:
@@ -375,22 +402,12 @@ void CardSurface::make(SurfacePart last) {
   glMemoryBarrier(GL_VERTEX_ATTRIB_ARRAY_BARRIER_BIT);
 }
 
-// What tests and measurements read back from the card.
-
 template <class T>
 std::vector<T> CardSurface::read(Buffer buffer, std::size_t count) const {
   std::vector<T> values(count);
   glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
   glGetNamedBufferSubData(of(buffer).id(), 0, static_cast<GLsizeiptr>(count * sizeof(T)), values.data());
   return values;
-}
-
-std::vector<card::Root> CardSurface::readRoots() const {
-  return read<card::Root>(Buffer::kRoots, static_cast<std::size_t>(options_.bodies * making_.refinedVertices));
-}
-
-std::vector<card::Vertex> CardSurface::readPatches() const {
-  return read<card::Vertex>(Buffer::kPatches, static_cast<std::size_t>(options_.bodies * making_.refinedVertices));
 }
 
 std::vector<card::Vertex> CardSurface::readSurface() const {

@@ -1,34 +1,70 @@
-// app/viewport/gpu/card_surface.h: surfaces of one preparation made on the graphics card, straight into the buffer that
-// is drawn.
+// app/viewport/gpu/card_surface.h: surfaces of one preparation computed on the graphics card.
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
+#include <initializer_list>
 #include <memory>
 #include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
-#include "app/viewport/gpu/card_pose.h"
 #include "app/viewport/gpu/card_tables.h"
-#include "app/viewport/gpu/stages.h"
 #include "app/viewport/gpu/surface_parts.h"
 #include "app/viewport/render/gl_objects.h"
 #include "core/surface/finish/fold_spread.h"
 #include "core/surface/preparation.h"
+#include "sinew/geometry/result.h"
 
 namespace sinew::app {
 
-// Which surfaces the graphics card computes. docs/performance.md.
+/// Compute shaders in the order in which they run.
+enum class Stage {
+  kSkin,
+  kPatch,
+  kFlatPatch,  ///< With the lines of `replace`.
+  kReplace,
+  kSwell,
+  kSwellExact,
+  kSwellShaped,
+  kPlace,
+  kNear,
+  kCreaseFront,
+  kCrease,
+  kSlope,
+  kLower,
+  kBend,
+  kWeigh,
+  kFilter,
+  kFoldStart,
+  kSpreadAsk,
+  kSpreadMove,
+  kFoldHeight,
+  kRims,
+  kSoften,
+  kHold,
+  kTeeth,
+  kEven,
+  kDrawn
+};
+inline constexpr std::size_t kStages = static_cast<std::size_t>(Stage::kDrawn) + 1;
 
-/// What holds in every pose; poseMuscles (card_pose.h) tells what only some poses ask for.
-///
-/// Why the whole surface is left to the processor, in the user's words, one line; nullopt: the card computes it.
-/// @param bodies  of a crowd, each in a pose of its own
+/// Compiled shaders for any number of surfaces in one context.
+class StagePrograms {
+ public:
+  /// Error: the driver lacks OpenGL 4.5, or refuses a shader.
+  [[nodiscard]] static Result<StagePrograms> create();
+  [[nodiscard]] const GlProgram& of(Stage stage) const { return programs_[static_cast<std::size_t>(stage)]; }
+
+ private:
+  std::array<GlProgram, kStages> programs_;
+};
+
+/// Why surfaces of this preparation need the processor, as one line for the user; nullopt: the card computes them.
+/// poseMuscles (card_tables.h) checks single poses. @param bodies  of a crowd, each in a pose of its own
 [[nodiscard]] std::optional<std::string> leftToProcessor(const Preparation& preparation, int bodies = 1);
-
-// How long the card takes for each part of a surface, by its own clock.
 
 /// Time stamps between the parts of one surface.
 class PartTimers {
@@ -38,7 +74,7 @@ class PartTimers {
   void end(SurfacePart part);
   /// Waits for the card.
   [[nodiscard]] PartSeconds seconds() const;
-  /// nullopt: the card is not done, or has not begun.
+  /// nullopt: not finished or not begun.
   [[nodiscard]] std::optional<PartSeconds> secondsIfDone() const;
 
  private:
@@ -46,20 +82,17 @@ class PartTimers {
   bool begun_ = false;
 };
 
-// Work groups of a stage, in two dimensions.
-
 inline constexpr std::uint32_t kGroupSize = 64;  ///< Invocations: local_size_x of shaders/compute/items.glsl.
 
-/// What every card allows along an axis, and some no more.
-inline constexpr std::uint32_t kMostGroupsAlong = 65'535;
+inline constexpr std::uint32_t kMostGroupsAlong = 65'535;  ///< Along an axis, guaranteed by OpenGL.
 
+/// Work groups of a stage in two dimensions.
 struct Groups {
   std::uint32_t x = 0;
   std::uint32_t y = 1;
 };
 
-/// So many groups that each of `items` has an invocation; surplus ones have nothing to do.
-/// @param most  along an axis
+/// At least one invocation for each item; the surplus does nothing. @param most  along an axis
 [[nodiscard]] constexpr Groups groupsFor(std::uint32_t items, std::uint32_t most = kMostGroupsAlong) {
   const std::uint32_t groups = (items + kGroupSize - 1) / kGroupSize;
   if (groups <= most) return {groups, 1};
@@ -67,54 +100,46 @@ struct Groups {
   return {(groups + rows - 1) / rows, rows};
 }
 
-/// The stages of the one pipeline (core/surface/smooth.h) as compute shaders. A preparation is uploaded once; a pose
-/// is bones and placed muscles. Nothing is read back unless a caller asks. Needs a current OpenGL 4.5 context.
+/// The stages of core/surface/smooth.h as compute shaders. The preparation is uploaded once, for each pose matrices and
+/// placed muscles; nothing is read back unless asked for. Needs a current OpenGL 4.5 context.
 class CardSurface {
  public:
   struct Options {
-    int bodies = 1;                               ///< Of a crowd, made together.
-    std::uint32_t mostGroups = kMostGroupsAlong;  ///< Along an axis; tests force less.
+    int bodies = 1;                               ///< Computed together.
+    std::uint32_t mostGroups = kMostGroupsAlong;  ///< Along an axis; fewer in tests.
   };
 
   /// @param programs  must outlive this.
-  /// Error: leftToProcessor, or a buffer that the card does not hold.
+  /// Error: leftToProcessor, or a buffer is too large for the card.
   [[nodiscard]] static Result<CardSurface> create(const StagePrograms& programs,
                                                   std::shared_ptr<const Preparation> preparation,
                                                   const Options& options);
-  [[nodiscard]] static Result<CardSurface> create(const StagePrograms& programs,
-                                                  std::shared_ptr<const Preparation> preparation) {
-    return create(programs, std::move(preparation), Options{});
-  }
-
-  /// The pose of one body. @return why it is left to the processor, or nullopt
+  /// Sets the pose of one body. @return why it needs the processor, or nullopt
   [[nodiscard]] std::optional<std::string> setPose(const Pose& pose, int body = 0);
-  /// Uploads the poses and makes the surfaces of all bodies. Does not wait.
-  /// @param last  tests look at what the parts up to this one have left in readSurface()
+  /// Uploads the poses and computes all bodies; does not wait. @param last  stops after this part
   void make(SurfacePart last = SurfacePart::kDrawn);
 
-  /// card::Drawn, [bodies * D]; what is drawn.
+  /// Buffer of card::Drawn, [bodies * D].
   [[nodiscard]] GLuint drawnVertices() const { return of(Buffer::kDrawn).id(); }
   [[nodiscard]] const Preparation& preparation() const { return *preparation_; }
-  /// Of the last body that was posed.
+  /// Muscles of the last posed body.
   [[nodiscard]] std::span<const PosedPrimitive> muscles() const { return posed_.field.primitives; }
   [[nodiscard]] const std::vector<TriangleClass>& classes() const { return posed_.field.bind->classes; }
   [[nodiscard]] std::span<const glm::mat4> matrices() const { return matrices_; }  ///< [bodies * bindings]
-  /// Bytes on the card: of the preparation and of the bodies; and uploaded for each frame.
+  /// Bytes on the card for the preparation and for the bodies; bytes uploaded per frame.
   [[nodiscard]] std::size_t tableBytes() const { return tableBytes_; }
   [[nodiscard]] std::size_t bodyBytes() const { return bodyBytes_; }
   [[nodiscard]] std::size_t poseBytes() const;
 
-  /// Of a make() that the card has finished.
+  /// Times of the last make(), when finished.
   [[nodiscard]] std::optional<PartSeconds> secondsIfDone() const { return timers_.secondsIfDone(); }
 
   // For tests and measurements: these wait for the card.
   [[nodiscard]] PartSeconds seconds() const { return timers_.seconds(); }
-  [[nodiscard]] std::vector<card::Root> readRoots() const;      ///< [bodies * V']
-  [[nodiscard]] std::vector<card::Vertex> readPatches() const;  ///< [bodies * V']
   [[nodiscard]] std::vector<card::Vertex> readSurface() const;  ///< [bodies * V']
-  /// Vertices of the last make() that were left to double precision.
+  /// Vertices of the last make() that were computed in double precision.
   [[nodiscard]] std::uint32_t readUnsure() const;
-  /// Whether the bound on slopes has come to rest.
+  /// Whether the bound on slopes has converged.
   [[nodiscard]] bool readSlopesRest() const;
 
  private:
@@ -141,20 +166,20 @@ class CardSurface {
     kPatches,
     kLines,
     kSurface,
-    kRoots,  ///< In `replace` the anchors.
+    kRoots,  ///< Anchors in `replace`.
     kUnsure,
     kMarks,
     kHeights,
     kFiltered,
-    kFolded,  ///< Later the turns of normals.
-    kBends,   ///< Later normals softened at rims, then their teeth.
+    kFolded,  ///< Later rotations of normals.
+    kBends,   ///< Later softened normals at rims, then their teeth.
     kAsks,
     kWays,
     kRoundsAsked,
     kDrawn,
     kMaking
   };
-  // Rounds, and their places in the buffer in which each is asked for by the one before.
+  // Rounds and their places in kRoundsAsked, where each is requested by the one before.
   static constexpr int kSlopeRounds = 48;
   static constexpr int kSpreadRounds = FoldSpread::kMostRounds;
   static constexpr int kFirstSlope = 0;
@@ -167,7 +192,7 @@ class CardSurface {
   template <class T>
   void fill(Buffer buffer, std::span<const T> values);
   void reserve(Buffer buffer, std::size_t bytes);
-  /// Into what is reserved.
+  /// Fills reserved memory.
   template <class T>
   void refill(Buffer buffer, std::span<const T> values);
   void uploadTables();
@@ -175,15 +200,12 @@ class CardSurface {
   [[nodiscard]] std::optional<std::string> tooLarge() const;
   void uploadPoses();
   [[nodiscard]] std::array<std::uint32_t, 4> groupsOf(int items) const;  ///< x, y, bodies.
-  /// @param buffers  bound in this order
   void bind(Stage stage, std::initializer_list<Buffer> buffers) const;
   void run(Stage stage, int items, std::initializer_list<Buffer> buffers) const;
-  /// As often as the rounds before asked for it.
-  void runAsked(Stage stage, std::size_t offset, std::initializer_list<Buffer> buffers) const;
-  /// The first round over all items, the others as asked.
+  /// The first round over all items, the others as requested by the round before.
   void runRound(Stage stage, bool isFirst, int items, std::size_t offset, std::initializer_list<Buffer> buffers) const;
   void runListed(Stage stage, std::initializer_list<Buffer> buffers) const;
-  /// A surface that wraps the body may lie across its patch: nothing is bounded, and normals are the field's.
+  /// Such a surface may cross its patch: heights are not bounded, and the normals are those of the field.
   [[nodiscard]] bool wrapsBody() const { return !preparation_->swells() && making_.wraps != 0; }
   void runPart(SurfacePart part) const;
   void findRoots() const;
@@ -207,8 +229,8 @@ class CardSurface {
   std::vector<glm::mat4> bones_;             ///< [bodies * bones] in `replace`, else empty.
   std::vector<glm::mat4> matrices_;          ///< [bodies * bindings]
   std::vector<card::Primitive> primitives_;  ///< [bodies * primitives]
-  std::vector<card::Control> bindControls_;  ///< [V] as uploaded, with morph targets.
-  std::vector<float> morphedWith_;           ///< Weights of those.
+  std::vector<card::Control> bindControls_;  ///< [V] uploaded, with morph targets.
+  std::vector<float> morphedWith_;           ///< Weights of the morph targets.
 };
 
 }  // namespace sinew::app

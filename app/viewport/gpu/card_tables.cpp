@@ -1,12 +1,64 @@
-// app/viewport/gpu/card_tables.cpp: lists of lists become one list and where each begins.
+// app/viewport/gpu/card_tables.cpp: nested lists flattened into one list with starts.
 #include "app/viewport/gpu/card_tables.h"
 
+#include <algorithm>
 #include <cmath>
 
+#include "core/character/morphing.h"
 #include "core/geometry/at.h"
 #include "core/geometry/potential.h"
+#include "core/surface/place_muscles.h"
 
 namespace sinew::app {
+
+namespace {
+
+void fillShape(const UnitShape& shape, card::Primitive& out) {
+  out.bendCurve = {shape.bend.x, shape.bend.y, shape.curve.x, shape.curve.y};
+  out.section = {shape.lateral, shape.taper, shape.core, shape.inverseEnd};
+  out.low = glm::vec4(shape.low, 1.0f);
+  out.high = glm::vec4(shape.high, out.high.w);
+}
+
+}  // namespace
+
+std::optional<std::string> poseMuscles(const std::shared_ptr<const Preparation>& preparation, const Pose& pose,
+                                       PosedMuscles& out) {
+  preparation->poser->pose(pose, out.rig);
+  placeMuscles(preparation, out.rig, out.field);
+  if (!preparation->character().morphTargets.empty()) {
+    morph(preparation->character(), out.rig.morphWeights, out.field.control.morphed);
+  }
+  const bool plain =
+      std::ranges::all_of(out.field.primitives, [](const PosedPrimitive& one) { return one.influence.isPlain(); });
+  if (!plain && !preparation->swells()) return "in replace, a muscle is not a plain ellipsoid";
+  return std::nullopt;
+}
+
+void fillMatrices(const Preparation& preparation, const Pose& pose, std::span<glm::mat4> out) {
+  const std::vector<Binding>& bindings = preparation.character().skeleton.bindings;
+  for (std::size_t i = 0; i < bindings.size(); ++i) {
+    out[i] = at(pose.boneInWorld, bindings[i].bone) * bindings[i].inverseBind;
+  }
+}
+
+void fillPrimitives(const Preparation& preparation, const PosedField& field, std::span<card::Primitive> out) {
+  const float blendWidth = swellSettings(preparation, field.rig->numbers.skinBlend).blendWidth;
+  for (std::size_t i = 0; i < field.primitives.size(); ++i) {
+    const PosedPrimitive& muscle = field.primitives[i];
+    const UnitBallMap& ball = muscle.influence;
+    out[i] = {
+        {glm::vec4(ball.toUnit[0], muscle.strength), glm::vec4(ball.toUnit[1], std::min(blendWidth, muscle.meanRadius)),
+         glm::vec4(ball.toUnit[2], ball.inverseRadius)},
+        glm::vec4(ball.center, ball.boundingRadius),
+        {},
+        {},
+        {},
+        {0.0f, 0.0f, 0.0f, muscle.meanRadius}};
+    if (!ball.isPlain()) fillShape(ball.shape, out[i]);
+  }
+}
+
 namespace {
 
 void fillControls(const Preparation& preparation, CardTables& out) {
@@ -19,7 +71,7 @@ void fillControls(const Preparation& preparation, CardTables& out) {
   }
 }
 
-/// What creases look at.
+/// Input of creases.
 void fillFans(const Preparation& preparation, CardTables& out) {
   const ControlMesh& mesh = preparation.mesh();
   std::vector<std::vector<std::int32_t>> around(mesh.positions.size());

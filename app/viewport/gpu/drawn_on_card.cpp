@@ -1,22 +1,16 @@
-// app/viewport/gpu/drawn_on_card.cpp: prepared once, then posed and made for each picture.
+// app/viewport/gpu/drawn_on_card.cpp: prepared once, then posed and computed for each picture.
 #include "app/viewport/gpu/drawn_on_card.h"
 
 #include <utility>
 
+#include "app/viewport/render/view.h"
 #include "core/geometry/at.h"
 
 namespace sinew::app {
 
-// Boxes that follow the bones.
-
 namespace {
 
-constexpr float kBulge = 0.02f;  ///< Of the height: how far patches may stand out of the control mesh's box.
-
-glm::vec3 corner(const Bounds& box, unsigned i) {
-  return {(i & 1u) != 0 ? box.high.x : box.low.x, (i & 2u) != 0 ? box.high.y : box.low.y,
-          (i & 4u) != 0 ? box.high.z : box.low.z};
-}
+constexpr float kBulge = 0.02f;  ///< Patches protrude from the control mesh's bounds by less than this of the height.
 
 }  // namespace
 
@@ -33,7 +27,7 @@ Bounds CarriedBounds::at(std::span<const glm::mat4> matrices, std::span<const Po
   Bounds around;
   for (std::size_t i = 0; i < boxes_.size(); ++i) {
     if (boxes_[i].isEmpty()) continue;
-    for (unsigned c = 0; c < 8; ++c) around.add(glm::vec3(matrices[i] * glm::vec4(corner(boxes_[i], c), 1.0f)));
+    for (const glm::vec3& corner : cornersOf(boxes_[i])) around.add(glm::vec3(matrices[i] * glm::vec4(corner, 1.0f)));
   }
   for (const PosedPrimitive& muscle : muscles) {
     around.add(muscle.influence.center - muscle.influence.boundingRadius);
@@ -51,7 +45,7 @@ DrawnOnCard::DrawnOnCard(std::shared_ptr<const StagePrograms> programs, CardSurf
 
 Result<std::unique_ptr<DrawnOnCard>> DrawnOnCard::create(std::shared_ptr<const StagePrograms> programs,
                                                          std::shared_ptr<const Preparation> preparation) {
-  Result<CardSurface> card = CardSurface::create(*programs, std::move(preparation));
+  Result<CardSurface> card = CardSurface::create(*programs, std::move(preparation), {});
   if (!card) return card.error();
   return std::unique_ptr<DrawnOnCard>(new DrawnOnCard(std::move(programs), std::move(card).value()));
 }

@@ -1,4 +1,4 @@
-// app/viewport/gpu/drawn_on_card.h: a character's surface made on the graphics card and drawn from there.
+// app/viewport/gpu/drawn_on_card.h: a character's surface computed and drawn on the graphics card.
 #pragma once
 
 #include <memory>
@@ -8,21 +8,19 @@
 #include <vector>
 
 #include "app/viewport/gpu/card_surface.h"
-#include "app/viewport/render/card_vertices.h"
+#include "app/viewport/render/scene.h"
 #include "core/surface/posed_field.h"
 #include "sinew/geometry/geometry.h"
 #include "sinew/surface/surface.h"
 
 namespace sinew::app {
 
-// A box around a surface whose vertices nobody reads back.
-
-/// What each binding carries of the control mesh: a skinned vertex lies between the places that its bindings give it.
+/// Bounds of a surface that is not read back: a skinned vertex lies between the places that its bindings give it.
 class CarriedBounds {
  public:
   explicit CarriedBounds(const Character& character);
 
-  /// Holds the surface of a pose: the skin, the bulge of its patches, and what muscles add.
+  /// Contains the surface of a pose: the skin, the bulge of its patches, and the muscles.
   /// @param matrices [bindings] from the bind pose to the pose
   [[nodiscard]] Bounds at(std::span<const glm::mat4> matrices, std::span<const PosedPrimitive> muscles) const;
 
@@ -31,25 +29,25 @@ class CarriedBounds {
   float bulge_ = 0.0f;         ///< World.
 };
 
-/// Serves one preparation. Needs the context it was made in to be current.
+/// For one preparation. Needs the OpenGL context in which it was created to be current.
 class DrawnOnCard {
  public:
-  /// Error: leftToProcessor, or a buffer that the card does not hold.
+  /// Error: leftToProcessor, or a buffer is too large for the card.
   [[nodiscard]] static Result<std::unique_ptr<DrawnOnCard>> create(std::shared_ptr<const StagePrograms> programs,
                                                                    std::shared_ptr<const Preparation> preparation);
-  /// The same with programs and a preparation of its own. Error: also a shader or a rig that is refused.
+  /// Creates programs and preparation itself. Error: also a shader or rig that is refused.
   [[nodiscard]] static Result<std::unique_ptr<DrawnOnCard>> create(std::shared_ptr<const Character> character,
                                                                    const Rig& rig);
   DrawnOnCard(const DrawnOnCard&) = delete;
   DrawnOnCard& operator=(const DrawnOnCard&) = delete;
 
-  /// Makes the surface of a pose. @return why it is left to the processor, or nullopt
+  /// @return why the pose needs the processor, or nullopt
   [[nodiscard]] std::optional<std::string> make(const Pose& pose);
-  /// For Scene::surface: refinement and classes, no vertices.
+  /// For Scene::surface: refinement and classes without vertices.
   [[nodiscard]] const Surface& surface() const { return shell_; }
   [[nodiscard]] const CardVertices& vertices() const { return vertices_; }
   [[nodiscard]] const Preparation& preparation() const { return card_.preparation(); }
-  /// Of the last make(), once the card has finished it.
+  /// Times of the last make(), when finished.
   [[nodiscard]] std::optional<PartSeconds> secondsIfDone() const { return card_.secondsIfDone(); }
   [[nodiscard]] PartSeconds seconds() const { return card_.seconds(); }  ///< Waits for the card.
 

@@ -1,4 +1,4 @@
-// app/viewport/gpu/surface_parts.h: what a surface's time on the graphics card is told by.
+// app/viewport/gpu/surface_parts.h: parts of the time that a surface takes on the graphics card.
 #pragma once
 
 #include <array>
@@ -7,7 +7,7 @@
 
 namespace sinew::app {
 
-/// As StageSeconds of the processor.
+/// Compare StageSeconds of the processor.
 enum class SurfacePart { kSkin, kPatch, kProject, kHeights, kFolds, kNormals, kDrawn };
 inline constexpr std::size_t kSurfaceParts = static_cast<std::size_t>(SurfacePart::kDrawn) + 1;
 [[nodiscard]] const char* nameOf(SurfacePart part);

@@ -1,4 +1,4 @@
-// app/viewport/render/color_scales.cpp: the heat map's scale and the colors of triangle classes.
+// app/viewport/render/color_scales.cpp: the heat scale and the colors of triangle classes.
 #include "app/viewport/render/color_scales.h"
 
 #include <algorithm>
@@ -10,7 +10,7 @@ namespace {
 float decoded(float s) { return s <= 0.04045f ? s / 12.92f : std::pow((s + 0.055f) / 1.055f, 2.4f); }
 float encoded(float l) { return l <= 0.0031308f ? 12.92f * l : 1.055f * std::pow(l, 1.0f / 2.4f) - 0.055f; }
 
-/// Lightness 0..1, chroma, hue in radians -> sRGB, clamped into what a screen shows.
+/// Lightness 0..1, chroma, hue in radians -> clamped sRGB.
 glm::vec3 fromOklch(float lightness, float chroma, float hue) {
   const float a = chroma * std::cos(hue), b = chroma * std::sin(hue);
   const auto cubed = [](float x) { return x * x * x; };
@@ -35,7 +35,7 @@ std::array<glm::vec3, 9> makeHeatStops() {
     const float x = static_cast<float>(i) / 4.0f - 1.0f;
     const float far = std::abs(x);
     const float lightness = kMiddleLightness + (kEndLightness - kMiddleLightness) * far;
-    // Chroma grows fast at first: a little displacement is already a color.
+    // Chroma grows fast at first, so that small displacements are visible.
     const float chroma = kMostChroma * std::pow(far, 0.7f) + 0.004f;
     stops[i] = fromOklch(lightness, chroma, x < 0.0f ? kInwardsHue : kOutwardsHue);
   }
@@ -58,26 +58,26 @@ glm::vec3 heatColor(float x) {
   if (x >= 1.0f) return stops.back();
   const float at = (x * 0.5f + 0.5f) * static_cast<float>(stops.size() - 1);
   const auto low = std::min(static_cast<std::size_t>(at), stops.size() - 2);
-  const float share = at - static_cast<float>(low);
-  return srgbFromLinear(glm::mix(linearFromSrgb(stops[low]), linearFromSrgb(stops[low + 1]), share));
+  return srgbFromLinear(
+      glm::mix(linearFromSrgb(stops[low]), linearFromSrgb(stops[low + 1]), at - static_cast<float>(low)));
 }
 
 const std::array<ClassColor, 3>& classColors() {
   static const std::array<ClassColor, 3> colors{
-      {{TriangleClass::kNormal, "Plain skin", "No muscle reaches them (normal)", {0.36f, 0.49f, 0.66f}},
+      {{TriangleClass::kNormal, "Plain skin", "Triangles that no muscle reaches (normal)", {0.36f, 0.49f, 0.66f}},
        {TriangleClass::kStraddling,
         "At edges",
-        "Muscles reach some of their corners (straddling)",
+        "Triangles with some corners reached by muscles (straddling)",
         {0.85f, 0.71f, 0.42f}},
-       {TriangleClass::kImplicit, "On muscles", "Muscles shape them (implicit)", {0.80f, 0.46f, 0.38f}}}};
+       {TriangleClass::kImplicit, "On muscles", "Triangles shaped by muscles (implicit)", {0.80f, 0.46f, 0.38f}}}};
   return colors;
 }
 
 const std::array<LayerColor, 3>& layerColors() {
   static const std::array<LayerColor, 3> colors{
-      {{SkinLayer::kSkin, "Skin", "Muscles push it", fromOklch(0.74f, 0.13f, 0.60f)},
-       {SkinLayer::kCloth, "Cloth", "It follows the skin under it", fromOklch(0.74f, 0.12f, 5.10f)},
-       {SkinLayer::kRigid, "Rigid", "Muscles leave it as it is", fromOklch(0.74f, 0.12f, 2.55f)}}};
+      {{SkinLayer::kSkin, "Skin", "Shaped by muscles", fromOklch(0.74f, 0.13f, 0.60f)},
+       {SkinLayer::kCloth, "Cloth", "Follows the skin under it", fromOklch(0.74f, 0.12f, 5.10f)},
+       {SkinLayer::kRigid, "Rigid", "Not changed by muscles", fromOklch(0.74f, 0.12f, 2.55f)}}};
   return colors;
 }
 

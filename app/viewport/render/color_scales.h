@@ -1,39 +1,67 @@
-// app/viewport/render/color_scales.h: colors that carry meaning; the picture and its legends share them.
+// app/viewport/render/color_scales.h: colors with a meaning, shared by the picture and its legends.
 #pragma once
 
 #include <array>
 #include <cstddef>
 
+#include <glm/common.hpp>
+
+#include "app/document/group_colors.h"
+#include "app/viewport/render/scene.h"
 #include "sinew/geometry/geometry.h"
 #include "sinew/rig/rig.h"
 #include "sinew/surface/surface.h"
 
 namespace sinew::app {
 
-/// Light as a screen encodes it, 0..1, and back. Components alike.
+// Linear colors of ellipsoids and their outlines.
+
+/// Outline of one ellipsoid.
+struct OutlineLook {
+  glm::vec3 color{1.0f};
+  float opacity = 1.0f;
+  float width = 0.0f;   ///< Design pixels; 0: none.
+  float dashes = 0.0f;  ///< Around the ellipsoid; 0: unbroken.
+};
+
+/// Its group's color; a selected one a little lighter.
+[[nodiscard]] inline glm::vec3 shapeColor(const PrimitiveShape& shape) {
+  return shape.selected ? glm::mix(shape.color, glm::vec3(1.0f), 0.12f) : shape.color;
+}
+
+/// Amber: selected, the active one brightest. Broken amber: its twin. White: hovered.
+[[nodiscard]] inline OutlineLook outlineLook(const PrimitiveShape& shape) {
+  if (shape.active) return {{1.00f, 0.66f, 0.10f}, 1.0f, 3.0f, 0.0f};
+  if (shape.selected) return {{0.95f, 0.32f, 0.04f}, 1.0f, 2.2f, 0.0f};
+  if (shape.hovered) return {{1.00f, 1.00f, 1.00f}, 0.72f, 1.8f, 0.0f};
+  if (shape.twin) return {{1.00f, 0.60f, 0.12f}, 0.85f, 2.2f, 20.0f};
+  return {};
+}
+
+// By component, 0..1.
 [[nodiscard]] glm::vec3 linearFromSrgb(const glm::vec3& srgb);
 [[nodiscard]] glm::vec3 srgbFromLinear(const glm::vec3& linear);
 
-/// Stops of the displacement scale, evenly spaced from -1 (pushed in by the range) over 0 (untouched) to +1 (lifted by
-/// it). sRGB 0..1. Diverging: a light neutral in the middle, two hues that darken by even steps of lightness, so that
-/// equal displacements look equally far (Oklab: B. Ottosson, "A perceptual color space for image processing", 2020).
+/// Stops of the displacement scale, sRGB, evenly spaced from -1 (inwards by the range) to +1 (outwards). A light
+/// neutral between two hues that darken evenly, so that equal displacements look equal (Oklab: B. Ottosson, "A
+/// perceptual color space for image processing", 2020).
 [[nodiscard]] const std::array<glm::vec3, 9>& heatStops();
 
-/// sRGB color at x, as the skin has it before light falls on it; x is clamped to -1..1. Between stops light is mixed.
+/// Unlit sRGB color at x, clamped to -1..1; interpolated in linear light.
 [[nodiscard]] glm::vec3 heatColor(float x);
 
-/// What a triangle class is called in the interface and shown in.
+/// Name and color of a triangle class in the interface.
 struct ClassColor {
   TriangleClass kind = TriangleClass::kNormal;
   const char* name = "";
-  const char* hint = "";  ///< What it is, with the term.
+  const char* hint = "";  ///< With the term of the paper.
   glm::vec3 srgb{0.0f};
 };
 
 /// By TriangleClass.
 [[nodiscard]] const std::array<ClassColor, 3>& classColors();
 
-/// What a part of the mesh is to the muscles, as the interface calls it and as it is tinted.
+/// Name and tint of a layer in the interface.
 struct LayerColor {
   SkinLayer layer = SkinLayer::kSkin;
   const char* name = "";
@@ -41,22 +69,21 @@ struct LayerColor {
   glm::vec3 srgb{0.0f};
 };
 
-/// By SkinLayer. Alike in lightness.
+/// By SkinLayer, equal in lightness.
 [[nodiscard]] const std::array<LayerColor, 3>& layerColors();
 [[nodiscard]] const LayerColor& layerColor(SkinLayer layer);
 
-/// What the picture of classes tells apart: the classes of skin, then cloth and rigid parts.
+// Colors of Shading::kClasses: the classes of skin, then cloth and rigid parts.
 inline constexpr std::size_t kZones = 5;
 [[nodiscard]] std::size_t zoneOf(TriangleClass kind, SkinLayer layer);
 [[nodiscard]] glm::vec3 zoneColor(std::size_t zone);
 
-/// Color of muscles from loose (0) to fully flexed (1), sRGB.
+/// Color of muscles from relaxed (0) to fully flexed (1), sRGB.
 [[nodiscard]] glm::vec3 fleshColor(float activation);
 
-/// Of adaptive detail, in the picture of classes: a control triangle is drawn darker the more pieces it is split into.
-/// 1..16: about as many along each side.
+/// Subdivision level of a control triangle for Shading::kClasses, 1..16: about its pieces along each side.
 [[nodiscard]] int levelShown(const Refinement& refinement, int triangle);
-/// What a level multiplies the color of a class by, linear (shaders/surface.frag).
+/// Linear factor on the color of a class; finer levels are darker (shaders/surface.frag).
 [[nodiscard]] float levelShade(int level);
 
 }  // namespace sinew::app

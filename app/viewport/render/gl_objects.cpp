@@ -1,11 +1,13 @@
-// app/viewport/render/gl_objects.cpp: making OpenGL objects; shaders from files.
+// app/viewport/render/gl_objects.cpp: creates OpenGL objects; loads shaders.
 #include "app/viewport/render/gl_objects.h"
 
+#include <algorithm>
+#include <bit>
+#include <cassert>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <string_view>
-#include <vector>
 
 #include <glm/gtc/type_ptr.hpp>
 
@@ -17,13 +19,14 @@ namespace {
 Result<std::string> readShader(const std::filesystem::path& file) {
   std::ifstream stream(file, std::ios::binary);
   if (!stream)
-    return Error{file.string(), "", "cannot be read; is Sinew installed whole? (SINEW_DATA_DIR names its data folder)"};
+    return Error{file.string(), "",
+                 "cannot be read; the installation may be incomplete (SINEW_DATA_DIR sets the data folder)"};
   return std::string(std::istreambuf_iterator<char>(stream), {});
 }
 
-/// Replaces `#include "name"` lines, one level deep, and puts the defines under the version line (the first).
-/// #line keeps the driver's line numbers those of the file.
-Result<std::string> expand(const std::string& source, std::initializer_list<const char*> define) {
+/// Replaces `#include "name"` lines, one level deep, and inserts the defines below the version line (the first).
+/// #line keeps the line numbers of the file.
+Result<std::string> expand(const std::string& source, const std::vector<const char*>& define) {
   constexpr std::string_view kInclude = "#include \"";
   std::string out;
   int line = 0;
@@ -59,7 +62,7 @@ GLenum stageOf(const std::filesystem::path& file) {
 
 std::string firstLine(const std::string& log) { return log.substr(0, log.find_first_of("\n\r")); }
 
-Result<GlShader> compileShader(const char* name, std::initializer_list<const char*> define) {
+Result<GlShader> compileShader(const char* name, const std::vector<const char*>& define) {
   const std::filesystem::path file = dataFile(name);
   const Result<std::string> raw = readShader(file);
   if (!raw) return raw.error();
@@ -117,13 +120,26 @@ GlQuery makeQuery(GLenum target) {
   return GlQuery(id);
 }
 
+GlTexture uploadTexture(GLenum format, int width, int height, const std::vector<std::uint8_t>& rgba, bool mipmaps) {
+  GlTexture texture = makeTexture(GL_TEXTURE_2D);
+  const GLuint id = texture.id();
+  const int levels = mipmaps ? std::bit_width(static_cast<unsigned>(std::max(width, height))) : 1;
+  glTextureStorage2D(id, levels, format, width, height);
+  glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+  glTextureSubImage2D(id, 0, 0, 0, width, height, GL_RGBA, GL_UNSIGNED_BYTE, rgba.data());
+  if (mipmaps) glGenerateTextureMipmap(id);
+  glTextureParameteri(id, GL_TEXTURE_MIN_FILTER, mipmaps ? GL_LINEAR_MIPMAP_LINEAR : GL_LINEAR);
+  glTextureParameteri(id, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+  return texture;
+}
+
 void setAttribute(GLuint array, GLuint location, GLuint binding, GLint count, std::size_t offset) {
   glEnableVertexArrayAttrib(array, location);
   glVertexArrayAttribFormat(array, location, count, GL_FLOAT, GL_FALSE, static_cast<GLuint>(offset));
   glVertexArrayAttribBinding(array, location, binding);
 }
 
-Result<GlProgram> GlProgram::load(std::initializer_list<const char*> files, std::initializer_list<const char*> define) {
+Result<GlProgram> GlProgram::load(const std::vector<const char*>& files, const std::vector<const char*>& define) {
   GlProgram program;
   program.program_ = GlObject<GlProgramTraits>(glCreateProgram());
   std::vector<GlShader> shaders;
@@ -142,7 +158,7 @@ Result<GlProgram> GlProgram::load(std::initializer_list<const char*> files, std:
   GLsizei length = 0;
   glGetProgramInfoLog(program.id(), static_cast<GLsizei>(log.size()), &length, log.data());
   log.resize(static_cast<std::size_t>(length));
-  return Error{dataFile(*files.begin()).string(), "", "the graphics driver cannot link this shader: " + firstLine(log)};
+  return Error{dataFile(files.front()).string(), "", "the graphics driver cannot link this shader: " + firstLine(log)};
 }
 
 void GlProgram::set(const char* name, int value) const { glProgramUniform1i(id(), location(name), value); }
@@ -156,18 +172,21 @@ void GlProgram::set(const char* name, const glm::vec3& value) const {
 void GlProgram::set(const char* name, const glm::vec4& value) const {
   glProgramUniform4fv(id(), location(name), 1, glm::value_ptr(value));
 }
-void GlProgram::set(const char* name, const glm::ivec2& value) const {
-  glProgramUniform2iv(id(), location(name), 1, glm::value_ptr(value));
-}
-void GlProgram::set(const char* name, const glm::mat3& value) const {
-  glProgramUniformMatrix3fv(id(), location(name), 1, GL_FALSE, glm::value_ptr(value));
-}
 void GlProgram::set(const char* name, const glm::mat4& value) const {
   glProgramUniformMatrix4fv(id(), location(name), 1, GL_FALSE, glm::value_ptr(value));
 }
 void GlProgram::set(const char* name, std::span<const glm::vec4> values) const {
   if (values.empty()) return;
   glProgramUniform4fv(id(), location(name), static_cast<GLsizei>(values.size()), glm::value_ptr(values.front()));
+}
+
+Result<void> loadPrograms(std::initializer_list<ProgramFiles> all) {
+  for (const ProgramFiles& one : all) {
+    Result<GlProgram> program = GlProgram::load(one.files, one.define);
+    if (!program) return program.error();
+    one.program = std::move(program).value();
+  }
+  return {};
 }
 
 std::string rendererName() {

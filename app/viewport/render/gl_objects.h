@@ -1,10 +1,12 @@
-// app/viewport/render/gl_objects.h: OpenGL names that delete themselves. Made and destroyed with a current context.
+// app/viewport/render/gl_objects.h: owners of OpenGL objects. Create and destroy them with a current context.
 #pragma once
 
+#include <cstdint>
 #include <initializer_list>
 #include <span>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include <epoxy/gl.h>
 
@@ -13,7 +15,7 @@
 
 namespace sinew::app {
 
-/// Owner of one OpenGL name; 0 owns nothing. Move-only.
+/// Owner of one OpenGL name; 0: none.
 template <class Traits>
 class GlObject {
  public:
@@ -82,26 +84,28 @@ using GlShader = GlObject<GlShaderTraits>;
 [[nodiscard]] GlFramebuffer makeFramebuffer();
 [[nodiscard]] GlQuery makeQuery(GLenum target);
 
-/// An attribute of `count` floats at an offset in what is bound, made part of the array.
+/// RGBA pixels in 8 bits as a texture with linear filters, repeated. @param mipmaps  all levels; else one
+[[nodiscard]] GlTexture uploadTexture(GLenum format, int width, int height, const std::vector<std::uint8_t>& rgba,
+                                      bool mipmaps);
+
+/// Enables an attribute of `count` floats at an offset in the binding.
 void setAttribute(GLuint array, GLuint location, GLuint binding, GLint count, std::size_t offset);
 
-/// Replaces a buffer's bytes; the old storage is left to the driver, so a frame in flight is never waited for.
+/// Replaces a buffer's bytes without waiting for a frame in flight.
 template <class T>
 void uploadBuffer(const GlBuffer& buffer, std::span<const T> values, GLenum usage = GL_STREAM_DRAW) {
   const auto bytes = static_cast<GLsizeiptr>(values.size_bytes());
   glNamedBufferData(buffer.id(), bytes > 0 ? bytes : 4, bytes > 0 ? values.data() : nullptr, usage);
 }
 
-/// A linked shader program. Uniforms go by name; a name the linker removed is skipped.
+/// A linked shader program. Uniforms that the linker removed are skipped.
 class GlProgram {
  public:
   GlProgram() = default;
-  /// @param files data files ("shaders/x.vert", ".geom", ".frag", or a ".comp" alone); a line `#include "y.glsl"`
-  /// takes in shaders/y.glsl.
-  /// Error: the file, and the driver's first complaint with its line.
-  /// @param define names defined as 1 in all of them.
-  [[nodiscard]] static Result<GlProgram> load(std::initializer_list<const char*> files,
-                                              std::initializer_list<const char*> define = {});
+  /// @param files  data files: "shaders/x.vert", ".geom", ".frag", or one ".comp"; a line `#include "y.glsl"` inserts
+  /// shaders/y.glsl. @param define  names defined as 1 in all of them. Error: the file and the driver's first message.
+  [[nodiscard]] static Result<GlProgram> load(const std::vector<const char*>& files,
+                                              const std::vector<const char*>& define = {});
 
   void use() const { glUseProgram(program_.id()); }
   [[nodiscard]] GLuint id() const { return program_.id(); }
@@ -110,8 +114,6 @@ class GlProgram {
   void set(const char* name, const glm::vec2& value) const;
   void set(const char* name, const glm::vec3& value) const;
   void set(const char* name, const glm::vec4& value) const;
-  void set(const char* name, const glm::ivec2& value) const;
-  void set(const char* name, const glm::mat3& value) const;
   void set(const char* name, const glm::mat4& value) const;
   void set(const char* name, std::span<const glm::vec4> values) const;
 
@@ -120,9 +122,16 @@ class GlProgram {
   GlObject<GlProgramTraits> program_;
 };
 
-/// "llvmpipe (LLVM 15.0.6, 256 bits)" and the like.
-[[nodiscard]] std::string rendererName();
-/// The processor draws: many samples are dear.
+struct ProgramFiles {
+  GlProgram& program;
+  std::vector<const char*> files;
+  std::vector<const char*> define{};
+};
+/// GlProgram::load for each. Error: the first that fails.
+[[nodiscard]] Result<void> loadPrograms(std::initializer_list<ProgramFiles> all);
+
+[[nodiscard]] std::string rendererName();  ///< For example "llvmpipe (LLVM 15.0.6, 256 bits)".
+/// Whether the processor draws.
 [[nodiscard]] bool isSoftwareRenderer();
 
 }  // namespace sinew::app

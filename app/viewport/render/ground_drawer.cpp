@@ -1,4 +1,4 @@
-// app/viewport/render/ground_drawer.cpp: what the character stands on and in front of.
+// app/viewport/render/ground_drawer.cpp: draws and keeps the background, the floor and the shadow.
 #include "app/viewport/render/ground_drawer.h"
 
 #include <algorithm>
@@ -10,11 +10,11 @@ namespace {
 
 constexpr float kShadowSoftness = 0.018f;  ///< Standard deviation, fraction of the height.
 constexpr float kContactSoftness = 0.007f;
-constexpr float kGroundReach = 3.4f;     ///< Half the floor's extent, heights, until the eye draws far back.
-constexpr float kShownByDefault = 2.2f;  ///< Heights in the picture up to which the floor keeps that extent.
+constexpr float kGroundReach = 3.4f;     ///< Half the floor's extent, heights, for near eyes.
+constexpr float kShownByDefault = 2.2f;  ///< Heights in the picture up to which the floor keeps its extent.
 constexpr float kGridRank = 5.0f;        ///< A large cell over a small one.
 
-/// Box on the floor that holds the bounds' shadow along the key light, with room for the blur.
+/// Area on the floor of the bounds' shadow, with room for the blur.
 glm::vec4 shadowArea(const Frame& frame) {
   const glm::vec3 key = keyDirection(frame.settings.look.light);
   const Bounds& box = frame.surfaceBounds;
@@ -27,13 +27,13 @@ glm::vec4 shadowArea(const Frame& frame) {
   return {low - room, 1.0f / (high - low + 2.0f * room)};
 }
 
-/// Another background than the usual one is shown.
+/// Whether another background than the studio is shown.
 bool isChosen(const Frame& frame) {
   return frame.settings.background && frame.settings.look.backdrop != Backdrop::kStudio;
 }
 
-/// The surface's part below the floor may shine through it; everything else lies before the floor or beside it.
-/// @return pixels that hold that part, low corner and size, rows from below; nullopt: it may be anywhere.
+/// Pixels of the surface below the floor, which may shine through it: low corner and size, rows from below; nullopt:
+/// they may be anywhere.
 std::optional<glm::ivec4> sunkPixels(const Frame& frame) {
   const View& view = frame.view;
   const Bounds& box = frame.surfaceBounds;
@@ -41,10 +41,8 @@ std::optional<glm::ivec4> sunkPixels(const Frame& frame) {
   if (box.isEmpty() || box.low.y >= frame.floor) return glm::ivec4(0);
   const float top = std::min(frame.floor, box.high.y);
   glm::vec2 low(view.size), high(0.0f);
-  for (int corner = 0; corner < 8; ++corner) {
-    const glm::vec3 at((corner & 1) != 0 ? box.high.x : box.low.x, (corner & 2) != 0 ? top : box.low.y,
-                       (corner & 4) != 0 ? box.high.z : box.low.z);
-    const glm::vec3 pixel = view.toPixel(at);
+  for (const glm::vec3& corner : cornersOf({box.low, {box.high.x, top, box.high.z}})) {
+    const glm::vec3 pixel = view.toPixel(corner);
     if (!(std::abs(pixel.z) <= 1.0f)) return std::nullopt;
     low = glm::min(low, glm::vec2(pixel));
     high = glm::max(high, glm::vec2(pixel));
@@ -55,7 +53,7 @@ std::optional<glm::ivec4> sunkPixels(const Frame& frame) {
   return glm::ivec4(first.x, view.size.y - last.y, last - first);
 }
 
-/// Draws within these pixels alone.
+/// Draws in these pixels only.
 template <class Draw>
 void within(const glm::ivec4& pixels, const Draw& draw) {
   if (pixels.z <= 0 || pixels.w <= 0) return;
@@ -70,12 +68,12 @@ void within(const glm::ivec4& pixels, const Draw& draw) {
 float gridCell(float height) {
   const float wanted = 0.3f * height;
   const float decade = std::pow(10.0f, std::floor(std::log10(wanted)));
-  const float share = wanted / decade;
-  return decade * (share < 1.5f ? 1.0f : share < 3.5f ? 2.0f : share < 7.5f ? 5.0f : 10.0f);
+  const float factor = wanted / decade;
+  return decade * (factor < 1.5f ? 1.0f : factor < 3.5f ? 2.0f : factor < 7.5f ? 5.0f : 10.0f);
 }
 
 GridZoom gridZoom(const View& view, const glm::vec3& center, float height) {
-  // How many characters, one on the other, the picture would hold there.
+  // Height of the picture there, in characters.
   const float shown = view.unitsPerPixelAt(center) * static_cast<float>(view.size.y) / height;
   const float level = std::clamp(std::log(std::max(shown, 1e-6f)) / std::log(kGridRank), -2.0f, 4.0f);
   const float whole = std::floor(level);
@@ -98,28 +96,18 @@ GroundDrawer::GroundDrawer() : empty_(makeVertexArray()), shadowSize_(isSoftware
 
 Result<GroundDrawer> GroundDrawer::create() {
   GroundDrawer drawer;
-  struct Wanted {
-    GlProgram* program;
-    const char* vertex;
-    const char* fragment;
-    const char* look = "USUAL_LOOK";
-  };
-  for (const Wanted& wanted :
-       {Wanted{&drawer.shadowProgram_, "shaders/shadow.vert", "shaders/shadow.frag"},
-        Wanted{&drawer.blurProgram_, "shaders/fullscreen.vert", "shaders/blur.frag",
-               isSoftwareRenderer() ? "FEW_TAPS" : "MANY_TAPS"},
-        Wanted{&drawer.groundProgram_, "shaders/ground.vert", "shaders/ground.frag"},
-        Wanted{&drawer.groundShadowProgram_, "shaders/ground_shadow.vert", "shaders/ground_shadow.frag"},
-        Wanted{&drawer.backgroundProgram_, "shaders/fullscreen.vert", "shaders/background.frag"},
-        Wanted{&drawer.chosenGround_, "shaders/ground.vert", "shaders/ground.frag", "CHOSEN_LOOK"},
-        Wanted{&drawer.chosenBackground_, "shaders/fullscreen.vert", "shaders/background.frag", "CHOSEN_LOOK"}}) {
-    Result<GlProgram> program = GlProgram::load({wanted.vertex, wanted.fragment}, {wanted.look});
-    if (!program) return program.error();
-    *wanted.program = std::move(program).value();
-  }
-  Result<GlProgram> withAlpha = GlProgram::load({"shaders/shadow.vert", "shaders/shadow.frag"}, {"ALPHA"});
-  if (!withAlpha) return withAlpha.error();
-  drawer.shadowAlphaProgram_ = std::move(withAlpha).value();
+  const Result<void> loaded = loadPrograms(
+      {{drawer.shadowProgram_, {"shaders/shadow.vert", "shaders/shadow.frag"}},
+       {drawer.shadowAlphaProgram_, {"shaders/shadow.vert", "shaders/shadow.frag"}, {"ALPHA"}},
+       {drawer.blurProgram_,
+        {"shaders/fullscreen.vert", "shaders/blur.frag"},
+        {isSoftwareRenderer() ? "FEW_TAPS" : "MANY_TAPS"}},
+       {drawer.groundProgram_, {"shaders/ground.vert", "shaders/ground.frag"}},
+       {drawer.groundShadowProgram_, {"shaders/ground_shadow.vert", "shaders/ground_shadow.frag"}},
+       {drawer.backgroundProgram_, {"shaders/fullscreen.vert", "shaders/background.frag"}},
+       {drawer.chosenGround_, {"shaders/ground.vert", "shaders/ground.frag"}, {"CHOSEN_LOOK"}},
+       {drawer.chosenBackground_, {"shaders/fullscreen.vert", "shaders/background.frag"}, {"CHOSEN_LOOK"}}});
+  if (!loaded) return loaded.error();
   return drawer;
 }
 

@@ -1,4 +1,4 @@
-// app/viewport/render/ground_drawer.h: backdrop, grid and the character's soft shadow on the floor.
+// app/viewport/render/ground_drawer.h: backdrop, grid and the character's shadow on the floor.
 #pragma once
 
 #include <array>
@@ -15,29 +15,30 @@ class GroundDrawer {
  public:
   [[nodiscard]] static Result<GroundDrawer> create();
 
-  /// Draws the shadow into a texture of its own; changes framebuffer and viewport.
+  /// Draws the shadow into its own texture. Changes framebuffer and viewport.
   void prepareShadow(const Frame& frame, const SurfaceDrawer& surface);
   void drawBackground(const Frame& frame) const;
-  /// Over the opaque surface, tested against its depth.
+  /// Over the opaque surface, with depth test.
   void drawGround(const Frame& frame) const;
 
-  /// Copies background and floor into a target of one sample, drawn once for all pictures that show the same: in place
-  /// of drawBackground(). With drawSunkOverKept() after it, depth cleared, and drawGroundOverKept() in place of
-  /// drawGround() the picture is the same to the pixel. To be called while nothing waits to be drawn into the target:
-  /// the copy would wait for that. Changes the framebuffer.
-  /// @param boxes  outside of which the target holds the copy already, unless keptAnew(); 0..1, low and high corner,
-  ///               from the top left. Empty: it may hold anything.
-  /// @return false: they cannot be kept apart from the surface, and nothing was drawn.
+  /// Copies the kept background and floor, redrawn when they change, into a target of one sample, in place of
+  /// drawBackground(). With drawSunkOverKept() after clearing the depth and drawGroundOverKept() in place of
+  /// drawGround() the picture is the same to the pixel. Call it while no drawing into the target is pending: the copy
+  /// would wait. Changes the framebuffer.
+  /// @param boxes  the target holds the copy outside of these, unless keptAnew(); 0..1, low and high corner from the
+  /// top
+  ///               left. Empty: copies everything.
+  /// @return false: the surface may be anywhere below the floor; nothing was drawn
   [[nodiscard]] bool copyKept(const RenderTarget& target, const Frame& frame, std::span<const glm::vec4> boxes);
   void drawSunkOverKept(const Frame& frame) const;
   void drawGroundOverKept(const Frame& frame) const;
-  /// The last copyKept() has found another background or floor than before.
+  /// Whether the last copyKept() redrew background and floor.
   [[nodiscard]] bool keptAnew() const { return keptAnew_; }
-  /// On the floor: x and z of the low corner, 1 / extent on each.
+  /// x and z of the shadow texture's low corner, 1 / extent on each.
   [[nodiscard]] const glm::vec4& shadowPlace() const { return area_; }
 
  private:
-  /// All that background and floor depend on.
+  /// Everything that background and floor depend on.
   struct KeptLook {
     View view;
     DisplaySettings settings;
@@ -47,12 +48,12 @@ class GroundDrawer {
   };
 
   GroundDrawer();
-  void blendQuad() const;  ///< Four corners from the vertex number: tested against depth, over what is there.
+  void blendQuad() const;  ///< With depth test.
   void drawFloor(const Frame& frame) const;
   void drawShadow(const Frame& frame) const;
 
   GlProgram shadowProgram_, shadowAlphaProgram_, blurProgram_, groundProgram_, groundShadowProgram_, backgroundProgram_;
-  GlProgram chosenGround_, chosenBackground_;  ///< Where another background was chosen.
+  GlProgram chosenGround_, chosenBackground_;  ///< For other backgrounds than the studio.
   GlVertexArray empty_;
   int shadowSize_ = 512;
   std::array<GlTexture, 2> shadowTextures_;
@@ -61,18 +62,18 @@ class GroundDrawer {
   std::optional<KeptLook> keptLook_;
   bool keptAnew_ = false;
   glm::ivec4 sunk_{0};    ///< Pixels where the surface may lie below the floor: low corner and size, from below.
-  glm::vec4 area_{0.0f};  ///< x and z of the shadow texture's low corner, 1 / extent on each.
+  glm::vec4 area_{0.0f};  ///< shadowPlace().
 };
 
-/// How the floor follows the eye as it draws back or comes close.
+/// Scale of the grid for a distance of the eye.
 struct GridZoom {
   float reach = 1.0f;        ///< Factor on the floor's extent, >= 1.
-  float cell = 1.0f;         ///< The middle rank's, character units; a fifth of it and five times it in the others.
-  float towardsNext = 0.0f;  ///< 0..1: how far the ranks have moved on; 1 looks as 0 with cells five times as large.
+  float cell = 1.0f;         ///< Middle rank, character units; the others have a fifth and five times it.
+  float towardsNext = 0.0f;  ///< 0..1: blend to the next rank; 1 looks like 0 with five times the cells.
 };
 [[nodiscard]] GridZoom gridZoom(const View& view, const glm::vec3& center, float height);
 
-/// A round length (1, 2 or 5 times a power of ten) near a quarter of the height: the grid's cell.
+/// Cell of the grid near a quarter of the height: 1, 2 or 5 times a power of ten.
 [[nodiscard]] float gridCell(float height);
 
 }  // namespace sinew::app

@@ -2,7 +2,7 @@
 #include "app/viewport/render/material_textures.h"
 
 #include <algorithm>
-#include <cmath>
+#include <array>
 
 namespace sinew::app {
 namespace {
@@ -19,22 +19,13 @@ GLint glWrapOf(TextureWrap wrap) {
   return GL_REPEAT;
 }
 
-GLsizei levelsFor(int width, int height) {
-  return 1 + static_cast<GLsizei>(std::floor(std::log2(static_cast<float>(std::max(width, height)))));
-}
-
 GlTexture uploadTexture(const Texture& image, GLenum format) {
-  GlTexture texture = makeTexture(GL_TEXTURE_2D);
+  GlTexture texture = app::uploadTexture(format, image.width, image.height, image.rgba, true);
   const GLuint id = texture.id();
-  glTextureStorage2D(id, levelsFor(image.width, image.height), format, image.width, image.height);
-  glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-  glTextureSubImage2D(id, 0, 0, 0, image.width, image.height, GL_RGBA, GL_UNSIGNED_BYTE, image.rgba.data());
-  glGenerateTextureMipmap(id);
   glTextureParameteri(id, GL_TEXTURE_WRAP_S, glWrapOf(image.wrapU));
   glTextureParameteri(id, GL_TEXTURE_WRAP_T, glWrapOf(image.wrapV));
-  glTextureParameteri(id, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
-  glTextureParameteri(id, GL_TEXTURE_MAG_FILTER, image.nearest ? GL_NEAREST : GL_LINEAR);
-  // On the processor, anisotropic reading costs more than all the rest of the shading.
+  if (image.nearest) glTextureParameteri(id, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+  // On the processor, anisotropic filtering costs more than all other shading.
   if (!isSoftwareRenderer() && (epoxy_has_gl_extension("GL_EXT_texture_filter_anisotropic") ||
                                 epoxy_has_gl_extension("GL_ARB_texture_filter_anisotropic"))) {
     GLfloat most = 1.0f;

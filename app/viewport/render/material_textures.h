@@ -1,5 +1,4 @@
-// app/viewport/render/material_textures.h: the character's textures on the graphics processor, and which of them a
-// picture needs.
+// app/viewport/render/material_textures.h: the character's textures on the graphics card.
 #pragma once
 
 #include <map>
@@ -9,27 +8,26 @@
 
 namespace sinew::app {
 
-/// Maps of a material that a program reads, as bits.
+/// Bits of the maps that a program reads.
 using MapSet = unsigned;
 inline constexpr MapSet kNormalBit = 1, kRoughnessBit = 2, kOcclusionBit = 4, kEmissiveBit = 8;
-/// The occlusion is in the roughness map, read once.
-inline constexpr MapSet kSharedBit = 16;
+inline constexpr MapSet kSharedBit = 16;  ///< Occlusion is in the roughness map, read once.
 
 class MaterialTextures {
  public:
   MaterialTextures();
 
-  /// With mipmaps; colors are decoded from sRGB when they are read, all else is taken as it is.
+  /// With mipmaps. Colors are decoded from sRGB when read, other values are not.
   void set(const Character& character);
-  /// Those that the textured shading, or clay with its relief, has of this material.
+  /// Maps of a material that textured shading, or clay with relief, uses.
   [[nodiscard]] MapSet mapsOf(const Material& material, const DisplaySettings& settings) const;
   /// On unit 0; white where the material has none.
   void bindBase(const Material& material) const;
-  /// On units 1 to 4, with what shaders/surface.frag wants to know of them.
+  /// On units 1 to 4, with their uniforms of shaders/surface.frag.
   void bindMaps(const GlProgram& program, const Material& material, MapSet maps) const;
 
  private:
-  /// By index in Character::textures. An image may be in both, if it is used so.
+  /// By index in Character::textures. An image may be in both.
   using Uploaded = std::map<int, GlTexture>;
   static void upload(const Character& character, int texture, GLenum format, Uploaded& to);
 

@@ -2,13 +2,12 @@
 #include "app/viewport/render/muscle_drawer.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdint>
 #include <numbers>
 
 #include "app/viewport/render/color_scales.h"
-#include "app/viewport/render/skeleton_drawer.h"
+#include "app/viewport/render/overlay_drawers.h"
 #include "core/character/bone_segments.h"
 #include "core/rig/line_rest.h"
 #include "sinew/geometry/shape.h"
@@ -16,20 +15,18 @@
 namespace sinew::app {
 namespace {
 
-constexpr std::uint32_t kTendonRings = 24, kTendonCorners = 14;  ///< As shaders/tendon.vert numbers them.
-constexpr float kUnmoved = 0.45f;      ///< The tone of muscles that no line flexes: between loose and flexed.
-constexpr float kStrandWidth = 0.12f;  ///< Fraction of the mean of half length and mean radius across.
-constexpr float kCord = 0.20f;         ///< A tendon's radius, of the belly's mean radius across,
-constexpr glm::vec2 kCordOfHeight{0.0016f, 0.0085f};       ///< within these, of the character's height.
-constexpr glm::vec2 kBoneWidth{0.12f, 0.012f};             ///< A bone's, of its length and of the character's height.
-constexpr float kShortestBone = 0.004f;                    ///< Drawn, of the character's height.
-constexpr glm::vec3 kDarkContour{0.050f, 0.048f, 0.050f};  ///< The glass's outline: light on dark backgrounds.
+constexpr std::uint32_t kTendonRings = 24, kTendonCorners = 14;  ///< As in shaders/tendon.vert.
+constexpr float kUnmoved = 0.45f;                                ///< Tone of muscles without a line.
+constexpr float kStrandWidth = 0.12f;                 ///< Fraction of the mean of half length and mean radius across.
+constexpr float kCord = 0.20f;                        ///< A tendon's radius over the belly's mean radius across,
+constexpr glm::vec2 kCordOfHeight{0.0016f, 0.0085f};  ///< clamped to these fractions of the height.
+constexpr glm::vec2 kBoneWidth{0.12f, 0.012f};        ///< Fractions of the bone's length and of the height.
+constexpr float kShortestBone = 0.004f;               ///< Drawn, fraction of the height.
+constexpr glm::vec3 kDarkContour{0.050f, 0.048f, 0.050f};  ///< Outline of the glass.
 constexpr glm::vec3 kLightContour{0.330f, 0.345f, 0.370f};
-constexpr float kSmall =
-    80.0f;  ///< Pixels: of a belly with shorter half axes, 16 rows are off by less than half a pixel.
-constexpr float kInside = 0.97f;  ///< The tendon's first section, of the belly's: hidden in it.
+constexpr float kSmall = 80.0f;   ///< Half axis in pixels below which 16 rows are exact to half a pixel.
+constexpr float kInside = 0.97f;  ///< The tendon's first section over the belly's: hidden in it.
 
-/// Two triangles between each two corners of a ring and of the next.
 std::vector<std::uint32_t> tendonTriangles() {
   std::vector<std::uint32_t> indices;
   for (std::uint32_t ring = 0; ring < kTendonRings; ++ring) {
@@ -42,7 +39,7 @@ std::vector<std::uint32_t> tendonTriangles() {
   return indices;
 }
 
-/// Which of a muscle's axes is x, y and z where its fibres run along y.
+/// The muscle's axes that become x, y and z when its fibres run along y.
 std::array<glm::length_t, 3> axesOf(const PrimitiveShape& shape) {
   const glm::vec3& radii = shape.radii;
   if (!shape.shape.isPlain()) return {0, 1, 2};
@@ -51,13 +48,13 @@ std::array<glm::length_t, 3> axesOf(const PrimitiveShape& shape) {
   return {0, 1, 2};
 }
 
-/// Different for each muscle and the same in every picture of it.
+/// Pseudo-random, 0..1.
 float numberOf(int rigIndex) {
-  const double turn = 0.6180339887498949 * (rigIndex + 1);
-  return static_cast<float>(turn - std::floor(turn));
+  const double golden = 0.6180339887498949 * (rigIndex + 1);
+  return static_cast<float>(golden - std::floor(golden));
 }
 
-/// Activation, strands around, ovalness and number for shaders/muscle.frag.
+/// Activation, number of strands, ovalness and a number of the muscle, for shaders/muscle.frag.
 glm::vec4 fibresOf(const PrimitiveShape& shape) {
   const std::array<glm::length_t, 3> axes = axesOf(shape);
   const float x = shape.radii[axes[0]], y = shape.radii[axes[1]], z = shape.radii[axes[2]];
@@ -68,11 +65,10 @@ glm::vec4 fibresOf(const PrimitiveShape& shape) {
 }
 
 ShapeInstance instanceOf(const PrimitiveShape& shape) {
-  const float glow = shape.hovered ? 1.0f : shape.selected ? 0.5f : 0.0f;
   ShapeInstance belly = shellOf(shape, 1.0f);
   belly.shapeInWorld = alongFibres(shape);
   belly.color = fibresOf(shape);
-  belly.style.x = glow;
+  belly.style.x = shape.hovered ? 1.0f : shape.selected ? 0.5f : 0.0f;
   return belly;
 }
 
@@ -105,42 +101,29 @@ MuscleDrawer::MuscleDrawer()
   uploadBuffer(tendonIndices_, std::span<const std::uint32_t>(indices));
   glVertexArrayElementBuffer(array, tendonIndices_.id());
   for (GLuint i = 0; i < sizeof(TendonInstance) / sizeof(glm::vec4); ++i) {
-    glEnableVertexArrayAttrib(array, i);
-    glVertexArrayAttribFormat(array, i, 4, GL_FLOAT, GL_FALSE, static_cast<GLuint>(i * sizeof(glm::vec4)));
-    glVertexArrayAttribBinding(array, i, 0);
+    setAttribute(array, i, 0, 4, i * sizeof(glm::vec4));
   }
 }
 
 Result<MuscleDrawer> MuscleDrawer::create() {
   MuscleDrawer drawer;
-  struct Wanted {
-    GlProgram* program;
-    const char* vertex;
-    const char* fragment;
-    const char* what = "MUSCLE";
-    const char* part = "LIT";
-  };
   constexpr const char* kLit = "shaders/muscle.frag";
   constexpr const char* kDepth = "shaders/depth.frag";
-  for (const Wanted& wanted :
-       {Wanted{&drawer.lit_.belly, "shaders/muscle.vert", kLit},
-        Wanted{&drawer.lit_.tendon, "shaders/tendon.vert", kLit},
-        Wanted{&drawer.lit_.bone, "shaders/ivory.vert", kLit, "BONE"},
-        Wanted{&drawer.depth_.belly, "shaders/muscle.vert", kDepth},
-        Wanted{&drawer.depth_.tendon, "shaders/tendon.vert", kDepth},
-        Wanted{&drawer.depth_.bone, "shaders/ivory.vert", kDepth},
-        Wanted{&drawer.hollow_, "shaders/muscle.vert", "shaders/hollow.frag"},
-        Wanted{&drawer.glass_, "shaders/surface.vert", "shaders/glass.frag", "GLASS"},
-        Wanted{&drawer.glassDepth_, "shaders/surface.vert", "shaders/glass.frag", "GLASS", "DEPTH_ALONE"}}) {
-    Result<GlProgram> program = GlProgram::load({wanted.vertex, wanted.fragment},
-                                                {"CHOSEN_LOOK", "COLORED", "SOLID", wanted.what, wanted.part});
-    if (!program) return program.error();
-    *wanted.program = std::move(program).value();
-  }
-  Result<GlProgram> wired = GlProgram::load({"shaders/surface.vert", "shaders/surface_wire.geom", "shaders/glass.frag"},
-                                            {"CHOSEN_LOOK", "COLORED", "GLASS", "WIRE"});
-  if (!wired) return wired.error();
-  drawer.wiredGlass_ = std::move(wired).value();
+  constexpr const char* kGlass = "shaders/glass.frag";
+  const Result<void> loaded = loadPrograms(
+      {{drawer.lit_.belly, {"shaders/muscle.vert", kLit}, {"CHOSEN_LOOK"}},
+       {drawer.lit_.tendon, {"shaders/tendon.vert", kLit}, {"CHOSEN_LOOK"}},
+       {drawer.lit_.bone, {"shaders/ivory.vert", kLit}, {"CHOSEN_LOOK", "BONE"}},
+       {drawer.depth_.belly, {"shaders/muscle.vert", kDepth}, {"SOLID"}},
+       {drawer.depth_.tendon, {"shaders/tendon.vert", kDepth}, {"SOLID"}},
+       {drawer.depth_.bone, {"shaders/ivory.vert", kDepth}, {"SOLID"}},
+       {drawer.hollow_, {"shaders/muscle.vert", "shaders/hollow.frag"}},
+       {drawer.glass_, {"shaders/surface.vert", kGlass}, {"CHOSEN_LOOK", "COLORED", "GLASS"}},
+       {drawer.glassDepth_, {"shaders/surface.vert", kGlass}, {"CHOSEN_LOOK", "COLORED", "GLASS", "DEPTH_ALONE"}},
+       {drawer.wiredGlass_,
+        {"shaders/surface.vert", "shaders/surface_wire.geom", kGlass},
+        {"CHOSEN_LOOK", "COLORED", "GLASS", "WIRE"}}});
+  if (!loaded) return loaded.error();
   return drawer;
 }
 
@@ -192,7 +175,7 @@ void MuscleDrawer::place(const Frame& frame) {
   }
   const glm::vec3 forward = frame.view.forwardInWorld();
   const auto distance = [&](const ShapeInstance& body) { return glm::dot(glm::vec3(body.shapeInWorld[3]), forward); };
-  // What is hidden is not shaded where what hides it was drawn first.
+  // Front to back, so that hidden fragments are not shaded.
   std::ranges::stable_sort(large, std::less<>{}, distance);
   std::ranges::stable_sort(small, std::less<>{}, distance);
   std::ranges::stable_sort(hollows, std::greater<>{}, distance);
@@ -221,10 +204,10 @@ void MuscleDrawer::drawBodies(const Programs& programs) const {
 }
 
 void MuscleDrawer::drawFlesh(const Frame& frame) const {
-  const glm::vec3 middle = frame.surfaceBounds.isEmpty() ? glm::vec3(0.0f) : frame.surfaceBounds.center();
+  const Bounds& box = frame.surfaceBounds;
+  const glm::vec3 middle = box.isEmpty() ? glm::vec3(0.0f) : box.center();
   const glm::vec3 forward = frame.view.forwardInWorld();
-  const glm::vec3 half = frame.surfaceBounds.isEmpty() ? glm::vec3(frame.height)
-                                                       : 0.5f * (frame.surfaceBounds.high - frame.surfaceBounds.low);
+  const glm::vec3 half = box.isEmpty() ? glm::vec3(frame.height) : 0.5f * (box.high - box.low);
   const glm::vec2 range(glm::dot(middle - frame.view.eyeInWorld, forward), glm::dot(glm::abs(forward), half));
   for (const GlProgram* program : {&lit_.belly, &lit_.tendon, &lit_.bone}) {
     program->use();
@@ -270,7 +253,7 @@ void MuscleDrawer::drawGlass(const Frame& frame, const SurfaceDrawer& surface) c
   const bool onDark = frame.settings.background && backdrop.low.g + backdrop.high.g < 0.5f;
   shown.set("contourColor", onDark ? kLightContour : kDarkContour);
   glVertexAttrib4f(5, 1.0f, 1.0f, 1.0f, 1.0f);  // For surfaces without colors.
-  // Depth first: one layer of glass, never two.
+  // Depth first: only one layer of glass.
   glDisable(GL_BLEND);
   glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
   depth.use();

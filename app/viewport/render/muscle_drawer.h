@@ -1,4 +1,4 @@
-// app/viewport/render/muscle_drawer.h: muscles as in an anatomy book: flesh, tendons, and the skin as glass over them.
+// app/viewport/render/muscle_drawer.h: muscles as flesh and tendons under glassy skin.
 #pragma once
 
 #include <array>
@@ -15,19 +15,19 @@ class MuscleDrawer {
  public:
   [[nodiscard]] static Result<MuscleDrawer> create();
 
-  /// Takes the muscles of the frame's scene for all that follows.
+  /// Sets the muscles to draw.
   void place(const Frame& frame);
   /// Bellies, tendons and, where the skeleton is shown, bones: opaque.
   void drawFlesh(const Frame& frame) const;
-  /// The same for ScreenOcclusion, as shaders/depth.frag writes it.
+  /// The same with shaders/depth.frag for ScreenOcclusion.
   void drawDepths() const;
-  /// What carves take away, seen through.
+  /// Translucent volumes that carves remove.
   void drawHollows() const;
-  /// The nearest layer of the skin that no muscle hides; it takes its place in the depth too.
+  /// The nearest layer of skin before the muscles, written to the depth too.
   void drawGlass(const Frame& frame, const SurfaceDrawer& surface) const;
 
  private:
-  /// One part of a tendon, as shaders/tendon.vert reads it.
+  /// One part of a tendon: input of shaders/tendon.vert.
   struct TendonInstance {
     std::array<glm::vec4, 4> curve{};
     glm::vec4 halfX{0.0f};
@@ -38,7 +38,6 @@ class MuscleDrawer {
   MuscleDrawer();
   void addTendons(const PrimitiveShape& shape, const ShapeInstance& belly, float height);
   void addBones(const Frame& frame);
-  /// What makes vertices of bellies, tendons and bones, each with the same fragments.
   struct Programs {
     GlProgram belly, tendon, bone;
   };
@@ -46,18 +45,15 @@ class MuscleDrawer {
 
   Programs lit_, depth_;
   GlProgram hollow_, glass_, glassDepth_, wiredGlass_;
-  ShapeMesh bellies_;       ///< Those that are large in the picture,
-  ShapeMesh smallBellies_;  ///< and the others.
-  ShapeMesh hollows_;
-  ShapeMesh bones_;
+  ShapeMesh bellies_, smallBellies_;  ///< By size in the picture.
+  ShapeMesh hollows_, bones_;
   std::size_t hollowCount_ = 0;
   GlVertexArray tendonArray_;
-  GlBuffer tendonBuffer_;
-  GlBuffer tendonIndices_;
+  GlBuffer tendonBuffer_, tendonIndices_;
   std::vector<TendonInstance> tendons_;
 };
 
-/// Unit ball -> world with y along the fibres: the longest of the muscle's radii, and of equal ones y; of a shape y.
+/// Unit ball -> world with y along the fibres: the axis with the longest radius, y if equal; always y for shapes.
 [[nodiscard]] glm::mat4 alongFibres(const PrimitiveShape& shape);
 
 }  // namespace sinew::app

@@ -1,4 +1,4 @@
-// app/viewport/render/picking.cpp: rays against triangles and unit balls, pixels against bones.
+// app/viewport/render/picking.cpp: intersects rays with triangles and unit balls, pixels with bones.
 #include "app/viewport/render/picking.h"
 
 #include <algorithm>
@@ -14,7 +14,7 @@
 namespace sinew::app {
 namespace {
 
-/// The ray as an axis: two coordinates across, one along. A triangle is hit where its shadow across holds the origin.
+/// Axes across and along a ray. The ray hits triangles whose projection across contains the origin.
 struct RayFrame {
   glm::vec3 origin, across, up, along;
 };
@@ -26,7 +26,7 @@ RayFrame frameOf(const Ray& ray) {
   return {ray.origin, across, glm::cross(a, across), a};
 }
 
-/// Sides of both axes a point lies on; a triangle whose corners share one cannot hold the origin.
+/// Sides of the axes as bits; a triangle whose corners share one cannot contain the origin.
 std::uint8_t sidesOf(const glm::vec2& p) {
   return static_cast<std::uint8_t>((p.x > 0.0f ? 1 : 0) | (p.x < 0.0f ? 2 : 0) | (p.y > 0.0f ? 4 : 0) |
                                    (p.y < 0.0f ? 8 : 0));
@@ -39,19 +39,18 @@ struct FlatHit {
   bool front = false;
 };
 
-/// Does the shadow of a triangle hold the origin? Shared edges are tested with the same numbers, so nothing slips
-/// between.
+/// Where a projected triangle contains the origin. Shared edges use the same numbers, so that no ray passes between.
 std::optional<FlatHit> holdsOrigin(const glm::vec2& a, const glm::vec2& b, const glm::vec2& c) {
   const glm::vec3 areas(crossOf(b, c), crossOf(c, a), crossOf(a, b));
   const bool anyBelow = areas.x < 0.0f || areas.y < 0.0f || areas.z < 0.0f;
   const bool anyAbove = areas.x > 0.0f || areas.y > 0.0f || areas.z > 0.0f;
   const float total = areas.x + areas.y + areas.z;
   if ((anyBelow && anyAbove) || total == 0.0f) return std::nullopt;
-  // across, up, along are right-handed with `along` away from the eye: counter-clockwise to the eye is negative here.
+  // `along` points away from the eye: counter-clockwise for the eye is negative.
   return FlatHit{areas / total, total < 0.0f};
 }
 
-/// Calls take(refined triangle, where in it, distance > 0) for every triangle the ray meets, in the triangles' order.
+/// Calls take(refined triangle, hit, distance > 0) for every triangle that the ray hits, in their order.
 template <class Take>
 void forEachCrossing(const Ray& ray, const Surface& surface, const Take& take) {
   const Refinement& refinement = *surface.refinement;
@@ -89,15 +88,6 @@ void complete(SurfaceHit& hit, const Ray& ray, const Surface& surface, const Con
         hit.barycentric[i] * glm::vec3(controlCoordinates(mesh, refinement, hit.controlTriangle, vertex));
   }
   hit.normal = normalizeOr(normal, -ray.direction);
-}
-
-/// Squared pixel distance from a point to a segment on screen, and the share of the way along it.
-std::pair<float, float> pixelDistance2(const glm::vec2& p, const glm::vec2& a, const glm::vec2& b) {
-  const glm::vec2 d = b - a;
-  const float length2 = glm::dot(d, d);
-  const float t = length2 > 0.0f ? std::clamp(glm::dot(p - a, d) / length2, 0.0f, 1.0f) : 0.0f;
-  const glm::vec2 off = p - (a + t * d);
-  return {glm::dot(off, off), t};
 }
 
 std::optional<ShellSpan> crossShape(const Ray& ray, const glm::mat3& toShape, const glm::vec3& center,
@@ -150,7 +140,7 @@ std::optional<ShellSpan> crossShell(const Ray& ray, const glm::mat4& unitBallInW
   if (!shape.isPlain()) return crossShape(ray, toBall, glm::vec3(unitBallInWorld[3]), shape);
   const glm::vec3 origin = toBall * (ray.origin - glm::vec3(unitBallInWorld[3]));
   const glm::vec3 direction = toBall * ray.direction;
-  // The foot of the ball's center on the ray first: |origin|^2 - 1 from afar would cancel.
+  // From the nearest point on the ray, since |origin|^2 - 1 would cancel from afar.
   const float length2 = glm::dot(direction, direction);
   const float foot = -glm::dot(origin, direction) / length2;
   const glm::vec3 closest = origin + foot * direction;
@@ -161,6 +151,13 @@ std::optional<ShellSpan> crossShell(const Ray& ray, const glm::mat4& unitBallInW
   return ShellSpan{std::max(foot - half, 0.0f), foot + half};
 }
 
+std::pair<float, float> segmentDistance(const glm::vec2& p, const glm::vec2& a, const glm::vec2& b) {
+  const glm::vec2 along = b - a;
+  const float length2 = glm::dot(along, along);
+  const float t = length2 > 0.0f ? std::clamp(glm::dot(p - a, along) / length2, 0.0f, 1.0f) : 0.0f;
+  return {glm::length(p - (a + t * along)), t};
+}
+
 std::optional<BoneHit> pickBone(const glm::vec2& pixel, const View& view, const Skeleton& skeleton, const Pose& pose,
                                 float withinPixels, const std::vector<bool>& hidden) {
   constexpr float kSamePixels = 0.5f;
@@ -169,11 +166,10 @@ std::optional<BoneHit> pickBone(const glm::vec2& pixel, const View& view, const 
   for (const BoneSegment& segment : boneSegments(skeleton, pose, hidden)) {
     const glm::vec3 head = view.toPixel(segment.head), tail = view.toPixel(segment.tail);
     if (head.z > 1.0f || tail.z > 1.0f) continue;
-    const auto [distance2, share] = pixelDistance2(pixel, glm::vec2(head), glm::vec2(tail));
-    const float distance = std::sqrt(distance2);
+    const auto [distance, fraction] = segmentDistance(pixel, glm::vec2(head), glm::vec2(tail));
     if (distance > withinPixels) continue;
-    // At a joint two bones meet: the one that starts there is meant.
-    const float depth = glm::mix(head.z, tail.z, share) + 1e-6f * share;
+    // Where two bones meet, prefer the one that starts there.
+    const float depth = glm::mix(head.z, tail.z, fraction) + 1e-6f * fraction;
     const bool nearer = !best || distance < best->pixels - kSamePixels;
     const bool asNear = best && distance < best->pixels + kSamePixels;
     if (!nearer && !(asNear && depth < bestDepth)) continue;

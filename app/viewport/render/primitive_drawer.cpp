@@ -1,10 +1,10 @@
-// app/viewport/render/primitive_drawer.cpp: translucent shells with three rings each, and outlines.
+// app/viewport/render/primitive_drawer.cpp: translucent shells with three rings, and outlines.
 #include "app/viewport/render/primitive_drawer.h"
 
 #include <algorithm>
 #include <vector>
 
-#include "app/viewport/render/shape_colors.h"
+#include "app/viewport/render/color_scales.h"
 #include "core/geometry/silhouette.h"
 
 namespace sinew::app {
@@ -12,12 +12,12 @@ namespace {
 
 constexpr int kRingVertices = 3 * 64 * 6;  ///< As shaders/ring.vert numbers them.
 constexpr int kOutlineVertices = 96 * 6;   ///< As shaders/outline.vert numbers them.
-constexpr float kHaloWidth = 2.2f;         ///< Pixels more than the outline: a dark edge that any skin sets off.
-constexpr float kRimWidth = 1.3f;          ///< Pixels: the outline of every shell.
-constexpr float kHidden = 0.5f;            ///< How strong what the surface hides is drawn.
+constexpr float kHaloWidth = 2.2f;         ///< Pixels around the outline, dark.
+constexpr float kRimWidth = 1.3f;          ///< Pixels.
+constexpr float kHidden = 0.5f;            ///< Opacity behind the surface.
 const glm::vec4 kHalo{0.01f, 0.01f, 0.012f, 0.42f};
 
-/// How near an ellipsoid comes to the eye, along the view. Smaller is nearer.
+/// Smallest depth of an ellipsoid along the view.
 float nearestDepth(const PrimitiveShape& shape, const glm::vec3& forward) {
   const glm::vec3 center(shape.unitBallInWorld[3]);
   return glm::dot(center, forward) - glm::length(glm::transpose(glm::mat3(shape.unitBallInWorld)) * forward);
@@ -30,7 +30,7 @@ ShapeInstance shellOf(const PrimitiveShape& shape, float scale, const glm::vec4&
   return shell;
 }
 
-/// Furthest first, so that nearer shells are blended over them; one inside another comes before it.
+/// Furthest first, for blending; a shell inside another comes before it.
 std::vector<const PrimitiveShape*> backToFront(const Frame& frame) {
   std::vector<const PrimitiveShape*> order;
   for (const PrimitiveShape& shape : frame.scene.primitives) order.push_back(&shape);
@@ -51,40 +51,32 @@ PrimitiveDrawer::PrimitiveDrawer()
 
 Result<PrimitiveDrawer> PrimitiveDrawer::create() {
   PrimitiveDrawer drawer;
-  Result<GlProgram> fill = GlProgram::load({"shaders/shape.vert", "shaders/ellipsoid.frag"});
-  if (!fill) return fill.error();
-  Result<GlProgram> ring = GlProgram::load({"shaders/ring.vert", "shaders/line.frag"});
-  if (!ring) return ring.error();
-  Result<GlProgram> outline = GlProgram::load({"shaders/outline.vert", "shaders/line.frag"});
-  if (!outline) return outline.error();
-  drawer.fillProgram_ = std::move(fill).value();
-  drawer.ringProgram_ = std::move(ring).value();
-  drawer.outlineProgram_ = std::move(outline).value();
+  const Result<void> loaded = loadPrograms({{drawer.fillProgram_, {"shaders/shape.vert", "shaders/ellipsoid.frag"}},
+                                            {drawer.ringProgram_, {"shaders/ring.vert", "shaders/line.frag"}},
+                                            {drawer.outlineProgram_, {"shaders/outline.vert", "shaders/line.frag"}}});
+  if (!loaded) return loaded.error();
   return drawer;
 }
 
 void PrimitiveDrawer::drawFamily(const ShapeMesh& shells, const ShellLook& look) const {
-  struct Pass {
-    GLenum depth;
-    float opacity;
-  };
-  for (const Pass& pass : {Pass{GL_GREATER, kHidden}, Pass{GL_LEQUAL, 1.0f}}) {
-    glDepthFunc(pass.depth);
+  for (const bool inSight : {false, true}) {
+    const float opacity = inSight ? 1.0f : kHidden;
+    glDepthFunc(inSight ? GL_LEQUAL : GL_GREATER);
     fillProgram_.use();
-    fillProgram_.set("opacity", pass.opacity * look.strength);
+    fillProgram_.set("opacity", opacity * look.strength);
     fillProgram_.set("lineScale", look.lineScale);
     fillProgram_.set("meets", look.meets ? 1.0f : 0.0f);
     glEnable(GL_CULL_FACE);
-    // The far walls of all shells lie behind the near walls: with them a shell is a body of glass, not a disc.
+    // With its far walls behind the near ones, a shell looks like glass rather than a disc.
     for (const GLenum hidden : {GL_FRONT, GL_BACK}) {
-      if (hidden == GL_FRONT && pass.depth == GL_GREATER) continue;  // Under the skin one wall is enough.
+      if (hidden == GL_FRONT && !inSight) continue;  // One wall is enough under the skin.
       glCullFace(hidden);
       fillProgram_.set("inner", hidden == GL_FRONT ? 1.0f : 0.0f);
       shells.draw();
     }
     glDisable(GL_CULL_FACE);
     ringProgram_.use();
-    ringProgram_.set("opacity", pass.opacity * (look.dashes > 0.0f ? 0.50f : 0.85f));
+    ringProgram_.set("opacity", opacity * (look.dashes > 0.0f ? 0.50f : 0.85f));
     ringProgram_.set("width", look.ringWidth);
     ringProgram_.set("dashes", look.dashes);
     shells.drawNumbered(kRingVertices);

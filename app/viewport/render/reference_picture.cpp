@@ -1,5 +1,4 @@
-// app/viewport/render/reference_picture.cpp: decoded within limits, halved until it fits.
-
+// app/viewport/render/reference_picture.cpp: decodes, places and draws reference pictures.
 #include "app/viewport/render/reference_picture.h"
 
 #include <algorithm>
@@ -13,17 +12,79 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-#include "app/viewport/render/framing.h"
+#include "app/viewport/render/view.h"
 #include "core/files/disk/atomic_file.h"
 #include "core/files/gltf/image.h"
 
 namespace sinew::app {
+
+namespace {
+
+constexpr float kFadedFrom = 0.3f;  ///< Cosine of the viewing angle below which a picture fades.
+
+GlTexture uploaded(const Image& image) {
+  GlTexture texture = uploadTexture(GL_SRGB8_ALPHA8, image.width, image.height, image.rgba, true);
+  glTextureParameteri(texture.id(), GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+  glTextureParameteri(texture.id(), GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+  return texture;
+}
+
+/// Factor on the opacity for oblique views; 0: from behind.
+float facing(const ReferencePlane& plane, const View& view) {
+  const glm::vec3 normal(plane.squareInWorld[2]);
+  const glm::vec3 towards =
+      view.orthographic ? -view.forwardInWorld() : glm::normalize(view.eyeInWorld - glm::vec3(plane.squareInWorld[3]));
+  return glm::clamp(glm::dot(normal, towards) / kFadedFrom, 0.0f, 1.0f);
+}
+
+}  // namespace
+
+Result<ReferenceDrawer> ReferenceDrawer::create() {
+  ReferenceDrawer drawer;
+  Result<GlProgram> program = GlProgram::load({"shaders/reference.vert", "shaders/reference.frag"});
+  if (!program) return program.error();
+  drawer.program_ = std::move(program).value();
+  drawer.empty_ = makeVertexArray();
+  return drawer;
+}
+
+void ReferenceDrawer::prepare(const Frame& frame) {
+  const auto& planes = frame.scene.references;
+  std::erase_if(textures_, [&](const auto& held) {
+    return std::ranges::none_of(planes, [&](const auto& plane) { return plane.pixels.get() == held.first; });
+  });
+  for (const ReferencePlane& plane : planes) {
+    Uploaded& held = textures_[plane.pixels.get()];
+    if (!held.pixels) held = {plane.pixels, uploaded(*plane.pixels)};
+  }
+}
+
+void ReferenceDrawer::draw(const Frame& frame, bool inside) const {
+  const auto& planes = frame.scene.references;
+  if (std::ranges::none_of(planes, [&](const ReferencePlane& plane) { return plane.inside == inside; })) return;
+  glDepthMask(GL_FALSE);
+  blendPremultiplied();
+  program_.use();
+  program_.set("pixels", 0);
+  glBindVertexArray(empty_.id());
+  for (const ReferencePlane& plane : planes) {
+    const float left = facing(plane, frame.view);
+    if (plane.inside != inside || left <= 0.0f) continue;
+    program_.set("squareInWorld", plane.squareInWorld);
+    program_.set("opacity", plane.opacity * left);
+    glBindTextureUnit(0, textures_.at(plane.pixels.get()).texture.id());
+    glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
+  }
+  glDepthMask(GL_TRUE);
+  glDisable(GL_BLEND);
+}
+
 namespace {
 
 constexpr std::uintmax_t kLargestReference = 64u << 20;
 constexpr std::size_t kMostPixels = std::size_t{gltf::kMaxImageSide} * gltf::kMaxImageSide;
-constexpr int kLargestSide = 4096;    ///< Of what is kept.
-constexpr float kRoomBehind = 0.02f;  ///< Of the height, between body and picture.
+constexpr int kLargestSide = 4096;    ///< After scaling.
+constexpr float kRoomBehind = 0.02f;  ///< Between body and picture, fraction of the height.
 
 constexpr float kQuarter = 0.5f * std::numbers::pi_v<float>;
 
@@ -39,7 +100,7 @@ constexpr std::array<Seen, kReferenceSides> kSides{{{"front", 0.0f, 0.0f},
 
 const Seen& seenFrom(ReferenceSide side) { return kSides[static_cast<std::size_t>(side)]; }
 
-/// Each pixel the mean of two by two; a last odd row or column goes.
+/// Means of two by two pixels; an odd last row or column is dropped.
 Image halved(const Image& image) {
   Image half{std::max(image.width / 2, 1), std::max(image.height / 2, 1), {}};
   half.rgba.reserve(4 * static_cast<std::size_t>(half.width) * static_cast<std::size_t>(half.height));
@@ -69,7 +130,7 @@ std::optional<std::size_t> sideNamed(const std::string& name) {
   return std::nullopt;
 }
 
-/// Within the range, else as it was.
+/// Leaves the value unchanged if the number is out of range.
 void read(const Json& json, float least, float most, float& value) {
   const double number = json.number(std::nan(""));
   if (number >= double{least} && number <= double{most}) value = static_cast<float>(number);

@@ -1,4 +1,4 @@
-// app/viewport/render/render_target.cpp: framebuffers of the picture.
+// app/viewport/render/render_target.cpp: framebuffers and their means.
 #include "app/viewport/render/render_target.h"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// app/viewport/render/scene.cpp: primitives as they are drawn.
+// app/viewport/render/scene.cpp: primitives of a rig in a pose.
 #include "app/viewport/render/scene.h"
 
 #include "app/document/group_colors.h"

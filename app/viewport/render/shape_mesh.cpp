@@ -1,7 +1,6 @@
 // app/viewport/render/shape_mesh.cpp: balls and bones as triangles.
 #include "app/viewport/render/shape_mesh.h"
 
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <numbers>
@@ -12,6 +11,7 @@
 #include "core/geometry/affine_image.h"
 
 namespace sinew::app {
+
 ShapeInstance shellOf(const PrimitiveShape& shape, float scale) {
   ShapeInstance shell;
   shell.shapeInWorld = shape.unitBallInWorld;
@@ -51,8 +51,8 @@ ShapeMesh ShapeMesh::ball(std::uint32_t rows) {
   for (std::uint32_t row = 0; row <= rows; ++row) {
     const float polar = std::numbers::pi_v<float> * static_cast<float>(row) / static_cast<float>(rows);
     for (std::uint32_t column = 0; column <= columns; ++column) {
-      const float turn = 2.0f * std::numbers::pi_v<float> * static_cast<float>(column) / static_cast<float>(columns);
-      const glm::vec3 p(std::sin(polar) * std::sin(turn), std::cos(polar), std::sin(polar) * std::cos(turn));
+      const float angle = 2.0f * std::numbers::pi_v<float> * static_cast<float>(column) / static_cast<float>(columns);
+      const glm::vec3 p(std::sin(polar) * std::sin(angle), std::cos(polar), std::sin(polar) * std::cos(angle));
       vertices.push_back({p, p});
     }
   }

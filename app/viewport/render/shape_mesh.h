@@ -1,4 +1,4 @@
-// app/viewport/render/shape_mesh.h: a small fixed mesh drawn many times: balls and bones.
+// app/viewport/render/shape_mesh.h: instanced balls and bones.
 #pragma once
 
 #include <array>
@@ -10,30 +10,31 @@
 
 namespace sinew::app {
 
-/// The numbers of a shape, in the order of shapeNumbers(), four to a vector: shaders/form.glsl takes them apart.
+/// shapeNumbers() packed into vectors, for shaders/form.glsl.
 using FormVectors = std::array<glm::vec4, (kShapeNumbers + 3) / 4>;
 
-/// One copy, as shaders/shape.vert and ring.vert read it.
+/// Input of shaders/shape.vert and ring.vert.
 struct ShapeInstance {
   glm::mat4 shapeInWorld{1.0f};
   glm::vec4 color{1.0f};  ///< Linear, opacity in w.
   glm::vec4 style{0.0f};  ///< Outline, glow: 0..1.
-  FormVectors form{};     ///< A shape's, where style.w > 0.
+  FormVectors form{};     ///< For shapes, where style.w > 0.
 };
 
-/// The surface rho = `scale` of a primitive, made of the unit ball; color, outline and glow are left to the caller.
+/// The surface rho = `scale` of a primitive as an instance of the unit ball, without color, outline and glow.
 [[nodiscard]] ShapeInstance shellOf(const PrimitiveShape& shape, float scale);
 
 class ShapeMesh {
  public:
-  [[nodiscard]] static ShapeMesh ball(
-      std::uint32_t rows);                      ///< Radius 1 around the origin; twice as many columns as rows.
-  [[nodiscard]] static ShapeMesh octahedron();  ///< From the origin to +Y at 1; half width 1 at a sixth of the way.
+  /// Radius 1 around the origin; twice as many columns as rows.
+  [[nodiscard]] static ShapeMesh ball(std::uint32_t rows);
+  /// From the origin to y = 1; half width 1 at y = 1/6.
+  [[nodiscard]] static ShapeMesh octahedron();
 
   void setInstances(std::span<const ShapeInstance> instances);
-  /// Draws the mesh once an instance with the program in use.
+  /// Draws all instances with the program in use.
   void draw() const;
-  /// Draws `vertices` numbered vertices an instance instead of the mesh: for programs that make their own shape.
+  /// Draws numbered vertices per instance in place of the mesh, for programs that compute their own shape.
   void drawNumbered(int vertices) const;
 
  private:
@@ -45,9 +46,7 @@ class ShapeMesh {
 
   GlVertexArray array_;
   GlVertexArray instanceArray_;  ///< Without the mesh, for drawNumbered.
-  GlBuffer vertices_;
-  GlBuffer indices_;
-  GlBuffer instances_;
+  GlBuffer vertices_, indices_, instances_;
   GLsizei indexCount_ = 0;
   GLsizei instanceCount_ = 0;
 };

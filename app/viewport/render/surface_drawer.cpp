@@ -1,8 +1,7 @@
-// app/viewport/render/surface_drawer.cpp: the smoothed surface on the graphics processor.
+// app/viewport/render/surface_drawer.cpp: the smoothed surface on the graphics card.
 #include "app/viewport/render/surface_drawer.h"
 
 #include <algorithm>
-#include <array>
 #include <cassert>
 #include <cmath>
 #include <cstddef>
@@ -12,15 +11,11 @@
 #include <glm/gtc/matrix_access.hpp>
 
 #include "app/viewport/render/color_scales.h"
-#include "app/viewport/render/gl_objects.h"
 #include "app/viewport/render/occlusion.h"
-#include "app/viewport/render/shape_colors.h"
 #include "app/viewport/render/shape_mesh.h"
 #include "core/geometry/parallel.h"
 
 namespace sinew::app {
-
-// Each kind from the same files.
 
 namespace {
 
@@ -28,21 +23,22 @@ constexpr std::array<const char*, 4> kShadingDefines{"SHADING_TEXTURED", "SHADIN
                                                      "SHADING_HEAT"};
 
 Result<GlProgram> loadSurface(const SurfaceKind& kind) {
-  const char* const shading = kShadingDefines[static_cast<std::size_t>(kind.shading)];
-  const char* const marks = kind.marked ? "MARKED" : "UNMARKED";
-  const char* const colors = kind.colored ? "COLORED" : "UNCOLORED";
-  const char* const look = kind.chosen ? "CHOSEN_LOOK" : "USUAL_LOOK";
-  const char* const normals = (kind.maps & kNormalBit) != 0 ? "NORMAL_MAP" : "NO_NORMAL_MAP";
-  const char* const roughness = (kind.maps & kRoughnessBit) != 0 ? "ROUGHNESS_MAP" : "NO_ROUGHNESS_MAP";
-  const char* const occlusion = (kind.maps & kOcclusionBit) != 0 ? "OCCLUSION_MAP" : "NO_OCCLUSION_MAP";
-  const char* const emissive = (kind.maps & kEmissiveBit) != 0 ? "EMISSIVE_MAP" : "NO_EMISSIVE_MAP";
-  const char* const shared = (kind.maps & kSharedBit) != 0 ? "SHARED_MAP" : "NO_SHARED_MAP";
-  if (!kind.wired) {
-    return GlProgram::load({"shaders/surface.vert", "shaders/surface.frag"},
-                           {shading, marks, colors, look, normals, roughness, occlusion, emissive, shared});
-  }
-  return GlProgram::load({"shaders/surface.vert", "shaders/surface_wire.geom", "shaders/surface.frag"},
-                         {shading, "WIRE", marks, colors, look, normals, roughness, occlusion, emissive, shared});
+  std::vector<const char*> files{"shaders/surface.vert", "shaders/surface.frag"};
+  if (kind.wired) files.insert(files.begin() + 1, "shaders/surface_wire.geom");
+  std::vector<const char*> define{kShadingDefines[static_cast<std::size_t>(kind.shading)]};
+  const auto add = [&](bool is, const char* name) {
+    if (is) define.push_back(name);
+  };
+  add(kind.wired, "WIRE");
+  add(kind.marked, "MARKED");
+  add(kind.colored, "COLORED");
+  add(kind.chosen, "CHOSEN_LOOK");
+  add((kind.maps & kNormalBit) != 0, "NORMAL_MAP");
+  add((kind.maps & kRoughnessBit) != 0, "ROUGHNESS_MAP");
+  add((kind.maps & kOcclusionBit) != 0, "OCCLUSION_MAP");
+  add((kind.maps & kEmissiveBit) != 0, "EMISSIVE_MAP");
+  add((kind.maps & kSharedBit) != 0, "SHARED_MAP");
+  return GlProgram::load(files, define);
 }
 
 }  // namespace
@@ -65,7 +61,7 @@ Result<SurfacePrograms> SurfacePrograms::create() {
 const GlProgram& SurfacePrograms::of(const SurfaceKind& kind) const {
   const auto [found, isNew] = made_.try_emplace(kind);
   if (isNew) {
-    // The files were good a moment ago; without them the usual picture is better than none.
+    // The files loaded before; the usual picture is better than none.
     if (Result<GlProgram> made = loadSurface(kind)) found->second = std::move(made).value();
   }
   if (found->second.id() != 0) return found->second;
@@ -81,11 +77,11 @@ constexpr std::size_t kMostMarks = 4;  ///< As in shaders/surface.frag.
 constexpr float kTerritoryStrength = 0.62f;
 constexpr std::size_t kFewVertices = 8192;  ///< For one thread.
 
-std::uint8_t byteOf(float share) {
-  return static_cast<std::uint8_t>(std::lround(255.0f * std::clamp(share, 0.0f, 1.0f)));
+std::uint8_t byteOf(float value) {
+  return static_cast<std::uint8_t>(std::lround(255.0f * std::clamp(value, 0.0f, 1.0f)));
 }
 
-/// Muscles whose reach is outlined on the skin: selected ones, then the hovered. World -> their ball of influence.
+/// Muscles whose reach is outlined on the skin: selected ones, then hovered ones.
 std::vector<const PrimitiveShape*> markedShapes(const Frame& frame) {
   std::vector<const PrimitiveShape*> marked;
   for (const bool selected : {true, false}) {
@@ -271,7 +267,7 @@ void SurfaceDrawer::upload(const Scene& scene, bool showsClasses) {
 }
 
 void SurfaceDrawer::leaveOutUnseen(const Frame& frame) {
-  // Classes are read by the place of a triangle among all; vertices on the card and those beside lie elsewhere.
+  // Classes are indexed by the position among all triangles; other vertices are not known here.
   const bool placed = frame.settings.shading == Shading::kClasses || hasBeside_ || cardVertices_;
   if (!isSoftwareRenderer() || refinement_ == nullptr || placed) return;
   seen_.find({*refinement_, frame.scene.surface->positions, refinedOrder_, ranges_, showsBacks_},
@@ -320,7 +316,7 @@ AlphaMode SurfaceDrawer::alphaIn(const Frame& frame, const Material& material) {
 void SurfaceDrawer::drawRange(const GlProgram& program, const Frame& frame, const Range& range, MapSet maps) const {
   const Material& material = materialOf(range);
   const AlphaMode alpha = alphaIn(frame, material);
-  // Factors of maps that this program does not read would turn skin into chrome or into a lamp.
+  // Without their maps, the factors would turn skin into chrome or into a lamp.
   const bool metal = material.metallicRoughnessMap.texture < 0 || (maps & kRoughnessBit) != 0;
   const bool glows = material.emissiveMap.texture < 0 || (maps & kEmissiveBit) != 0;
   program.set("baseColor", material.baseColor);
@@ -345,7 +341,7 @@ void SurfaceDrawer::drawTriangles(int firstTriangle, int triangles) const {
   glVertexArrayVertexBuffer(array_.id(), 0, vertices_.id(), 0, sizeof(Vertex));
 }
 
-/// Draws ranges with the programs that their materials' maps need, each prepared when it follows another.
+/// Draws ranges with the programs that their materials' maps need, switching when they differ.
 class SurfaceDrawer::OwnProgram {
  public:
   OwnProgram(const SurfaceDrawer& drawer, const Frame& frame) : drawer_(drawer), frame_(frame) {}
@@ -414,14 +410,12 @@ void SurfaceDrawer::drawBlended(const Frame& frame) const {
   glDisable(GL_BLEND);
 }
 
-// The surface as it casts its shadow, and parts of it as a tint.
-
 namespace {
 
 // Opacity of the tint of a part.
 constexpr float kHoveredPart = 0.52f;
 constexpr float kChosenPart = 0.40f;
-constexpr float kHiddenPart = 0.85f;  ///< Share of these where nothing is seen of it.
+constexpr float kHiddenPart = 0.85f;  ///< Factor where the part is hidden.
 
 }  // namespace
 
@@ -483,9 +477,6 @@ void SurfaceDrawer::drawLitParts(const Frame& frame) const {
   glDepthMask(GL_TRUE);
   glDisable(GL_BLEND);
 }
-
-// Index buffers of a refinement: triangles by material, and those of the
-// shadow.
 
 namespace {
 

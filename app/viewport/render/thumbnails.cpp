@@ -1,4 +1,5 @@
-// app/viewport/render/thumbnails.cpp: pictures made small, kept, and shown again.
+// app/viewport/render/thumbnails.cpp: pictures are scaled down, cached, and shown again.
+
 #include "app/viewport/render/thumbnails.h"
 
 #include <algorithm>
@@ -6,12 +7,11 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
-#include <utility>
 
 #include <stb_image.h>
 
 #include "app/document/view_files.h"
-#include "app/viewport/render/png.h"
+#include "app/viewport/render/picture_files.h"
 #include "core/files/disk/atomic_file.h"
 
 namespace sinew::app {
@@ -36,14 +36,7 @@ void writeMean(const Image& picture, const glm::ivec2& low, const glm::ivec2& hi
 }
 
 GlTexture textureOf(const Image& image) {
-  GlTexture texture = makeTexture(GL_TEXTURE_2D);
-  const GLuint id = texture.id();
-  glTextureStorage2D(id, 1, GL_RGBA8, image.width, image.height);
-  glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-  glTextureSubImage2D(id, 0, 0, 0, image.width, image.height, GL_RGBA, GL_UNSIGNED_BYTE, image.rgba.data());
-  glTextureParameteri(id, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
-  glTextureParameteri(id, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-  return texture;
+  return uploadTexture(GL_RGBA8, image.width, image.height, image.rgba, false);
 }
 
 }  // namespace

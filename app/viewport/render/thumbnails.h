@@ -1,5 +1,4 @@
-// app/viewport/render/thumbnails.h: small pictures of documents as textures, read from the cache when they are first
-// shown.
+// app/viewport/render/thumbnails.h: thumbnails of documents as textures, read from the cache when first shown.
 #pragma once
 
 #include <filesystem>
@@ -17,9 +16,9 @@ namespace sinew::app {
 
 inline constexpr glm::ivec2 kThumbnailSize{144, 108};
 
-/// The middle of a picture, as large as it goes, made as small as a thumbnail: each pixel the mean of those below it.
+/// The largest middle part of a picture, scaled down by averaging.
 [[nodiscard]] Image thumbnailOf(const Image& picture);
-/// What a file holds; nullopt: no picture, or not of a thumbnail's size.
+/// nullopt: not a picture, or not of a thumbnail's size.
 [[nodiscard]] std::optional<Image> readThumbnail(std::string_view png);
 
 /// Every call needs a current OpenGL context.
@@ -27,14 +26,14 @@ class Thumbnails {
  public:
   explicit Thumbnails(std::filesystem::path folder) : folder_(std::move(folder)) {}
 
-  /// Makes the document's from a picture of it. A cache that cannot be written to is no reason to complain.
+  /// Stores a document's thumbnail, made from a picture of it. Does nothing if the cache cannot be written.
   void keep(const std::filesystem::path& document, const Image& picture);
 
-  /// Texture of a document's, top row first; 0: there is none. Looks at the disk once for each document that stays as
-  /// it is (`changed`: its own time).
+  /// Top row first; 0: there is none. Reads the disk once per state of the document.
+  /// @param changed  the time of its last change
   [[nodiscard]] unsigned texture(const std::filesystem::path& document, std::filesystem::file_time_type changed);
 
-  /// Texture of a picture that is drawn when it is first asked for.
+  /// Texture of a picture that is drawn on first use.
   [[nodiscard]] unsigned texture(const std::string& key, const std::function<Image()>& draw);
 
  private:

@@ -12,14 +12,12 @@
 #include "app/ui/freed_memory.h"
 #include "app/viewport/render/frame.h"
 #include "app/viewport/render/ground_drawer.h"
-#include "app/viewport/render/lights.h"
-#include "app/viewport/render/line_drawer.h"
 #include "app/viewport/render/muscle_drawer.h"
+#include "app/viewport/render/occlusion.h"
+#include "app/viewport/render/overlay_drawers.h"
 #include "app/viewport/render/primitive_drawer.h"
-#include "app/viewport/render/reference_drawer.h"
+#include "app/viewport/render/reference_picture.h"
 #include "app/viewport/render/render_target.h"
-#include "app/viewport/render/screen_occlusion.h"
-#include "app/viewport/render/skeleton_drawer.h"
 #include "app/viewport/render/surface_drawer.h"
 #include "core/geometry/stopwatch.h"
 
@@ -38,13 +36,13 @@ struct Viewport::State {
   GlBuffer frameBlock;
   GlBuffer lightBlock;
   RenderTarget target{};
-  RenderTarget sample{};  ///< One of those that the mean is made of.
+  RenderTarget sample{};  ///< One picture of the mean.
   int samples = 1;
   bool finish = false;
   bool occludesOnce = !isSoftwareRenderer();
   bool transparent = false;
   float floor = 0.0f;
-  bool kept = false;               ///< All but `boxes` of the last picture is the kept background.
+  bool kept = false;               ///< The last picture shows the kept background outside of `boxes`.
   std::vector<glm::vec4> boxes{};  ///< The character and its shadow in the last picture.
   std::vector<glm::vec4> changed{};
   std::optional<glm::vec3> heldCenter{};  ///< Frame::groundCenter of the last picture of this character.
@@ -53,7 +51,7 @@ struct Viewport::State {
 
 namespace {
 
-// Fractions of the height; a step in 255 of the floor's light is 0.015 or more.
+// Fractions of the height. One step in 255 of the floor's light is at least 0.015.
 constexpr float kHeldWithin = 0.06f;
 constexpr float kDragged = 0.015f;
 
@@ -85,8 +83,8 @@ void resetState() {
   glBindSampler(0, 0);
 }
 
-/// What holds these points in the picture, 0..1 from the top left, with room for linear scaling; nullopt: some are not
-/// in front of the eye.
+/// Bounds of points in the picture, 0..1 from the top left, with room for linear scaling; nullopt: some are not in
+/// front of the eye.
 std::optional<glm::vec4> boxAround(const View& view, std::span<const glm::vec3> points) {
   constexpr float kRoom = 3.0f;
   const glm::vec2 size(view.size);
@@ -101,7 +99,7 @@ std::optional<glm::vec4> boxAround(const View& view, std::span<const glm::vec3> 
   return glm::vec4(low, glm::clamp((high + kRoom) / size, low, glm::vec2(1.0f)));
 }
 
-/// Boxes of all that stands before the background, where it is the character and its shadow alone.
+/// Boxes of the character and its shadow; empty if anything else is in front of the background.
 std::vector<glm::vec4> boxesOf(const Frame& frame, const glm::vec4& shadow) {
   const DisplaySettings& shown = frame.settings;
   if (shown.controlMesh || !frame.scene.segments.empty() || shown.primitives || shown.influence || shown.skeleton ||
@@ -110,25 +108,20 @@ std::vector<glm::vec4> boxesOf(const Frame& frame, const glm::vec4& shadow) {
   }
   const Bounds& box = frame.surfaceBounds;
   if (box.isEmpty()) return {};
-  std::array<glm::vec3, 8> body;
-  for (std::size_t i = 0; i < body.size(); ++i) {
-    body[i] = {(i & 1) != 0 ? box.high.x : box.low.x, (i & 2) != 0 ? box.high.y : box.low.y,
-               (i & 4) != 0 ? box.high.z : box.low.z};
-  }
   std::array<glm::vec3, 4> fallen;
   for (std::size_t i = 0; i < fallen.size(); ++i) {
     fallen[i] = {shadow.x + ((i & 1) != 0 ? 1.0f / shadow.z : 0.0f), frame.floor,
                  shadow.y + ((i & 2) != 0 ? 1.0f / shadow.w : 0.0f)};
   }
   std::vector<glm::vec4> boxes;
-  if (const auto around = boxAround(frame.view, body)) boxes.push_back(*around);
+  if (const auto around = boxAround(frame.view, cornersOf(box))) boxes.push_back(*around);
   if (!shown.ground || boxes.empty()) return boxes;
   if (const auto around = boxAround(frame.view, fallen)) boxes.push_back(*around);
   else boxes.clear();
   return boxes;
 }
 
-/// Colors were multiplied by alpha in linear light; files hold them whole.
+/// Undoes the multiplication of colors by alpha, in linear light.
 void divideByAlpha(std::vector<std::uint8_t>& rgba) {
   const auto decode = [](double s) { return s <= 0.04045 ? s / 12.92 : std::pow((s + 0.055) / 1.055, 2.4); };
   const auto encode = [](double l) { return l <= 0.0031308 ? l * 12.92 : 1.055 * std::pow(l, 1.0 / 2.4) - 0.055; };
@@ -142,7 +135,6 @@ void divideByAlpha(std::vector<std::uint8_t>& rgba) {
   }
 }
 
-/// Whether there is a surface, and it is drawn.
 bool showsSurface(const Frame& frame) {
   return frame.scene.surface != nullptr && !frame.surfaceBounds.isEmpty() && frame.settings.surface;
 }
@@ -197,8 +189,8 @@ void Viewport::setCardVertices(const std::optional<CardVertices>& vertices) {
   state_->surface.setCardVertices(vertices);
 }
 
-/// Below the character. In a movement it stays where it was until that might be seen, then is dragged along: where a
-/// character sways, what is drawn there can be kept.
+/// Below the character. In a movement it moves only when it must, so that the floor under a swaying character can be
+/// kept.
 glm::vec3 Viewport::groundCenter(const Frame& frame, bool moving) {
   const glm::vec3 below = frame.surfaceBounds.isEmpty() ? glm::vec3(0.0f) : frame.surfaceBounds.center();
   std::optional<glm::vec3>& held = state_->heldCenter;
@@ -219,7 +211,7 @@ void Viewport::noteChange(const Frame& frame, bool kept) {
   s.kept = kept;
 }
 
-/// All that stands in the picture, from back to front. @param kept  the target holds the kept background.
+/// Draws from back to front. @param kept  the target holds the kept background
 void Viewport::drawInto(const RenderTarget& target, const Frame& frame, bool kept) {
   State& s = *state_;
   const DisplaySettings& settings = frame.settings;
@@ -253,13 +245,13 @@ void Viewport::drawInto(const RenderTarget& target, const Frame& frame, bool kep
   resetState();
 }
 
-/// What the shaders share, and the occlusion's texture. @param sample  of a mean; below 0: a picture alone.
+/// Uniforms of all shaders, and the occlusion texture. @param sample  in a mean; below 0: a single picture
 void Viewport::shareFrame(const Frame& frame, int sample) {
   State& s = *state_;
   const bool surface = frame.settings.look.occlusion && frame.settings.surface && !frame.surfaceBounds.isEmpty();
   const bool occluded = (surface || frame.settings.anatomy) && (sample >= 0 || s.occludesOnce);
-  const std::array<FrameBlock, 1> block{blockOf(frame, occluded, sample >= 0)};
-  uploadBuffer(s.frameBlock, std::span<const FrameBlock>(block));
+  const FrameBlock block = blockOf(frame, occluded, sample >= 0);
+  uploadBuffer(s.frameBlock, std::span<const FrameBlock>(&block, 1));
   glBindBufferBase(GL_UNIFORM_BUFFER, 0, s.frameBlock.id());
   uploadBuffer(s.lightBlock, std::span<const LightBlock>(&lightBlock(frame.settings.look.light), 1));
   glBindBufferBase(GL_UNIFORM_BUFFER, 1, s.lightBlock.id());
@@ -275,15 +267,21 @@ void Viewport::leave() {
   if (state_->finish) glFinish();
 }
 
-/// Uploads the surface and makes room for a picture.
-Frame Viewport::beginPicture(const Scene& scene, const View& view, const DisplaySettings& settings, bool moving) {
+/// Uploads the surface.
+Frame Viewport::frameOf(const Scene& scene, const View& view, const DisplaySettings& settings, bool moving) {
   State& s = *state_;
-  Stopwatch watch;
   resetState();
   const bool surfaced = scene.surface != nullptr && scene.surface->refinement != nullptr;
   if (surfaced) s.surface.upload(scene, settings.shading == Shading::kClasses);
   Frame frame{scene, view, settings, scene.character->height, s.floor, surfaced ? s.surface.bounds() : Bounds{}};
   frame.groundCenter = groundCenter(frame, moving);
+  return frame;
+}
+
+Frame Viewport::beginPicture(const Scene& scene, const View& view, const DisplaySettings& settings, bool moving) {
+  State& s = *state_;
+  Stopwatch watch;
+  const Frame frame = frameOf(scene, view, settings, moving);
   s.references.prepare(frame);
   s.target.resize(view.size, s.samples);
   s.transparent = !settings.background;
@@ -331,14 +329,10 @@ bool Viewport::refine(const Scene& scene, const View& view, const DisplaySetting
   assert(view.size == s.target.size());
   const int sample = s.mean.count();
   if (sample >= kMeanSamples) return false;
-  resetState();
-  const bool surfaced = scene.surface != nullptr && scene.surface->refinement != nullptr;
-  if (surfaced) s.surface.upload(scene, settings.shading == Shading::kClasses);
   View aside = view;
   const glm::vec2 shift = 2.0f * sampleOffset(sample) / glm::vec2(view.size);
   aside.clipFromView = glm::translate(glm::mat4(1.0f), glm::vec3(shift, 0.0f)) * view.clipFromView;
-  Frame frame{scene, aside, settings, scene.character->height, s.floor, surfaced ? s.surface.bounds() : Bounds{}};
-  frame.groundCenter = groundCenter(frame, false);
+  const Frame frame = frameOf(scene, aside, settings, false);
   s.sample.resize(view.size, 1);  // The mean smooths edges.
   shareFrame(frame, sample);
   drawInto(s.sample, frame);

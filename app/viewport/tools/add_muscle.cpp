@@ -1,4 +1,5 @@
-// app/viewport/tools/add_muscle.cpp: an ellipsoid grows where the skin is pressed.
+// app/viewport/tools/add_muscle.cpp: paths on the skin, and the ellipsoids along them.
+
 #include "app/viewport/tools/add_muscle.h"
 
 #include <algorithm>
@@ -7,15 +8,13 @@
 #include <cmath>
 #include <limits>
 #include <map>
-#include <optional>
 #include <span>
 #include <utility>
-#include <vector>
 
 #include <glm/geometric.hpp>
 
 #include "app/document/shown_names.h"
-#include "app/viewport/tools/gizmo_basis.h"
+#include "app/viewport/tools/gizmo.h"
 #include "core/character/bindings.h"
 #include "core/geometry/at.h"
 #include "core/geometry/normals.h"
@@ -24,23 +23,21 @@
 
 namespace sinew::app {
 
-// From the pixels of a drag to a path on the skin.
-
 namespace {
 
-constexpr float kFold = 0.02f;          ///< Fraction of H: path length that may be hidden before the stroke ends.
-constexpr float kShortestLine = 0.01f;  ///< Pixels: below it the line has no direction.
+constexpr float kFold = 0.02f;          ///< Fraction of H: hidden length that ends the stroke.
+constexpr float kShortestLine = 0.01f;  ///< Pixels.
 
 using EdgeEnds = std::pair<int, int>;  ///< Refined vertices, the smaller first.
 
-/// The part of the cut inside one triangle.
+/// The cut through one triangle.
 struct CutPiece {
   EdgeEnds enter;
   EdgeEnds leave;
 };
 
-/// The skin cut by a plane. Neighbors wind their common edge in opposite ways: what leaves one triangle enters the
-/// next.
+/// The skin cut by a plane. Neighbors wind their common edge in opposite ways: the edge that leaves one triangle enters
+/// the next.
 class SkinCut {
  public:
   SkinCut(const SkinSnapshot& skin, const glm::vec3& origin, const glm::vec3& normal) : skin_(skin) {
@@ -54,16 +51,16 @@ class SkinCut {
 
   [[nodiscard]] std::size_t size() const { return pieces_.size(); }
 
-  /// Nothing if the plane misses the skin.
+  /// nullopt: the plane misses the skin.
   [[nodiscard]] std::optional<CutPiece> nearestTo(const glm::vec3& point) const {
     std::optional<CutPiece> nearest;
     float least = std::numeric_limits<float>::infinity();
     for (const CutPiece& piece : pieces_) {
       const glm::vec3 from = crossing(piece.enter).point;
-      const glm::vec3 way = crossing(piece.leave).point - from;
-      const float length2 = glm::dot(way, way);
-      const float share = length2 > 0.0f ? std::clamp(glm::dot(point - from, way) / length2, 0.0f, 1.0f) : 0.0f;
-      const float distance = glm::length(point - (from + share * way));
+      const glm::vec3 along = crossing(piece.leave).point - from;
+      const float length2 = glm::dot(along, along);
+      const float t = length2 > 0.0f ? std::clamp(glm::dot(point - from, along) / length2, 0.0f, 1.0f) : 0.0f;
+      const float distance = glm::length(point - (from + t * along));
       if (distance >= least) continue;
       least = distance;
       nearest = piece;
@@ -71,7 +68,7 @@ class SkinCut {
     return nearest;
   }
 
-  /// Makes next() lead the other way.
+  /// Reverses the direction of next().
   void reverse() {
     for (CutPiece& piece : pieces_) std::swap(piece.enter, piece.leave);
   }
@@ -80,7 +77,7 @@ class SkinCut {
     for (const CutPiece& piece : pieces_) byEnter_.emplace(piece.enter, piece);
   }
 
-  /// After link(). Nothing where the skin ends.
+  /// After link(). nullopt: the skin ends.
   [[nodiscard]] std::optional<CutPiece> next(const CutPiece& piece) const {
     const auto found = byEnter_.find(piece.leave);
     return found == byEnter_.end() ? std::nullopt : std::optional(found->second);
@@ -89,9 +86,9 @@ class SkinCut {
   /// Where the plane crosses an edge.
   [[nodiscard]] SkinPoint crossing(const EdgeEnds& edge) const {
     const auto a = static_cast<std::size_t>(edge.first), b = static_cast<std::size_t>(edge.second);
-    const float share = heights_[a] / (heights_[a] - heights_[b]);
-    return {glm::mix(skin_.positions[a], skin_.positions[b], share),
-            normalizeOr(glm::mix(skin_.normals[a], skin_.normals[b], share), skin_.normals[a])};
+    const float t = heights_[a] / (heights_[a] - heights_[b]);
+    return {glm::mix(skin_.positions[a], skin_.positions[b], t),
+            normalizeOr(glm::mix(skin_.normals[a], skin_.normals[b], t), skin_.normals[a])};
   }
 
  private:
@@ -113,7 +110,7 @@ class SkinCut {
   std::map<EdgeEnds, CutPiece> byEnter_;
 };
 
-/// The straight line on the screen that the pointer has drawn.
+/// The line on the screen from the press to the pointer.
 struct ScreenLine {
   const View& view;
   glm::vec2 from{0.0f};
@@ -126,7 +123,7 @@ struct ScreenLine {
   }
 };
 
-/// Normal of the plane through the eye and the line; 0 if there is none.
+/// Normal of the plane through the eye and the line, or 0.
 glm::vec3 planeNormal(const ScreenLine& line, const glm::vec3& start) {
   const Ray from = line.view.rayThrough(line.from);
   const Ray to = line.view.rayThrough(line.from + line.length * line.direction);
@@ -135,11 +132,11 @@ glm::vec3 planeNormal(const ScreenLine& line, const glm::vec3& start) {
   return normalizeOr(glm::cross(from.direction, along), glm::vec3(0.0f));
 }
 
-SkinPoint between(const SkinPoint& a, const SkinPoint& b, float share) {
-  return {glm::mix(a.point, b.point, share), normalizeOr(glm::mix(a.normal, b.normal, share), a.normal)};
+SkinPoint between(const SkinPoint& a, const SkinPoint& b, float t) {
+  return {glm::mix(a.point, b.point, t), normalizeOr(glm::mix(a.normal, b.normal, t), a.normal)};
 }
 
-/// Adds what of the cut comes into view one after the other, up to the line's end.
+/// Adds the visible points of the cut up to the line's end.
 void follow(const SkinCut& cut, CutPiece piece, const ScreenLine& line, float fold, SkinStroke& stroke) {
   float reached = 0.0f;
   float hidden = 0.0f;
@@ -182,7 +179,7 @@ SkinStroke strokeOnSkin(const SkinSnapshot& skin, const SkinPoint& start, const 
   SkinCut cut(skin, start.point, normal);
   std::optional<CutPiece> piece = cut.nearestTo(start.point);
   if (!piece) return stroke;
-  // From behind, as on a double-sided strip, triangles wind the other way.
+  // Seen from behind, triangles wind the other way.
   if (line.progress(cut.crossing(piece->leave).point) < line.progress(cut.crossing(piece->enter).point)) {
     cut.reverse();
     std::swap(piece->enter, piece->leave);
@@ -198,10 +195,10 @@ constexpr float kClickLength = 0.05f;  ///< Semi-axes, of H.
 constexpr float kClickWidth = 0.025f;
 constexpr float kClickThickness = 0.011f;
 constexpr float kWidth = 0.5f;  ///< Fraction of half a stroke's length.
-// Thin rather than deep: skin that only a shell's top lifts pops when it moves.
+// Thin: skin lifted only by the top of a thick ellipsoid would pop in motion.
 constexpr float kThickness = 0.22f;
-constexpr float kLeastThickness = 0.01f;  ///< Of H: seen on the skin at once,
-constexpr float kMostThickness = 0.012f;  ///< and no lump.
+constexpr float kLeastThickness = 0.01f;  ///< Of H: visible on the skin,
+constexpr float kMostThickness = 0.012f;  ///< but not a lump.
 constexpr float kShortestStroke = 0.01f;  ///< Chord, of H.
 constexpr float kLongestStroke = 1.5f;
 constexpr float kLeastHalf = 0.015f;  ///< Half length, of H.
@@ -209,16 +206,16 @@ constexpr float kMostHalf = 0.75f;
 constexpr float kMostHalfOnBone = 0.3f;
 constexpr float kSlenderness = 1.25f;   ///< Length over thickness of a muscle added on a bone, at least.
 constexpr float kPerWheelStep = 1.12f;  ///< Factor on the thickness.
-constexpr float kThinnest = 0.3f;       ///< Of the thickness that the tool begins with.
+constexpr float kThinnest = 0.3f;       ///< Factor on the initial thickness.
 constexpr float kThickest = 3.0f;
 constexpr float kThinnestEver = 0.003f;  ///< Of H.
-constexpr float kSunk = 0.2f;            ///< Fraction of the thickness: how deep the center lies under the skin.
+constexpr float kSunk = 0.2f;            ///< Depth of the center under the skin, fraction of the thickness.
 
 bool isUsable(const glm::mat4& boneInWorld) {
   return isFinite(boneInWorld) && !isFlat(glm::dmat3(glm::mat3(boneInWorld)));
 }
 
-/// The ellipsoid before it meets the bone. World.
+/// World space.
 struct EllipsoidInWorld {
   glm::vec3 center{0.0f};
   glm::vec3 along{1.0f, 0.0f, 0.0f};   ///< Unit.
@@ -228,7 +225,7 @@ struct EllipsoidInWorld {
 
 EllipsoidInWorld ellipsoidOfClick(const SkinPoint& start, const glm::vec3& boneAxisInWorld, float height) {
   EllipsoidInWorld ellipsoid;
-  // Along the bone, unless the bone stands on the skin.
+  // Along the bone, unless it is perpendicular to the skin.
   const glm::vec3 bone = normalizeOr(boneAxisInWorld, start.normal);
   const glm::vec3 flat = bone - glm::dot(bone, start.normal) * start.normal;
   ellipsoid.along = glm::dot(flat, flat) > 1e-4f ? glm::normalize(flat) : across(start.normal);
@@ -238,14 +235,14 @@ EllipsoidInWorld ellipsoidOfClick(const SkinPoint& start, const glm::vec3& boneA
   return ellipsoid;
 }
 
-/// The points up to the longest distance from the first.
+/// The points within a distance of the first, up to the first beyond it.
 std::span<const SkinPoint> withinReach(const std::vector<SkinPoint>& points, float longest) {
   const auto tooFar = std::ranges::find_if(
       points, [&](const SkinPoint& at) { return glm::length(at.point - points.front().point) > longest; });
   return {points.begin(), tooFar};
 }
 
-/// The path's normals, weighted by length. Not unit.
+/// Sum of the path's normals, weighted by length.
 glm::vec3 normalSum(std::span<const SkinPoint> path) {
   glm::vec3 sum = 1e-6f * path.front().normal;
   for (std::size_t i = 1; i < path.size(); ++i) {
@@ -259,7 +256,7 @@ struct PathProfile {
   std::vector<glm::vec2> points;
   float length = 0.0f;
 
-  /// y where x first comes to a value within 0 .. length.
+  /// y where the path first reaches x, 0..length.
   [[nodiscard]] float heightAt(float x) const {
     for (std::size_t i = 1; i < points.size(); ++i) {
       const glm::vec2 a = points[i - 1], b = points[i];
@@ -268,7 +265,7 @@ struct PathProfile {
     return 0.0f;
   }
 
-  /// First and last x where the path is at a height. The whole length if it does not rise to it.
+  /// First and last x at a height, or the whole length if the path is lower.
   [[nodiscard]] glm::vec2 rangeAt(float y) const {
     const auto firstX = [y](const auto& from, float otherwise) {
       for (std::size_t i = 1; i < from.size(); ++i) {
@@ -297,15 +294,15 @@ float flatThickness(float half, float height) {
   return std::clamp(kThickness * half, kLeastThickness * height, kMostThickness * height);
 }
 
-/// Semi-axes and center; direction and normal are there.
+/// Sets semi-axes and center.
 void fitToProfile(EllipsoidInWorld& ellipsoid, const glm::vec3& start, const PathProfile& profile, float height) {
   const float halfChord = 0.5f * profile.length;
   const float rise = std::clamp(profile.heightAt(halfChord), -halfChord, halfChord);
   const float thickness = flatThickness(halfChord, height);
-  // Half of an arch's height lifts the center, half makes the ellipsoid thicker: together they reach its top.
+  // Half of an arch's height raises the center, half thickens the ellipsoid.
   const float arch = std::max(rise, 0.0f);
   const float level = rise - 0.5f * arch - kSunk * thickness;
-  // On a high arch the center is over the chord, and at its level the path is shorter than the chord.
+  // On a high arch the path at the level of the center is shorter than the chord.
   const glm::vec2 ends = level > 0.0f ? profile.rangeAt(level) : glm::vec2(0.0f, profile.length);
   const float half = std::clamp(0.5f * (ends.y - ends.x), kLeastHalf * height, kMostHalf * height);
   ellipsoid.semiAxes = {half, std::clamp(kWidth * half, 0.02f * height, 0.2f * height),
@@ -328,7 +325,7 @@ EllipsoidInWorld ellipsoidOnSkin(const SkinStroke& stroke, const glm::vec3& bone
   return ellipsoid;
 }
 
-/// Grows out of the skin: the center sinks by the same share of the thickness as before.
+/// Keeps the relative depth of the center under the skin.
 void thicken(EllipsoidInWorld& ellipsoid, float factor, float height) {
   const glm::vec3 before = ellipsoid.semiAxes;
   for (const int axis : {1, 2}) {
@@ -337,8 +334,8 @@ void thicken(EllipsoidInWorld& ellipsoid, float factor, float height) {
   ellipsoid.center -= kSunk * (ellipsoid.semiAxes.z - before.z) * ellipsoid.normal;
 }
 
-/// The bone-space ellipsoid whose world image has this long axis, tangent plane and extents. Directions go through
-/// inverse(B), planes through transpose(B): the two stay at right angles to each other, so they are axes as they are.
+/// The bone-space ellipsoid with this world-space long axis, tangent plane and extents. Directions are mapped by
+/// inverse(B), planes by transpose(B), which keeps the two perpendicular.
 Placement placementOf(const EllipsoidInWorld& ellipsoid, const glm::mat4& boneInWorld) {
   const glm::dmat3 bone{glm::mat3(boneInWorld)};
   const glm::dmat3 inverse = glm::inverse(bone);
@@ -363,9 +360,9 @@ Primitive newMuscle(const Skeleton& skeleton, int bone, const Placement& placeme
   return primitive;
 }
 
-constexpr float kNearPlane = 0.01f;  ///< Fraction of H: a muscle added this near to the middle is laid into it.
+constexpr float kNearPlane = 0.01f;  ///< Fraction of H within which a new muscle is moved into the mirror plane.
 
-/// The muscle, and with symmetry its twin; one in the middle stays alone.
+/// Adds the muscle and, under symmetry and off the middle, its twin.
 Result<Rig> withMuscle(const Document& document, const Rig& rig, Primitive muscle) {
   const MirrorPlan* const plan = document.mirror.get();
   if (!document.symmetry || !plan || !twinBone(*plan, muscle.bone)) return addPrimitive(rig, std::move(muscle));
@@ -381,7 +378,7 @@ Placement placementOf(const AddMuscleDrag& drag, const SkinStroke& stroke, const
   return placementOnSkin(stroke, drag.boneInWorld, glm::mat3(drag.boneInWorld) * tip, character.height, drag.thicker);
 }
 
-/// Shows the muscle as one state of the gesture.
+/// Shows the muscle as the state of the gesture.
 Result<void> show(const AddMuscleDrag& drag, const SkinStroke& stroke, Document& document) {
   const Placement placement = placementOf(drag, stroke, *document.character);
   Result<Rig> rig =
@@ -392,7 +389,7 @@ Result<void> show(const AddMuscleDrag& drag, const SkinStroke& stroke, Document&
   return {};
 }
 
-/// Mean distance from the bone's line of the skin that mostly follows it, in the bind pose; 0 if there is none.
+/// Mean distance of the skin that mostly follows a bone from its line, in the bind pose; 0: no such skin.
 float skinDistance(const Character& character, int bone, const glm::vec3& origin, const glm::vec3& axis) {
   float sum = 0.0f;
   int count = 0;
@@ -409,7 +406,7 @@ float skinDistance(const Character& character, int bone, const glm::vec3& origin
   return count > 0 ? sum / static_cast<float>(count) : 0.0f;
 }
 
-/// Half axes of a muscle around a bone, world: along it, and twice across.
+/// World semi-axes of a muscle around a bone: along and across.
 glm::vec3 semiAxesAround(const Character& character, int bone, const glm::vec3& segment) {
   const float height = character.height;
   const float length = glm::length(segment);
@@ -419,9 +416,10 @@ glm::vec3 semiAxesAround(const Character& character, int bone, const glm::vec3& 
   const float skin = skinDistance(character, bone, origin, axis);
   const float thickness = std::clamp(skin > 0.0f ? 1.15f * skin : 0.4f * half, 0.012f * height, 0.2f * height);
   if (!(length > 0.0f)) return glm::vec3(thickness);
-  // Where the skin is far from a short bone, longer than the bone rather than a disc around it.
+  // Around short bones in thick flesh, longer than the bone rather than a disc.
   const float slender = std::clamp(kSlenderness * thickness, half, kMostHalfOnBone * height);
-  return {slender, std::min(thickness, slender / kSlenderness), std::min(thickness, slender / kSlenderness)};
+  const float across = std::min(thickness, slender / kSlenderness);
+  return {slender, across, across};
 }
 
 }  // namespace
@@ -472,7 +470,7 @@ void updateAddMuscle(AddMuscleState& state, const ViewportInput& input, const Vi
   if (drag.dragged) {
     stroke = strokeOnSkin(drag.skin, drag.start, view, input.mouse, context.document.character->height);
   }
-  // A refused state is not shown: the one before stands.
+  // A refused state is not shown.
   static_cast<void>(show(drag, stroke, context.document));
   if (!input.button(MouseButton::kLeft).released) return;
   context.document.commands.endGesture();

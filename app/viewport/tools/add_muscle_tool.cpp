@@ -5,7 +5,7 @@
 
 #include "app/document/shown_names.h"
 #include "app/viewport/tools/status_line.h"
-#include "app/viewport/tools/tool.h"
+#include "app/viewport/tools/viewport_tools.h"
 
 namespace sinew::app {
 namespace {
@@ -19,13 +19,11 @@ bool pressOnSkin(ToolFrame& frame) {
 
 bool drawOnSkin(ToolFrame& frame, const ViewportInput& input) {
   AddMuscleState& state = frame.tools.addMuscle;
-  // An undo from elsewhere has ended the gesture.
+  // An undo may have ended the gesture.
   if (!frame.document().commands.inGesture()) state.drag.reset();
   else updateAddMuscle(state, input, frame.context, frame.view);
   return state.drag.has_value();
 }
-
-void cancelDrawing(ViewportTools& tools, Document& document) { cancelAddMuscle(tools.addMuscle, document); }
 
 std::string describeDrawing(const ToolFrame& frame) {
   const ViewportTools& tools = frame.tools;
@@ -38,8 +36,7 @@ std::string describeDrawing(const ToolFrame& frame) {
                       {"Drag orbits", "Drag on the skin adds a muscle", "Right+drag pans", "Wheel zooms"});
   }
   const std::string name = shownBoneName(frame.document().character->skeleton, tools.hover.bone);
-  return statusLine("Skin",
-                    {"Drag adds a muscle that grows on " + name, "Alt+drag orbits", "Right+drag pans", "Wheel zooms"});
+  return statusLine("Skin", {"Drag adds a muscle on " + name, "Alt+drag orbits", "Right+drag pans", "Wheel zooms"});
 }
 
 }  // namespace
@@ -47,22 +44,14 @@ std::string describeDrawing(const ToolFrame& frame) {
 constinit const Tool kAddMuscleTool{
     .id = "tool/add-muscle",
     .label = "Add muscle",
-    .hint = "Press on the skin and drag: a muscle grows there",
+    .hint = "Press on the skin and drag to add a muscle",
     .key = GLFW_KEY_M,
-    .shift = false,
     .icon = Icon::kAddMuscle,
-    .handles = GizmoMode::kPoles,
-    .whole = GizmoHandle::kNone,
     .onSkin = true,
-    .picksMuscles = false,
-    .target = nullptr,
-    .beginHandle = nullptr,
-    .continueHandle = nullptr,
     .hover = hoverAt,
     .press = pressOnSkin,
     .drag = drawOnSkin,
-    .cancel = cancelDrawing,
-    .click = nullptr,
+    .cancel = [](ViewportTools& tools, Document& document) { cancelAddMuscle(tools.addMuscle, document); },
     .describe = describeDrawing,
 };
 

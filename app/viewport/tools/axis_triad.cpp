@@ -1,15 +1,14 @@
-// app/viewport/tools/axis_triad.cpp: the axis gizmo: where it is, what the mouse does to it.
+// app/viewport/tools/axis_triad.cpp: the axis gizmo: layout, input, drawing.
 #include "app/viewport/tools/axis_triad.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
 
 #include <imgui.h>
 #include <glm/geometric.hpp>
 
-#include "app/viewport/render/framing.h"
+#include "app/viewport/render/view.h"
 #include "app/viewport/tools/status_line.h"
 
 namespace sinew::app {
@@ -31,8 +30,19 @@ AxisEnd oppositeOf(AxisEnd end) {
   return static_cast<AxisEnd>(number % 2 == 0 ? number + 1 : number - 1);
 }
 
-/// Where the camera is, or is going to be.
+/// Position of the camera, or the end of its transition.
 CameraStand standAhead(const Camera& camera) { return camera.transition ? camera.transition->to : camera.stand; }
+
+/// Looks from an end of an axis, or from the opposite one if it already does.
+void lookFrom(Camera& camera, AxisEnd end) {
+  // By AxisEnd.
+  constexpr std::array<StandardView, 6> kViews{StandardView::kLeft,   StandardView::kRight, StandardView::kTop,
+                                               StandardView::kBottom, StandardView::kFront, StandardView::kBack};
+  const CameraStand stand = standAhead(camera);
+  const glm::vec3 backward = cameraAxes(stand.yaw, stand.pitch)[2];
+  const bool thereAlready = glm::dot(backward, directionOf(end)) > kSameDirection;
+  showStandardView(camera, kViews[static_cast<std::size_t>(thereAlready ? oppositeOf(end) : end)]);
+}
 
 }  // namespace
 
@@ -60,31 +70,6 @@ std::optional<AxisEnd> axisEndAt(const TriadLayout& layout, const glm::vec2& pix
   return std::nullopt;
 }
 
-StandardView viewFrom(AxisEnd end) {
-  switch (end) {
-    case AxisEnd::kX:
-      return StandardView::kLeft;
-    case AxisEnd::kMinusX:
-      return StandardView::kRight;
-    case AxisEnd::kY:
-      return StandardView::kTop;
-    case AxisEnd::kMinusY:
-      return StandardView::kBottom;
-    case AxisEnd::kZ:
-      return StandardView::kFront;
-    case AxisEnd::kMinusZ:
-      break;
-  }
-  return StandardView::kBack;
-}
-
-void lookFrom(Camera& camera, AxisEnd end) {
-  const CameraStand stand = standAhead(camera);
-  const glm::vec3 backward = cameraAxes(stand.yaw, stand.pitch)[2];
-  const bool thereAlready = glm::dot(backward, directionOf(end)) > kSameDirection;
-  showStandardView(camera, viewFrom(thereAlready ? oppositeOf(end) : end));
-}
-
 bool routeTriad(AxisTriad& triad, Camera& camera, const ViewportInput& input, const glm::ivec2& size, float uiScale) {
   const TriadLayout layout = layoutTriad(camera, size, uiScale);
   const ButtonState& left = input.button(MouseButton::kLeft);
@@ -98,7 +83,7 @@ bool routeTriad(AxisTriad& triad, Camera& camera, const ViewportInput& input, co
   }
   if (!triad.turning && glm::distance(input.mouse, triad.pressPixel) > kDragThreshold * uiScale) triad.turning = true;
   if (triad.turning) {
-    // The ball turns under the pointer: across it is half a turn, however large the picture.
+    // A drag across the ball is half a rotation, whatever the size of the picture.
     const int across = std::max(static_cast<int>(2.0f * layout.radius), 1);
     orbit(camera, input.mouse - triad.lastPixel, {across, across});
   }
@@ -143,8 +128,6 @@ std::string describe(const AxisTriad& triad) {
   const Named& end = kEnds[static_cast<std::size_t>(*triad.hovered)];
   return statusLine(end.axis, {end.first, end.again, "Drag orbits"});
 }
-
-// The axis gizmo as ImGui draws it.
 
 namespace {
 

@@ -1,20 +1,64 @@
 // app/viewport/tools/camera.cpp: the orbit camera.
-
 #include "app/viewport/tools/camera.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
-#include <vector>
 
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "app/viewport/render/framing.h"
-#include "app/viewport/tools/free_parts.h"
 #include "core/geometry/potential.h"
 
 namespace sinew::app {
+
+namespace {
+
+/// Sides of maximal free rectangles lie on edges of covered parts.
+std::vector<float> sidesOf(std::span<const glm::vec4> covered, int axis) {
+  std::vector<float> sides{0.0f, 1.0f};
+  for (const glm::vec4& part : covered) {
+    for (const float side : {part[axis], part[axis + 2]}) {
+      if (side > 0.0f && side < 1.0f) sides.push_back(side);
+    }
+  }
+  std::ranges::sort(sides);
+  sides.erase(std::unique(sides.begin(), sides.end()), sides.end());
+  return sides;
+}
+
+float areaOf(const glm::vec4& part) { return (part.z - part.x) * (part.w - part.y); }
+
+bool overlap(const glm::vec4& a, const glm::vec4& b) { return a.x < b.z && b.x < a.z && a.y < b.w && b.y < a.w; }
+
+}  // namespace
+
+std::vector<glm::vec4> freeParts(std::span<const glm::vec4> covered) {
+  const std::vector<float> across = sidesOf(covered, 0);
+  const std::vector<float> down = sidesOf(covered, 1);
+  std::vector<glm::vec4> parts;
+  for (std::size_t left = 0; left < across.size(); ++left) {
+    for (std::size_t right = left + 1; right < across.size(); ++right) {
+      if (across[right] - across[left] < kLeastPart) continue;
+      for (std::size_t top = 0; top < down.size(); ++top) {
+        for (std::size_t bottom = top + 1; bottom < down.size(); ++bottom) {
+          if (down[bottom] - down[top] < kLeastPart) continue;
+          const glm::vec4 part(across[left], down[top], across[right], down[bottom]);
+          if (std::ranges::none_of(covered, [&](const glm::vec4& over) { return overlap(part, over); })) {
+            parts.push_back(part);
+          }
+        }
+      }
+    }
+  }
+  if (!parts.empty()) return parts;
+  // Large panels are temporary, bars are not.
+  std::vector<glm::vec4> fewer(covered.begin(), covered.end());
+  fewer.erase(std::ranges::max_element(fewer, {}, areaOf));
+  return freeParts(fewer);
+}
+
 namespace {
 
 constexpr float kPi = std::numbers::pi_v<float>;
@@ -40,16 +84,15 @@ void moveTo(Camera& camera, const CameraStand& goal, bool animated) {
   else camera.stand = goal;
 }
 
-/// Least distance from which the box's corners lie in a part of the picture when its center is seen in the middle of
-/// that. @param part  its share of the picture's width and height
+/// Least distance that shows a box in a part of the picture around its center. @param part  fractions of width and
+/// height
 float distanceToShow(const Camera& camera, const glm::vec3& halfExtent, const glm::ivec2& size, const glm::vec2& part) {
   const glm::mat3 axes = cameraAxes(camera.stand.yaw, camera.stand.pitch);
   const float aspect = static_cast<float>(std::max(size.x, 1)) / static_cast<float>(std::max(size.y, 1));
   const float tanY = kHalfHeightRatio * part.y;
   const float tanX = kHalfHeightRatio * aspect * part.x;
   float distance = 0.0f;
-  for (int corner = 0; corner < 8; ++corner) {
-    const glm::vec3 sign((corner & 1) ? 1.0f : -1.0f, (corner & 2) ? 1.0f : -1.0f, (corner & 4) ? 1.0f : -1.0f);
+  for (const glm::vec3& sign : cornersOf({glm::vec3(-1.0f), glm::vec3(1.0f)})) {
     const glm::vec3 offset = sign * halfExtent;
     const float across =
         std::max(std::abs(glm::dot(offset, axes[0])) / tanX, std::abs(glm::dot(offset, axes[1])) / tanY);
@@ -88,7 +131,7 @@ void zoomToward(Camera& camera, float steps, const glm::vec2& pixel, const glm::
   const glm::vec3 inTargetPlane = camera.stand.target + axes[0] * fromTarget.x - axes[1] * fromTarget.y;
   const glm::vec3 fixed = pointInWorld.value_or(inTargetPlane);
   const float distance = limitedDistance(camera, camera.stand.distance * std::pow(kZoomPerStep, steps));
-  // Scaling eye and target about one point keeps the direction from the eye to it, hence its pixel.
+  // Scaling eye and target about a point keeps its pixel.
   const float factor = distance / camera.stand.distance;
   camera.stand.target = fixed + factor * (camera.stand.target - fixed);
   camera.stand.distance = distance;
@@ -99,7 +142,7 @@ void frameBounds(Camera& camera, const Bounds& boundsInWorld, const glm::ivec2& 
   if (boundsInWorld.isEmpty() || !isFinite(boundsInWorld.low) || !isFinite(boundsInWorld.high)) return;
   CameraStand goal = camera.transition ? camera.transition->to : camera.stand;
   goal.target = boundsInWorld.center();
-  // A single joint has no extent: some of its surroundings are shown.
+  // Single joints have no extent: show their surroundings.
   const glm::vec3 half = glm::max(0.5f * boundsInWorld.extent(), glm::vec3(0.03f * camera.characterHeight));
   Camera towards = camera;
   towards.stand = goal;
@@ -107,7 +150,7 @@ void frameBounds(Camera& camera, const Bounds& boundsInWorld, const glm::ivec2& 
   const auto extentOf = [](const glm::vec4& part) { return glm::vec2(part.z - part.x, part.w - part.y); };
   const auto distanceIn = [&](const glm::vec4& part) { return distanceToShow(towards, half, size, extentOf(part)); };
   const float nearest = distanceIn(std::ranges::min(parts, {}, distanceIn));
-  // Of those that show it nearly as large, the one with the most room around it.
+  // The largest part among those that show it nearly as large.
   const auto roomIn = [&](const glm::vec4& part) {
     const glm::vec2 extent = extentOf(part);
     return distanceIn(part) <= nearest * kAlmostAsLarge ? extent.x * extent.y : 0.0f;
@@ -120,29 +163,13 @@ void frameBounds(Camera& camera, const Bounds& boundsInWorld, const glm::ivec2& 
 
 void showStandardView(Camera& camera, StandardView view) {
   CameraStand goal = camera.transition ? camera.transition->to : camera.stand;
-  goal.pitch = 0.0f;
-  switch (view) {
-    case StandardView::kFront:
-      goal.yaw = 0.0f;
-      break;
-    case StandardView::kBack:
-      goal.yaw = kPi;
-      break;
-    case StandardView::kLeft:
-      goal.yaw = 0.5f * kPi;
-      break;
-    case StandardView::kRight:
-      goal.yaw = -0.5f * kPi;
-      break;
-    case StandardView::kTop:
-      goal.yaw = 0.0f;
-      goal.pitch = 0.5f * kPi;
-      break;
-    case StandardView::kBottom:
-      goal.yaw = 0.0f;
-      goal.pitch = -0.5f * kPi;
-      break;
-  }
+  // Yaw and pitch by StandardView.
+  constexpr std::array<glm::vec2, 6> kAngles{glm::vec2(0.0f, 0.0f),       glm::vec2(kPi, 0.0f),
+                                             glm::vec2(0.5f * kPi, 0.0f), glm::vec2(-0.5f * kPi, 0.0f),
+                                             glm::vec2(0.0f, 0.5f * kPi), glm::vec2(0.0f, -0.5f * kPi)};
+  const glm::vec2 angles = kAngles[static_cast<std::size_t>(view)];
+  goal.yaw = angles.x;
+  goal.pitch = angles.y;
   moveTo(camera, goal, true);
 }
 
@@ -171,7 +198,7 @@ View viewOf(const Camera& camera, const glm::ivec2& size) {
   const float reach = glm::length(box.center() - stand.target) + sceneRadius;
   View view = orbitView(stand.target, stand.yaw, stand.pitch, stand.distance, glm::max(size, glm::ivec2(1)),
                         camera.orthographic, reach);
-  // The picture is moved as it is: the eye keeps its direction, and turning goes on about the target.
+  // Shifts the picture without rotating the eye, which still orbits the target.
   view.clipFromView = glm::translate(glm::mat4(1.0f), glm::vec3(stand.aim, 0.0f)) * view.clipFromView;
   return view;
 }

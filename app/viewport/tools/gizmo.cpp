@@ -1,14 +1,13 @@
-// app/viewport/tools/gizmo.cpp: names of handles, the gizmo's frame, and what it says of itself.
+// app/viewport/tools/gizmo.cpp: names of handles, the gizmo's axes in a frame, shape edits, and its status line.
 
 #include "app/viewport/tools/gizmo.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <limits>
 
 #include <glm/geometric.hpp>
 
-#include "app/viewport/tools/gizmo_basis.h"
 #include "app/viewport/tools/status_line.h"
 #include "core/geometry/normals.h"
 
@@ -175,9 +174,9 @@ std::optional<float> alongLine(const glm::vec3& origin, const glm::vec3& directi
 }
 
 std::optional<glm::vec3> onPlane(const glm::vec3& origin, const glm::vec3& normal, const Ray& ray) {
-  const double slope = glm::dot(glm::dvec3(normal), glm::dvec3(ray.direction));
-  if (std::abs(slope) < 0.0175) return std::nullopt;
-  const double distance = glm::dot(glm::dvec3(normal), glm::dvec3(origin) - glm::dvec3(ray.origin)) / slope;
+  const double cosine = glm::dot(glm::dvec3(normal), glm::dvec3(ray.direction));
+  if (std::abs(cosine) < 0.0175) return std::nullopt;
+  const double distance = glm::dot(glm::dvec3(normal), glm::dvec3(origin) - glm::dvec3(ray.origin)) / cosine;
   if (!(distance > 0.0)) return std::nullopt;
   return glm::vec3(glm::dvec3(ray.origin) + distance * glm::dvec3(ray.direction));
 }
@@ -187,30 +186,62 @@ glm::vec3 across(const glm::vec3& direction) {
   return normalizeOr(glm::cross(direction, other), glm::vec3(0.0f, 0.0f, 1.0f));
 }
 
+glm::vec3 axisMiddleInBone(const Placement& inBone) {
+  const glm::vec2 across = axisAt(inBone.shape, 0.0f);
+  return inBone.rotation * (glm::vec3(across.x, 0.0f, across.y) * inBone.radii);
+}
+
+glm::vec3 thickestInBone(const Placement& inBone, const glm::vec3& toEye) {
+  const float y = thickestAt(inBone.shape);
+  const glm::vec2 axis = axisAt(inBone.shape, y);
+  constexpr float kBetween = 0.70710678f;  // Half way between two poles of the section.
+  constexpr std::array<glm::vec2, 4> kCorners{glm::vec2(1, 1), glm::vec2(1, -1), glm::vec2(-1, 1), glm::vec2(-1, -1)};
+  glm::vec3 best(0.0f);
+  float nearest = -std::numeric_limits<float>::infinity();
+  for (const glm::vec2& corner : kCorners) {
+    const glm::vec2 section = axis + kBetween * corner;
+    const glm::vec3 point = inBone.rotation * (glm::vec3(section.x, y, section.y) * inBone.radii);
+    const float towards = glm::dot(point, toEye);
+    if (towards <= nearest) continue;
+    nearest = towards;
+    best = point;
+  }
+  return best;
+}
+
+Placement withBelly(const Placement& start, float traveled, float reach, std::optional<float> typed) {
+  Placement placement = start;
+  // The thickest section is at y = belly without a straight part: the handle stays under the pointer.
+  placement.shape.belly = typed.value_or(start.shape.belly + traveled);
+  placement.shape = legalShape(placement.shape, reach);
+  return placement;
+}
+
+Placement withBend(const Placement& start, Way way, const glm::vec3& traveled, float reach,
+                   std::optional<float> typed) {
+  Placement placement = start;
+  glm::vec2& bend = placement.shape.bend;
+  const bool alongX = way != Way::kZ;
+  const bool alongZ = way != Way::kX;
+  if (typed) {
+    (alongX ? bend.x : bend.y) = *typed;
+  } else {
+    if (alongX) bend.x += traveled.x;
+    if (alongZ) bend.y += traveled.z;
+  }
+  placement.shape = legalShape(placement.shape, reach);
+  return placement;
+}
+
 std::string describe(const GizmoState& state) {
   if (!state.drag) return hoverText(state.hovered);
+  // By HandleKind.
+  constexpr std::array<const char*, 6> kSubjects{"", "Move ", "Rotate ", "Scale ", "Radius ", "Bend "};
   const HandleParts parts = partsOf(state.drag->handle);
-  std::string text;
+  if (parts.kind == HandleKind::kNone) return "";
   const bool pole = parts.kind == HandleKind::kPole;
-  switch (parts.kind) {
-    case HandleKind::kNone:
-      return "";
-    case HandleKind::kMove:
-      text = "Move ";
-      break;
-    case HandleKind::kRotate:
-      text = "Rotate ";
-      break;
-    case HandleKind::kScale:
-      text = "Scale ";
-      break;
-    case HandleKind::kPole:
-      text = "Radius ";
-      break;
-    case HandleKind::kShape:
-      text = isAxis(parts.way) ? "Belly " : "Bend ";
-      break;
-  }
+  const bool belly = parts.kind == HandleKind::kShape && isAxis(parts.way);
+  const std::string text = belly ? "Belly " : kSubjects[static_cast<std::size_t>(parts.kind)];
   return statusLine(text + state.drag->value, {"Release keeps", "Ctrl snaps", "Shift refines",
                                                pole ? "Alt moves both ends" : "X/Y/Z locks an axis", "0-9 sets a value",
                                                "Enter keeps", "Esc cancels"});

@@ -1,4 +1,4 @@
-// app/viewport/tools/gizmo_drag.cpp: from the pointer's way over the picture to a new placement.
+// app/viewport/tools/gizmo_drag.cpp: from motions of the pointer to a new placement.
 
 #include <algorithm>
 #include <cassert>
@@ -11,9 +11,6 @@
 #include <glm/geometric.hpp>
 
 #include "app/viewport/tools/gizmo.h"
-#include "app/viewport/tools/gizmo_basis.h"
-#include "app/viewport/tools/gizmo_effect.h"
-#include "app/viewport/tools/gizmo_shape.h"
 #include "core/geometry/normals.h"
 
 namespace sinew::app {
@@ -24,8 +21,8 @@ constexpr float kPrecise = 0.1f;
 constexpr float kMoveStep = 0.01f;  ///< Fraction of H.
 constexpr float kAngleStep = kGizmoPi / 12.0f;
 constexpr float kFactorStep = 0.1f;
-constexpr float kFarthestMove = 50.0f;  ///< Multiple of H: beyond that the pointer is near an axis' vanishing point.
-constexpr float kPlanarRing = 0.2f;     ///< |cosine| of ring normal and sight below which a ring counts as edge-on.
+constexpr float kFarthestMove = 50.0f;  ///< Heights; beyond, the pointer is near a vanishing point.
+constexpr float kPlanarRing = 0.2f;     ///< |cosine| of ring normal and sight below which a ring is edge-on.
 
 glm::mat3 axesMatrix(const GizmoBasis& frame) { return {frame.axes[0], frame.axes[1], frame.axes[2]}; }
 
@@ -43,9 +40,52 @@ std::string lengthText(float length, float characterHeight) {
 
 float snapped(float value, float step) { return std::round(value / step) * step; }
 
+// An effect on a placement ----------------------------------------------------------------------------------------
+
+constexpr float kLeastRadius = 0.002f;  ///< Fraction of H, in the world.
+
+Placement moved(const GizmoEffect& effect, const Placement& start, const glm::dmat3& boneInverse) {
+  Placement placement = start;
+  placement.center = glm::vec3(glm::dvec3(start.center) + boneInverse * glm::dvec3(effect.moved));
+  return placement;
+}
+
+/// @param center  world, if it rotates about the pivot; null: it is the pivot
+Placement turned(const GizmoEffect& effect, const Placement& start, const glm::dmat3& boneInverse,
+                 const glm::vec3* center) {
+  if (effect.angle == 0.0f) return start;
+  const glm::vec3 axisInBone = normalizeOr(glm::vec3(boneInverse * glm::dvec3(effect.turnAxis)), effect.turnAxis);
+  const float inBone = glm::determinant(boneInverse) < 0.0 ? -effect.angle : effect.angle;
+  Placement placement = start;
+  placement.rotation = glm::normalize(glm::angleAxis(inBone, axisInBone) * start.rotation);
+  if (center) {
+    const glm::dvec3 arm = glm::dvec3(*center) - glm::dvec3(effect.pivot);
+    const glm::dvec3 swung = glm::angleAxis(static_cast<double>(effect.angle), glm::dvec3(effect.turnAxis)) * arm;
+    placement.center = glm::vec3(glm::dvec3(start.center) + boneInverse * (swung - arm));
+  }
+  return placement;
+}
+
+/// World length of one bone unit along the primitive's axis.
+float worldPerUnit(const glm::mat3& bone, const Placement& start, int axis) {
+  glm::vec3 unit(0.0f);
+  unit[axis] = 1.0f;
+  return glm::length(bone * (start.rotation * unit));
+}
+
+Placement scaled(const GizmoEffect& effect, const Placement& start, const glm::mat3& bone, float characterHeight) {
+  Placement placement = start;
+  for (int axis = 0; axis < 3; ++axis) {
+    if (effect.factors[axis] == 1.0f) continue;
+    const float least = kLeastRadius * characterHeight / worldPerUnit(bone, start, axis);
+    placement.radii[axis] = std::max(start.radii[axis] * effect.factors[axis], std::min(least, start.radii[axis]));
+  }
+  return placement;
+}
+
 // Pointer -> tracks -----------------------------------------------------------------------------------------------
 
-/// World point, relative to the origin, that a pixel means for a move along one way.
+/// World point under a pixel for a move along one way, relative to the origin.
 std::optional<glm::vec3> movePoint(Way way, const glm::vec2& pixel, const GizmoBasis& frame, const View& view) {
   const Ray ray = view.rayThrough(pixel);
   if (isAxis(way)) {
@@ -66,7 +106,7 @@ std::optional<glm::vec3> movePoint(Way way, const glm::vec2& pixel, const GizmoB
   return *hit - frame.origin;
 }
 
-/// Adds the motion from the track's last pixel. What a pixel cannot say (vanishing points) is left until it can.
+/// Adds the motion from the track's last pixel, unless it is undefined near a vanishing point.
 void advanceMove(GizmoTrack& track, Way way, const glm::vec2& pixel, float speed, const GizmoBasis& frame,
                  const GizmoContext& context) {
   const std::optional<glm::vec3> now = movePoint(way, pixel, frame, context.view);
@@ -75,7 +115,7 @@ void advanceMove(GizmoTrack& track, Way way, const glm::vec2& pixel, float speed
   track.lastPixel = pixel;
   if (!before) return;
   const glm::vec3 delta = *now - *before;
-  // Axes need not be orthogonal on sheared bones, so coordinates are solved for.
+  // Solves for coordinates, since axes of sheared bones are not orthogonal.
   glm::vec3 coordinates(0.0f);
   if (isAxis(way)) coordinates[axisOf(way)] = glm::dot(delta, frame.along(way));
   else coordinates = glm::inverse(axesMatrix(frame)) * delta;
@@ -99,7 +139,7 @@ void advanceRotation(GizmoTrack& track, Way way, const glm::vec2& pixel, float s
     track.traveled.x += speed * std::atan2(glm::dot(normal, glm::cross(a, b)), glm::dot(a, b));
     return;
   }
-  // Edge-on the ring is a line across the picture: rolled along it, an arm's length is one radian.
+  // Edge-on, the ring is a line in the picture: a motion of an arm's length along it is one radian.
   const glm::vec3 tangent = normalizeOr(glm::cross(normal, frame.toEye), across(normal));
   const glm::vec2 onScreen = glm::vec2(context.view.toPixel(frame.origin + frame.arm * tangent)) -
                              glm::vec2(context.view.toPixel(frame.origin));
@@ -152,7 +192,7 @@ void readKeys(GizmoDrag& drag, const ViewportInput& input) {
   }
 }
 
-/// Nothing while what is typed is not yet a number ("-", ".").
+/// nullopt if it is not a number yet ("-", ".").
 std::optional<float> typedValue(const std::string& typed) {
   float value = 0.0f;
   const char* end = typed.data() + typed.size();
@@ -182,7 +222,7 @@ void setValue(const Evaluation& e, const std::string& value) {
   e.drag.value = label + (label.empty() ? "" : " ") + value + (e.drag.typed.empty() ? "" : " [" + e.drag.typed + "]");
 }
 
-/// The axis along which a typed length goes while nothing is moved yet.
+/// Axis of a typed length before any motion.
 int firstAxisOf(Way way) {
   if (isAxis(way)) return axisOf(way);
   return isPlane(way) ? planeAxes(way)[0] : axisOf(Way::kX);
@@ -221,7 +261,7 @@ Placement evaluateRotation(const Evaluation& e) {
 }
 
 Placement evaluateScale(const Evaluation& e) {
-  // A lock on the uniform handle changes which radii follow, not how they are pulled.
+  // A lock on the uniform handle changes which radii scale, not how far.
   const bool uniform = partsOf(e.drag.handle).way == Way::kWhole;
   const glm::vec3& traveled = e.drag.tracks[trackOf(uniform ? Way::kWhole : e.way)].traveled;
   float factor = uniform ? std::exp2(traveled.x / (kGizmoArmPixels * e.context.uiScale))
@@ -237,7 +277,7 @@ Placement evaluateScale(const Evaluation& e) {
   return scaled(e.drag.effect, e.drag.start, e.frame.bone, e.context.characterHeight);
 }
 
-/// By how many radii both poles of an axis are moved along it.
+/// Offset of both poles of an axis along it, in radii.
 float bendAtPole(const Shape& shape, int axis) { return axis == 1 ? 0.0f : axisAt(shape, thickestAt(shape))[axis / 2]; }
 
 Placement evaluatePole(const Evaluation& e) {
@@ -297,7 +337,6 @@ Placement evaluate(GizmoDrag& drag, const ViewportInput& input, const GizmoConte
   return drag.start;
 }
 
-/// Scale and poles work along the primitive's axes whatever axes are chosen; poles from its center.
 }  // namespace
 
 void beginDrag(GizmoState& state, GizmoHandle handle, const Placement& inBone, const glm::vec2& pixel,
@@ -323,6 +362,18 @@ void beginDrag(GizmoState& state, GizmoHandle handle, const Placement& inBone, c
   state.drag = drag;
 }
 
+Placement draggedAlong(const GizmoEffect& effect, const Placement& start, const glm::mat4& boneInWorld,
+                       float characterHeight) {
+  const glm::dmat3 bone{glm::mat3(boneInWorld)};
+  if (!isFinite(boneInWorld) || isFlat(bone)) return start;
+  const glm::dmat3 inverse = glm::inverse(bone);
+  const glm::vec3 center(boneInWorld * glm::vec4(start.center, 1.0f));
+  Placement placement = turned(effect, start, inverse, &center);
+  placement.center += moved(effect, start, inverse).center - start.center;
+  placement.radii = scaled(effect, start, glm::mat3(boneInWorld), characterHeight).radii;
+  return placement;
+}
+
 DragResult updateDrag(GizmoState& state, const ViewportInput& input, const GizmoContext& context) {
   assert(state.drag);
   GizmoDrag& drag = *state.drag;
@@ -332,7 +383,7 @@ DragResult updateDrag(GizmoState& state, const ViewportInput& input, const Gizmo
     return canceled;
   }
   readKeys(drag, input);
-  // The placement at the start, carried by the bone of this frame: what was dragged so far is added to that.
+  // Applies the whole drag to the placement at the start on the bone of this frame.
   if (const std::optional<GizmoBasis> frame = basisOfDrag(state, drag.handle, drag.start, context)) {
     advanceTracks(drag, input.mouse, input.shift ? kPrecise : 1.0f, *frame, context);
     drag.current = evaluate(drag, input, context, *frame);

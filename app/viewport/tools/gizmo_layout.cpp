@@ -1,4 +1,4 @@
-// app/viewport/tools/gizmo_layout.cpp: where the handles are on the screen, and which one lies under a pixel.
+// app/viewport/tools/gizmo_layout.cpp: places the handles on the screen and finds the one under a pixel.
 
 #include <algorithm>
 #include <array>
@@ -8,9 +8,8 @@
 
 #include <glm/geometric.hpp>
 
+#include "app/viewport/render/picking.h"
 #include "app/viewport/tools/gizmo.h"
-#include "app/viewport/tools/gizmo_basis.h"
-#include "app/viewport/tools/gizmo_shape.h"
 
 namespace sinew::app {
 namespace {
@@ -20,12 +19,12 @@ constexpr float kLineReach = 7.0f;
 constexpr float kRingReach = 6.0f;
 constexpr float kPoleReach = 8.0f;
 constexpr float kCenterReach = 10.0f;
-constexpr float kShortestArm = 20.0f;    ///< An axis that points at the eye more than this is left out.
-constexpr float kPoleClearance = 20.0f;  ///< Poles nearer than this to the center are left out: they would hide it.
+constexpr float kShortestArm = 20.0f;    ///< Shorter axes, which point at the eye, are left out.
+constexpr float kPoleClearance = 20.0f;  ///< Nearer poles would hide the center and are left out.
 constexpr float kArmBase = 0.2f;
 constexpr float kPlaneNear = 0.32f;
 constexpr float kPlaneFar = 0.56f;
-constexpr float kFlattestPlane = 0.15f;  ///< Part of a plane handle's full area below which it is edge-on.
+constexpr float kFlattestPlane = 0.15f;  ///< Fraction of a plane handle's full area below which it is edge-on.
 constexpr float kScreenRing = 1.18f;
 constexpr int kRingPoints = 64;
 constexpr float kMiss = std::numeric_limits<float>::infinity();
@@ -35,10 +34,7 @@ bool inPicture(const glm::vec3& pixel) { return isFinite(pixel) && std::abs(pixe
 float cross2(const glm::vec2& a, const glm::vec2& b) { return a.x * b.y - a.y * b.x; }
 
 float distanceToSegment(const glm::vec2& p, const glm::vec2& a, const glm::vec2& b) {
-  const glm::vec2 along = b - a;
-  const float lengthSquared = glm::dot(along, along);
-  const float t = lengthSquared > 0.0f ? std::clamp(glm::dot(p - a, along) / lengthSquared, 0.0f, 1.0f) : 0.0f;
-  return glm::length(p - (a + t * along));
+  return segmentDistance(p, a, b).first;
 }
 
 bool insideConvex(const glm::vec2& p, const std::vector<glm::vec2>& corners) {
@@ -62,7 +58,7 @@ float distanceToFront(const glm::vec2& p, const HandleShape& ring) {
   return nearest;
 }
 
-/// How a pixel meets a handle: a smaller rank wins, then the smaller distance.
+/// The smaller rank wins, then the smaller distance.
 struct Hit {
   int rank = 0;
   float distance = kMiss;  ///< Pixels; kMiss: out of reach.
@@ -136,7 +132,7 @@ void addRing(Builder& b, Way axis) {
     const glm::vec3 pixel = b.pixelOf(b.frame.origin + b.frame.arm * spoke);
     if (!inPicture(pixel)) return;
     shape.outline.emplace_back(pixel);
-    // A little past the silhouette, so that a ring that faces the eye is whole.
+    // A little past the silhouette, so that a ring facing the eye is closed.
     shape.inFront.push_back(glm::dot(spoke, b.frame.toEye) >= -0.05f);
   }
   b.shapes.push_back(std::move(shape));
@@ -178,7 +174,7 @@ void addPoles(Builder& b) {
 void addShapeHandle(Builder& b, GizmoHandle handle, const glm::vec3& fromCenter) {
   const glm::vec3 pixel = b.pixelOf(b.frame.center + b.frame.bone * fromCenter);
   if (!inPicture(pixel)) return;
-  // Over the poles: what is inside the muscle can be pulled through it.
+  // Above the poles, so that handles inside the muscle can be grabbed.
   b.shapes.push_back({.handle = handle, .outline = {glm::vec2(pixel)}, .inFront = {}, .depth = -1.0f});
 }
 
@@ -211,9 +207,9 @@ void addShapes(Builder& b) {
   addPoles(b);
 }
 
-// Stage 2: a pixel for each handle that hits it and nothing else --------------------------------------------------
+// Stage 2: for each handle a pixel that hits only it --------------------------------------------------
 
-/// Pixels of a handle, the best first (rings: any order).
+/// Pixels of a handle, the best first except for rings.
 std::vector<glm::vec2> anchorCandidates(const HandleShape& shape) {
   const HandleParts parts = partsOf(shape.handle);
   std::vector<glm::vec2> candidates;
@@ -240,7 +236,7 @@ std::vector<glm::vec2> anchorCandidates(const HandleShape& shape) {
   return candidates;
 }
 
-/// How far a ring's pixel is from the other rings: crossings make poor places to grab.
+/// Distance of a ring's pixel from other handles; crossings are hard to grab.
 float clearance(const GizmoLayout& layout, GizmoHandle ring, const glm::vec2& pixel) {
   float nearest = kMiss;
   for (const HandleShape& other : layout.handles) {
@@ -280,7 +276,7 @@ GizmoLayout layoutGizmo(const GizmoState& state, const Placement& inBone, const 
   layout.axesInWorld = frame->axes;
   layout.uiScale = context.uiScale;
   layout.handles = builder.shapes;
-  // Anchors are sought among all shapes; leaving some out afterwards takes no pixel from those that stay.
+  // Anchors are chosen among all shapes; removing some afterwards does not affect the others.
   for (HandleShape& shape : builder.shapes) {
     if (!chooseAnchor(layout, context.view.size, shape)) shape.handle = GizmoHandle::kNone;
   }

@@ -1,19 +1,81 @@
-// app/viewport/tools/gizmo_tools.cpp: select, move, rotate, scale: handles on the active muscle, clicks that pick.
+// app/viewport/tools/gizmo_tools.cpp: the tools select, move, rotate and scale.
+#include "app/viewport/tools/gizmo_tools.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
-#include <utility>
-
-#include "app/viewport/tools/gizmo_basis.h"
-#include "app/viewport/tools/gizmo_group.h"
 #include "app/viewport/tools/status_line.h"
-#include "app/viewport/tools/tool.h"
+#include "app/viewport/tools/viewport_tools.h"
+#include "core/geometry/at.h"
+#include "sinew/rig/rig_edit.h"
 
 namespace sinew::app {
+
+const char* nameOf(GizmoPivot pivot) { return pivot == GizmoPivot::kActive ? "active" : "centroid"; }
+
+std::vector<GizmoCompanion> companionsOf(const Document& document, int active) {
+  const Rig& rig = document.rig();
+  const Skeleton& skeleton = document.character->skeleton;
+  std::vector<GizmoCompanion> companions;
+  const std::string& leader = rig.primitives[static_cast<std::size_t>(active)].name;
+  for (const PrimitiveId id : document.selection.primitives) {
+    const int index = findPrimitive(rig, id);
+    if (index < 0 || index == active || !isPickable(document.visibility, rig, skeleton, index)) continue;
+    const Primitive& primitive = rig.primitives[static_cast<std::size_t>(index)];
+    const auto isTwin = [&](const GizmoCompanion& other) {
+      return primitive.mirror == rig.primitives[static_cast<std::size_t>(findPrimitive(rig, other.primitive))].name;
+    };
+    const bool twinMoves = primitive.mirror == leader || std::ranges::any_of(companions, isTwin);
+    if (twinMoves || !skeleton.findBone(primitive.bone)) continue;
+    companions.push_back({id, primitive.placement});
+  }
+  return companions;
+}
+
+std::optional<glm::vec3> centroidOf(const Document& document, const Pose& pose, int activeIndex,
+                                    const Placement& active, const std::vector<GizmoCompanion>& companions) {
+  if (companions.empty()) return std::nullopt;
+  const PosedRig& posed = document.posedRig(pose);
+  glm::vec3 sum(0.0f);
+  int count = 0;
+  const auto add = [&](int index, const Placement& placement) {
+    const PosedMuscle& muscle = at(posed.muscles, index);
+    if (!muscle.usable) return;
+    sum += glm::vec3(muscle.carrier * glm::vec4(placement.center, 1.0f));
+    ++count;
+  };
+  add(activeIndex, active);
+  for (const GizmoCompanion& companion : companions) {
+    const int index = findPrimitive(document.rig(), companion.primitive);
+    if (index >= 0) add(index, companion.start);
+  }
+  if (count < 2) return std::nullopt;
+  return sum / static_cast<float>(count);
+}
+
+Result<Rig> dragged(const Document& document, const Pose& pose, int active, const DragResult& drag,
+                    const std::vector<GizmoCompanion>& companions) {
+  Result<Rig> rig = setPlacement(document.rig(), active, drag.placement);
+  if (companions.empty()) return rig;
+  const PosedRig& posed = document.posedRig(pose);
+  for (const GizmoCompanion& companion : companions) {
+    const int index = findPrimitive(document.rig(), companion.primitive);
+    if (!rig || index < 0) continue;
+    const PosedMuscle& muscle = at(posed.muscles, index);
+    if (!muscle.usable) continue;
+    const Placement placement = draggedAlong(drag.effect, companion.start, muscle.carrier, document.character->height);
+    rig = setPlacement(std::move(rig).value(), index, placement);
+  }
+  return rig;
+}
+
 namespace {
 
-/// The active muscle, or the one being dragged; nothing if its bone is not there.
+/// The active or dragged muscle; nullopt if this character lacks its bone.
 std::optional<GizmoTarget> muscleTarget(const ToolFrame& frame, bool atStart) {
   const Document& document = frame.document();
   const Skeleton& skeleton = document.character->skeleton;
@@ -22,7 +84,7 @@ std::optional<GizmoTarget> muscleTarget(const ToolFrame& frame, bool atStart) {
   const int index = dragging ? findPrimitive(rig, frame.tools.gizmoPrimitive) : document.activePrimitive();
   if (index < 0) return std::nullopt;
   const Primitive& primitive = rig.primitives[static_cast<std::size_t>(index)];
-  // The gizmo holds the muscle as it is drawn, on the line as it is driven.
+  // The placement of the rig, carried by the driven line.
   const PosedMuscle& muscle = document.posedRig(frame.context.pose).muscles[static_cast<std::size_t>(index)];
   if (!muscle.usable || !isPickable(document.visibility, rig, skeleton, index)) return std::nullopt;
   GizmoTarget target{index,
@@ -39,18 +101,9 @@ std::optional<GizmoTarget> muscleTarget(const ToolFrame& frame, bool atStart) {
 }
 
 std::string gestureLabel(GizmoHandle handle, const std::string& what) {
-  switch (partsOf(handle).kind) {
-    case HandleKind::kMove:
-      return "Move " + what;
-    case HandleKind::kRotate:
-      return "Rotate " + what;
-    case HandleKind::kScale:
-      return "Scale " + what;
-    case HandleKind::kShape:
-      return "Shape " + what;
-    default:
-      return "Radius of " + what;
-  }
+  // By HandleKind.
+  constexpr std::array<const char*, 6> kVerbs{"Radius of ", "Move ", "Rotate ", "Scale ", "Radius of ", "Shape "};
+  return kVerbs[static_cast<std::size_t>(partsOf(handle).kind)] + what;
 }
 
 bool beginMuscleDrag(ToolFrame& frame, const GizmoTarget& target) {
@@ -116,19 +169,14 @@ constexpr Tool gizmoTool(const char* id, const char* label, const char* hint, in
           .label = label,
           .hint = hint,
           .key = key,
-          .shift = false,
           .icon = icon,
           .handles = handles,
           .whole = whole,
-          .onSkin = false,
           .picksMuscles = true,
           .target = muscleTarget,
           .beginHandle = beginMuscleDrag,
           .continueHandle = continueMuscleDrag,
           .hover = hoverAt,
-          .press = nullptr,
-          .drag = nullptr,
-          .cancel = nullptr,
           .click = pickMuscle,
           .describe = describeMuscles};
 }
@@ -139,7 +187,7 @@ constinit const Tool kSelectTool = gizmoTool("tool/select", "Select", "Click a m
                                              Icon::kSelect, GizmoMode::kPoles, GizmoHandle::kNone);
 constinit const Tool kMoveTool = gizmoTool("tool/move", "Move", "Drag the selected muscle", GLFW_KEY_W, Icon::kMove,
                                            GizmoMode::kMove, GizmoHandle::kMoveCenter);
-constinit const Tool kRotateTool = gizmoTool("tool/rotate", "Rotate", "Turn the selected muscle", GLFW_KEY_E,
+constinit const Tool kRotateTool = gizmoTool("tool/rotate", "Rotate", "Rotate the selected muscle", GLFW_KEY_E,
                                              Icon::kRotate, GizmoMode::kRotate, GizmoHandle::kRotateScreen);
 constinit const Tool kScaleTool = gizmoTool("tool/scale", "Scale", "Change the selected muscle's radii", GLFW_KEY_R,
                                             Icon::kScale, GizmoMode::kScale, GizmoHandle::kScaleUniform);

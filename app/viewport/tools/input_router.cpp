@@ -1,4 +1,4 @@
-// app/viewport/tools/input_router.cpp: who gets the mouse.
+// app/viewport/tools/input_router.cpp: passes input to the owner of the mouse.
 
 #include "app/viewport/tools/input_router.h"
 
@@ -8,7 +8,6 @@
 
 #include "app/viewport/tools/status_line.h"
 #include "app/viewport/tools/territory_tool.h"
-#include "app/viewport/tools/tool.h"
 
 namespace sinew::app {
 namespace {
@@ -35,7 +34,7 @@ void endGizmo(ViewportTools& tools) {
 
 // Hover -----------------------------------------------------------------------------------------------------------
 
-/// What was hovered may be gone: the rig or the character has changed since.
+/// The rig or the character may have changed.
 void dropStaleHover(ViewportHover& hover, const Document& document) {
   if (hover.primitive >= static_cast<int>(document.rig().primitives.size())) hover.primitive = -1;
   if (hover.bone >= static_cast<int>(document.character->skeleton.bones.size())) hover.bone = -1;
@@ -52,7 +51,7 @@ bool anyPressed(const ViewportInput& input) {
   return input.buttons[0].pressed || input.buttons[1].pressed || input.buttons[2].pressed;
 }
 
-/// Shift and Ctrl add what lies first, whatever was clicked before.
+/// With Shift or Ctrl the first entry, whatever was clicked before.
 void lookUnderPointer(ToolFrame& frame) {
   ViewportTools& tools = frame.tools;
   const Tool& tool = activeTool(tools);
@@ -63,25 +62,19 @@ void lookUnderPointer(ToolFrame& frame) {
 
 void updateHover(ToolFrame& frame, const std::optional<GizmoTarget>& target) {
   ViewportTools& tools = frame.tools;
+  tools.gizmo.hovered = GizmoHandle::kNone;
+  tools.lineHandles.hovered = LineEnd::kNone;
   if (frame.input.mouseTaken || !pointerInside(frame)) {
-    tools.gizmo.hovered = GizmoHandle::kNone;
-    tools.lineHandles.hovered = LineEnd::kNone;
     tools.hover = {};
     return;
   }
-  tools.gizmo.hovered = GizmoHandle::kNone;
-  tools.lineHandles.hovered = LineEnd::kNone;
   if (activeTool(tools).picksMuscles && !frame.input.alt) {
     tools.lineHandles.hovered = lineEndUnder(frame.context, frame.view, frame.input.mouse);
   }
-  if (tools.lineHandles.hovered != LineEnd::kNone) {
-    tools.hover = {};
-    return;
-  }
-  if (target && !frame.input.alt) {
+  if (tools.lineHandles.hovered == LineEnd::kNone && target && !frame.input.alt) {
     tools.gizmo.hovered = hitTest(layoutGizmo(tools.gizmo, target->placement, target->context), frame.input.mouse);
   }
-  if (tools.gizmo.hovered != GizmoHandle::kNone) {
+  if (tools.lineHandles.hovered != LineEnd::kNone || tools.gizmo.hovered != GizmoHandle::kNone) {
     tools.hover = {};
     return;
   }
@@ -142,11 +135,15 @@ void takeWantedDrag(ToolFrame& frame, const std::optional<GizmoTarget>& target) 
   tools.buttonless = tools.owner == PressOwner::kGizmo;
 }
 
-// What the owner of the press does with the frame -------------------------------------------------------------------
+// The owner of the press ----------------------------------------------------------------------------------------
+
+bool isDragged(const ToolFrame& frame) {
+  return glm::length(frame.input.mouse - frame.tools.pressPixel) > kDragThreshold * frame.context.uiScale;
+}
 
 void continueClick(ToolFrame& frame, bool released) {
   ViewportTools& tools = frame.tools;
-  if (glm::length(frame.input.mouse - tools.pressPixel) > kDragThreshold * frame.context.uiScale) {
+  if (isDragged(frame)) {
     orbit(tools.camera, frame.input.mouse - tools.pressPixel, frame.context.size);
     tools.owner = PressOwner::kOrbit;
   } else if (const Tool& tool = activeTool(tools); released && tool.click) {
@@ -154,10 +151,10 @@ void continueClick(ToolFrame& frame, bool released) {
   }
 }
 
-/// A click of the right button asks for the menu of what lies there; a drag pans.
+/// A right click opens a menu, a right drag pans.
 void continueMenu(ToolFrame& frame, bool released) {
   ViewportTools& tools = frame.tools;
-  if (glm::length(frame.input.mouse - tools.pressPixel) > kDragThreshold * frame.context.uiScale) {
+  if (isDragged(frame)) {
     pan(tools.camera, frame.input.mouse - tools.pressPixel, frame.context.size);
     tools.owner = PressOwner::kPan;
   } else if (released) {
@@ -167,19 +164,18 @@ void continueMenu(ToolFrame& frame, bool released) {
   }
 }
 
-/// A handle may stand where the clicks of a cycle go: pressed and not moved, it lets them through.
+/// A click on a handle continues a cycle of picks there.
 void clickThroughHandle(ToolFrame& frame) {
   ViewportTools& tools = frame.tools;
   const Tool& tool = activeTool(tools);
-  const bool moved = glm::length(frame.input.mouse - tools.pressPixel) > kDragThreshold * frame.context.uiScale;
-  if (moved || !tool.picksMuscles || frame.input.shift || frame.input.ctrl) return;
+  if (isDragged(frame) || !tool.picksMuscles || frame.input.shift || frame.input.ctrl) return;
   if (!goesOn(tools.cycle, frame.context, frame.view, frame.input.mouse)) return;
   tools.gizmo.hovered = GizmoHandle::kNone;
   lookUnderPointer(frame);
   if (tools.hover.taken >= 0) tool.click(frame);
 }
 
-/// Pulls the box open. What stayed as small as a click picks as a click does, and adds.
+/// Resizes the box. One as small as a click adds as a click does.
 void continueBox(ToolFrame& frame, const ViewportInput& input, bool released) {
   ViewportTools& tools = frame.tools;
   if (input.keyPressed(Key::kEscape) || input.button(MouseButton::kRight).pressed) {
@@ -199,7 +195,7 @@ void continueBox(ToolFrame& frame, const ViewportInput& input, bool released) {
 
 void continueOwner(ToolFrame& frame) {
   ViewportTools& tools = frame.tools;
-  // A release that never came (focus lost) counts as one now.
+  // A release may have been lost with the focus.
   ViewportInput input = frame.input;
   ButtonState& button = input.buttons[static_cast<std::size_t>(tools.ownerButton)];
   if (tools.buttonless) button = {true, false, button.pressed, false};  // A click ends it.
@@ -250,7 +246,7 @@ void wheel(ToolFrame& frame) {
   zoomToward(tools.camera, frame.input.wheel, frame.input.mouse, frame.context.size, point);
 }
 
-/// Why a muscle that is pulled does not become what the pointer says.
+/// Explains why a driven muscle does not follow the pointer.
 std::string drawnOtherwise(const ToolFrame& frame) {
   const Document& document = frame.document();
   const int active = document.activePrimitive();
@@ -259,7 +255,7 @@ std::string drawnOtherwise(const ToolFrame& frame) {
   if (document.rig().primitives[index].animated.empty()) return "";
   const RigNumbers& now = document.posedRig(frame.context.pose).numbers;
   if (now.primitives[index].placement == document.rig().primitives[index].placement) return "";
-  return " \xc2\xb7 Handles change the muscle as it is drawn; keys or drivers change it here";
+  return " \xc2\xb7 Keys or drivers change this muscle here; handles edit its placement in the rig";
 }
 
 std::string statusOf(const ToolFrame& frame) {
@@ -341,7 +337,7 @@ RouteResult routeInput(ViewportTools& tools, const ViewportInput& all, const Vie
     if (boxLetGo && tools.owner == PressOwner::kMenu) tools.owner = PressOwner::kOutside;
     if (tools.owner == PressOwner::kNone) takeWantedDrag(frame, target);
     wheel(frame);
-    // The press is seen where it happened; its first motion belongs to the next frame, unless it is already over.
+    // The first motion after a press belongs to the next frame, unless it is already over.
     if (tools.owner != PressOwner::kNone) tools.lastPixel = input.mouse;
   }
   if (tools.owner != PressOwner::kNone) continueOwner(frame);

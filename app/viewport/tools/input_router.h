@@ -1,40 +1,39 @@
-// app/viewport/tools/input_router.h: who gets the mouse: axis triad, box, handles, tool, camera, in this order.
+// app/viewport/tools/input_router.h: passes input to axis triad, box, handles, tool or camera, in this order.
 #pragma once
 
 #include "app/viewport/tools/viewport_tools.h"
 
 namespace sinew::app {
 
-/// Changes the tool; ignored while a gizmo or muscle drag is in progress. Sets the gizmo's mode.
+/// Changes the tool and the gizmo's mode; ignored during drags.
 void setTool(ViewportTools& tools, ToolKind tool);
 
-/// The same, and the next frame begins a drag of the whole muscle at the pointer, as Blender's G does: it goes
-/// on without a button until a click or Enter keeps it, Esc or the right button cancels it. Only for tools
-/// with such a handle (Tool::whole); without a target, or with the pointer beside the picture, no drag.
+/// setTool, then starts a drag of the whole muscle at the pointer in the next frame, like Blender's G: without a
+/// button, a click or Enter keeps it, Esc or the right button cancels it. No drag without Tool::whole, without a
+/// target, or with the pointer outside the picture.
 void startDrag(ViewportTools& tools, ToolKind tool);
 
-/// The next press on the picture draws a box that selects; Esc or the right button cancels it.
+/// The next press on the picture begins a selection box; Esc or the right button cancels it.
 void armBox(ViewportTools& tools);
 
-/// While true, X, Y, Z, digits, Enter, Esc and Backspace belong to a drag: menus and keymaps leave them alone, undo
-/// too.
+/// Whether a drag uses X, Y, Z, digits, Enter, Esc and Backspace; then menus, keymaps and undo do not.
 [[nodiscard]] bool ownsKeyboard(const ViewportTools& tools);
 
-/// While true the pose stands still, whatever plays: a muscle is being drawn on the skin, or the press that comes with
-/// this frame may begin one and has to find the skin where it was seen.
+/// Whether the pose is held, even if a clip plays: a muscle is being drawn on the skin, or the press of this frame may
+/// begin one and must find the skin as it was shown.
 [[nodiscard]] bool holdsPose(const ViewportTools& tools, bool leftPressed);
 
-/// Ends a drag that goes on without a button (startDrag) as a click on the picture would: what it did is kept.
+/// Ends and keeps a drag of startDrag.
 void keepDrag(ViewportTools& tools, Document& document);
 
-/// Ends a drag without a trace in the rig (the document is about to be replaced).
+/// Ends and undoes all drags.
 void cancelDrags(ViewportTools& tools, Document& document);
 
-/// One frame. Called when ImGui has had its input and the pose of this frame is known; the surface may still be the one
-/// drawn before. The rig may differ afterwards (watch CommandStack::revision). The skin is picked at most once a frame,
-/// only when the pointer has moved or presses, never during a drag.
-///   left: triad, else a handle, else the tool (add muscle: a press on the skin), else a click picks and a drag orbits
-///   Ctrl+left, or left once after armBox: a box selects; with Shift it adds, with Alt it takes away
+/// One frame, after ImGui's input and with the pose of this frame; the surface may be that of the last frame. May
+/// change the rig (CommandStack::revision). Picks the skin at most once, when the pointer has moved or presses, never
+/// during a drag.
+///   left: triad, handle, tool (add muscle: a press on the skin); else a click picks and a drag orbits
+///   Ctrl+left, or left after armBox: a selection box; Shift adds, Alt removes
 ///   Alt+left or middle: orbit; Shift+middle or right: pan; wheel: zoom to the pointer
 ///   right without motion: RouteResult::menu
 RouteResult routeInput(ViewportTools& tools, const ViewportInput& input, const ViewportContext& context);

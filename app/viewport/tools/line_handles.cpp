@@ -1,4 +1,4 @@
-// app/viewport/tools/line_handles.cpp: anchors and via point under the pointer.
+// app/viewport/tools/line_handles.cpp: finds and drags anchors and via points.
 
 #include "app/viewport/tools/line_handles.h"
 
@@ -24,14 +24,14 @@ LineAnchor* anchorOf(MuscleLine& line, LineEnd end) {
   return line.via ? &*line.via : nullptr;
 }
 
-/// The point under a pixel, as far from the eye as another.
+/// The point under a pixel at the depth of another.
 glm::vec3 pointAt(const View& view, const glm::vec2& pixel, const glm::vec3& asFarAs) {
   const Ray ray = view.rayThrough(pixel);
   const glm::vec3 forward = view.forwardInWorld();
   return ray.origin + glm::dot(asFarAs - ray.origin, forward) / glm::dot(ray.direction, forward) * ray.direction;
 }
 
-/// The anchor brought under the pointer, in the pose of the frame.
+/// The rig with the anchor under the pointer, in the pose of the frame.
 Result<Rig> moved(const LineEndDrag& drag, int index, const ViewportContext& context, const View& view,
                   const glm::vec2& pixel) {
   const Rig& rig = context.document.rig();
@@ -39,14 +39,14 @@ Result<Rig> moved(const LineEndDrag& drag, int index, const ViewportContext& con
   LineAnchor* const anchor = anchorOf(line, drag.end);
   const Skeleton& skeleton = context.document.character->skeleton;
   const std::optional<int> bone = anchor ? skeleton.findBone(anchor->bone) : std::nullopt;
-  if (!bone) return errorAt("", "this end has no bone here");
+  if (!bone) return errorAt("", "this character lacks the bone of this end");
   const glm::mat4& inWorld = context.pose.boneInWorld[static_cast<std::size_t>(*bone)];
   const glm::vec3 now(inWorld * glm::vec4(anchor->point, 1.0f));
   const glm::vec3 wanted = pointAt(view, pixel - drag.grip, now);
   const glm::vec3 inBone(glm::inverse(glm::dmat4(inWorld)) * glm::dvec4(glm::dvec3(wanted), 1.0));
   if (!isFinite(inBone)) return errorAt("", "this bone is flattened in this pose");
   anchor->point = inBone;
-  // Where the ends meet in the bind pose there is no line: it stays as it is.
+  // Refused where the ends meet in the bind pose.
   if (const Result<LineRest> rest = lineRest(line, *context.document.character); !rest) return rest.error();
   return editLine(rig, index, [&](MuscleLine& edited) { *anchorOf(edited, drag.end) = *anchor; });
 }
@@ -54,17 +54,8 @@ Result<Rig> moved(const LineEndDrag& drag, int index, const ViewportContext& con
 }  // namespace
 
 const char* nameOf(LineEnd end) {
-  switch (end) {
-    case LineEnd::kOrigin:
-      return "origin";
-    case LineEnd::kInsertion:
-      return "insertion";
-    case LineEnd::kVia:
-      return "via point";
-    case LineEnd::kNone:
-      break;
-  }
-  return "";
+  constexpr std::array<const char*, 4> kNames{"", "origin", "insertion", "via point"};
+  return kNames[static_cast<std::size_t>(end)];
 }
 
 std::optional<ShownLine> activeLine(const Document& document, const Pose& pose) {
@@ -123,7 +114,7 @@ bool continueLineEnd(LineHandles& handles, const ViewportInput& input, const Vie
     handles.drag.reset();
     return false;
   }
-  // A refused state is not shown: the one before stands.
+  // A refused state is not shown.
   Result<Rig> rig = moved(*handles.drag, index, context, view, input.mouse);
   if (rig) commands.updateGesture(std::move(rig).value());
   if (!input.button(MouseButton::kLeft).released) return true;

@@ -1,18 +1,18 @@
-// app/viewport/tools/line_handles.h: the ends of the active muscle's line, to be pulled about.
+// app/viewport/tools/line_handles.h: handles on the ends of the active muscle's line.
 #pragma once
 
 #include <array>
 #include <optional>
 #include <string>
 
-#include "app/viewport/tools/input.h"
 #include "app/viewport/tools/viewport_context.h"
+#include "app/viewport/tools/viewport_input.h"
 
 namespace sinew::app {
 
 enum class LineEnd { kNone, kOrigin, kInsertion, kVia };
 
-/// A pull of one end. It keeps its distance from the eye, and rides its bone while a clip plays.
+/// A drag of one end. It keeps its depth, and follows its bone while a clip plays.
 struct LineEndDrag {
   LineEnd end = LineEnd::kNone;
   LineId line;
@@ -24,7 +24,7 @@ struct LineHandles {
   std::optional<LineEndDrag> drag;
 };
 
-/// The line of the active muscle in a pose, for drawing and for hits. World.
+/// World.
 struct ShownLine {
   int index = -1;  ///< Into Rig::lines.
   glm::vec3 origin{0.0f};
@@ -34,20 +34,20 @@ struct ShownLine {
   float activation = 0.0f;
 };
 
-/// Nothing: the active muscle rides no line, or its line has no bones here.
+/// The line of the active muscle in a pose; nullopt: none, or this character lacks its bones.
 [[nodiscard]] std::optional<ShownLine> activeLine(const Document& document, const Pose& pose);
 [[nodiscard]] std::optional<glm::vec3> endPoint(const ShownLine& line, LineEnd end);
 
-/// The end within a few pixels; of several the nearest.
+/// The nearest end within a few pixels.
 [[nodiscard]] LineEnd lineEndUnder(const ViewportContext& context, const View& view, const glm::vec2& pixel);
 
-/// Pulls the hovered end from now on.
+/// Starts a drag of the hovered end.
 void beginLineEnd(LineHandles& handles, const ViewportContext& context, const View& view, const glm::vec2& pixel);
-/// @return false: the pull has ended: by a release (one undo step), or by Esc or the right button without a trace.
+/// @return false: the drag has ended, by a release (one undo step) or canceled by Esc or the right button
 [[nodiscard]] bool continueLineEnd(LineHandles& handles, const ViewportInput& input, const ViewportContext& context,
                                    const View& view);
 
-/// For the status line; empty where no end is hovered or pulled.
+/// For the status line; empty if no end is hovered or dragged.
 [[nodiscard]] std::string describe(const LineHandles& handles);
 [[nodiscard]] const char* nameOf(LineEnd end);  ///< "origin"
 

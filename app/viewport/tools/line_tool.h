@@ -1,24 +1,55 @@
-// app/viewport/tools/line_tool.h: press on one bone's skin, release on another's: a muscle line grows between them.
+// app/viewport/tools/line_tool.h: adds muscle lines by drags from the skin of one bone to that of another.
 #pragma once
 
 #include <memory>
 #include <optional>
 
-#include "app/viewport/tools/input.h"
-#include "app/viewport/tools/lay_line.h"
 #include "app/viewport/tools/select.h"
+#include "app/viewport/tools/viewport_input.h"
+#include "core/bodies/motions.h"
+#include "sinew/geometry/result.h"
+#include "sinew/rig/rig.h"
+#include "sinew/surface/surface.h"
 
 namespace sinew::app {
 
-/// A gesture in progress. The pose is held meanwhile, and the skin that was pressed is what the pointer meets.
+/// A line and a muscle on it, not in a rig yet.
+struct LaidLine {
+  MuscleLine line;
+  Primitive belly;
+};
+
+/// The control mesh in the bind pose as a surface.
+[[nodiscard]] Surface bindSkin(const Character& character);
+
+/// In the bind pose. Anchors lie half way from the skin to the axes of the bones below: far enough from the joint, and
+/// inside the limb in every pose. The belly's y axis spans the tendons, its z axis points away from the bone, and it
+/// protrudes from the skin. Error: a bone is flattened in the bind pose, or the places are too near.
+/// @param skin  bindSkin
+[[nodiscard]] Result<LaidLine> layLine(const Character& character, const Surface& skin, const SkinAnchor& from,
+                                       const SkinAnchor& to);
+
+struct MendedLaidLine {
+  LaidLine laid;     ///< The belly has no line if none stays in the flesh.
+  std::string said;  ///< Changes, for the user; or empty.
+};
+
+/// Learns full contraction, and keeps the line in the flesh in all clips (core/bodies/mend.h).
+[[nodiscard]] Result<MendedLaidLine> mended(const LaidLine& laid, const Motions& motions);
+
+/// Adds the line and its belly to Rig::primitives, under symmetry with their twins. A line near the mirror plane is
+/// moved into it. @param plan  null: without symmetry
+[[nodiscard]] Result<Rig> withLaidLine(const Rig& rig, const LaidLine& laid, const MirrorPlan* plan);
+
+/// A gesture in progress; the pose is held.
 struct LineDrag {
-  Surface skin;  ///< As it was at the press.
+  Surface skin;  ///< At the press.
   Surface bindSkin;
   SkinAnchor start;
   int startBone = -1;
   int endBone = -1;  ///< Under the pointer; -1: none.
   glm::vec2 pressPixel{0.0f};
-  std::optional<LaidLine> laid;  ///< What is shown.
+  std::optional<LaidLine> laid;  ///< Shown.
   Selection selectionBefore;
   std::shared_ptr<const Rig> rigBefore;
 };
@@ -26,16 +57,5 @@ struct LineDrag {
 struct LineToolState {
   std::optional<LineDrag> drag;
 };
-
-/// Error: no skin under the pointer; then nothing has begun.
-[[nodiscard]] Result<void> beginLine(LineToolState& state, const ViewportContext& context, const ViewportHover& hover,
-                                     const glm::vec2& pixel);
-/// Follows the pointer; ends on release (one undo step, none if no muscle was laid), cancels on Esc and the right
-/// button. What is kept stays in the flesh in all clips.
-/// @return  what was mended for that; empty: nothing
-std::string updateLine(LineToolState& state, const ViewportInput& input, const ViewportContext& context,
-                       const View& view);
-/// Ends a gesture without a trace.
-void cancelLine(LineToolState& state, Document& document);
 
 }  // namespace sinew::app

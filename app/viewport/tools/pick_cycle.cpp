@@ -1,4 +1,4 @@
-// app/viewport/tools/pick_cycle.cpp: clicks on one place, one after the other, take what lies there in turn.
+// app/viewport/tools/pick_cycle.cpp: repeated clicks on one place pick what lies there in turn.
 
 #include "app/viewport/tools/pick_cycle.h"
 
@@ -26,7 +26,7 @@ bool canStillBeTaken(const PickEntry& entry, const Document& document) {
   return index >= 0 && isPickable(document.visibility, document.rig(), document.character->skeleton, index);
 }
 
-/// What a click takes becomes entry `at` of what is here.
+/// Makes entry `at` the next to be picked.
 void aimAt(ViewportHover& hover, std::size_t at, const Document& document) {
   hover.at = at;
   const PickEntry& entry = hover.here[at];

@@ -1,63 +1,126 @@
-// app/viewport/tools/pose_tool.cpp: the pose tool: rings on the selected joint, clicks that choose joints.
-
+// app/viewport/tools/pose_tool.cpp: the pose tool: rings on the selected joint, clicks that select joints.
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
+#include <glm/gtc/quaternion.hpp>
 
 #include "app/document/shown_names.h"
-#include "app/viewport/tools/tool.h"
+#include "app/viewport/render/picking.h"
+#include "app/viewport/tools/status_line.h"
+#include "app/viewport/tools/viewport_tools.h"
+#include "core/geometry/at.h"
 
 namespace sinew::app {
 namespace {
 
-std::optional<GizmoTarget> ringsOnJoint(const ToolFrame& frame, bool) {
-  const std::optional<JointTarget> joint = jointTarget(frame.tools.pose, frame.context, frame.view);
-  if (!joint) return std::nullopt;
-  return GizmoTarget{-1, joint->placement, joint->context};
+constexpr float kJointReach = 12.0f;  ///< Design pixels.
+
+std::string nameOfBone(const ToolFrame& frame, int bone) {
+  return shownBoneName(frame.document().character->skeleton, bone);
 }
 
-bool beginRing(ToolFrame& frame, const GizmoTarget&) {
-  const std::optional<JointTarget> joint = jointTarget(frame.tools.pose, frame.context, frame.view);
-  if (!joint) return false;
-  beginTurn(frame.tools.pose, frame.tools.gizmo, *joint, frame.input.mouse, frame.context);
+/// Rings on the joint being rotated, else on the selected one, in its frame at the start of the drag, carried by its
+/// parent. The rotation of the placement is that of the drag, relative to PoseBoneState::start.
+std::optional<GizmoTarget> ringsOnJoint(const ToolFrame& frame, bool) {
+  const PoseBoneState& state = frame.tools.pose;
+  const ViewportContext& context = frame.context;
+  const int bone = state.bone >= 0 ? state.bone : context.document.selection.bone;
+  if (!context.overrides || bone < 0 || bone >= static_cast<int>(context.pose.boneInWorld.size())) return std::nullopt;
+  const glm::mat4& boneInWorld = at(context.pose.boneInWorld, bone);
+  if (!isFinite(boneInWorld)) return std::nullopt;
+  glm::mat3 axes = turnFrame(boneInWorld);
+  if (state.bone >= 0) axes = axes * glm::mat3_cast(glm::inverse(state.shown) * state.start);
+  GizmoTarget target;
+  target.placement.center = glm::vec3(0.0f);
+  target.placement.rotation = glm::quat(1.0f, 0.0f, 0.0f, 0.0f);
+  target.placement.radii = glm::vec3(0.0f);  // Poles on the center are left out.
+  target.context.view = frame.view;
+  target.context.boneInWorld = glm::mat4(axes);
+  target.context.boneInWorld[3] = boneInWorld[3];
+  target.context.characterHeight = context.document.character->height;
+  target.context.uiScale = context.uiScale;
+  return target;
+}
+
+bool beginRing(ToolFrame& frame, const GizmoTarget& target) {
+  PoseBoneState& state = frame.tools.pose;
+  PoseOverrides& overrides = *frame.context.overrides;
+  if (state.bone < 0) state.bone = frame.document().selection.bone;
+  state.before = state.start = overrides.turnOf(state.bone);
+  // A joint that does not follow the clip starts from its current rotation.
+  if (overrides.from == TurnsFrom::kBindPose) {
+    state.start = heldTurn(frame.document().character->skeleton, frame.context.pose, state.bone);
+    overrides.set(state.bone, state.start);
+  }
+  state.shown = state.start;
+  beginDrag(frame.tools.gizmo, frame.tools.gizmo.hovered, target.placement, frame.input.mouse, target.context);
   return true;
 }
 
 bool continueRing(ToolFrame& frame, const ViewportInput& input) {
-  const int joint = frame.tools.pose.bone;
-  if (continueTurn(frame.tools.pose, frame.tools.gizmo, input, frame.context, frame.view)) return true;
-  if (joint >= 0 && frame.context.overrides) {
-    const std::string name = shownBoneName(frame.document().character->skeleton, joint);
-    frame.document().commands.applyPose("Turn " + name, *frame.context.overrides);
+  PoseBoneState& state = frame.tools.pose;
+  GizmoState& gizmo = frame.tools.gizmo;
+  PoseOverrides* const overrides = frame.context.overrides;
+  const int joint = state.bone;
+  if (overrides && joint >= 0) state.shown = overrides->turnOf(joint);
+  const std::optional<GizmoTarget> target = ringsOnJoint(frame, true);
+  if (!target || joint < 0 || !gizmo.drag) {
+    gizmo.drag.reset();
+  } else {
+    const DragResult dragged = updateDrag(gizmo, input, target->context);
+    const bool canceled = dragged.outcome == DragOutcome::kCanceled;
+    overrides->set(joint, canceled ? state.before : state.start * dragged.placement.rotation);
+    if (dragged.outcome == DragOutcome::kDragging) return true;
+  }
+  state.bone = -1;
+  if (joint >= 0 && overrides) {
+    frame.document().commands.applyPose("Turn " + nameOfBone(frame, joint), *overrides);
   }
   return false;
 }
 
-void chooseJoint(ToolFrame& frame) { pickJoint(frame.document(), frame.tools.hover); }
+/// The bone near a pixel in x-ray, else the one that moves the skin there. No primitive.
+ViewportHover hoverJoint(const ViewportContext& context, const View& view, const glm::vec2& pixel) {
+  ViewportHover hover = hoverAt(context, view, pixel);
+  hover.primitive = -1;
+  const Skeleton& skeleton = context.document.character->skeleton;
+  if (const auto hit =
+          pickBone(pixel, view, skeleton, context.pose, kJointReach * context.uiScale, context.hiddenBones)) {
+    hover.bone = hit->bone;
+    if (!hover.skin) hover.pointInWorld = glm::vec3(at(context.pose.boneInWorld, hit->bone)[3]);
+  }
+  return hover;
+}
 
-std::string describeJoint(const ToolFrame& frame) { return describePosing(frame.tools.hover, frame.context); }
+/// Selected muscles stay selected.
+void pickJoint(ToolFrame& frame) { frame.document().selection.bone = frame.tools.hover.bone; }
+
+std::string describePosing(const ToolFrame& frame) {
+  const int selected = frame.document().selection.bone;
+  const int hovered = frame.tools.hover.bone;
+  const std::string drag = selected >= 0 ? "Drag on a ring turns " + nameOfBone(frame, selected) : "Drag orbits";
+  if (hovered < 0) {
+    return statusLine("Background",
+                      {"Click on a joint or its skin selects it", drag, "Right+drag pans", "Wheel zooms"});
+  }
+  const std::string click = hovered == selected ? "Click keeps it selected" : "Click selects it";
+  return statusLine("Joint " + nameOfBone(frame, hovered), {click, drag, "Right+drag pans", "Wheel zooms"});
+}
 
 }  // namespace
 
 constinit const Tool kPoseTool{
     .id = "tool/pose",
     .label = "Pose",
-    .hint = "Click a joint and turn it with the rings, to see muscles in any pose",
+    .hint = "Click a joint and rotate it with the rings to see muscles in any pose",
     .key = GLFW_KEY_P,
-    .shift = false,
     .icon = Icon::kPose,
     .handles = GizmoMode::kRotate,
-    .whole = GizmoHandle::kNone,
-    .onSkin = false,
-    .picksMuscles = false,
     .target = ringsOnJoint,
     .beginHandle = beginRing,
     .continueHandle = continueRing,
     .hover = hoverJoint,
-    .press = nullptr,
-    .drag = nullptr,
-    .cancel = nullptr,
-    .click = chooseJoint,
-    .describe = describeJoint,
+    .click = pickJoint,
+    .describe = describePosing,
 };
 
 }  // namespace sinew::app

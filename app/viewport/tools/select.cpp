@@ -1,29 +1,29 @@
-// app/viewport/tools/select.cpp: what lies under the pointer, and picking it.
+// app/viewport/tools/select.cpp: what lies under the pointer or in a box, and selecting it.
+
 #include "app/viewport/tools/select.h"
 
 #include <algorithm>
 #include <cmath>
+#include <imgui.h>
 #include <limits>
 
 #include <glm/geometric.hpp>
 
 #include "app/document/shown_names.h"
 #include "app/ui/code_points.h"
-#include "app/viewport/render/picking.h"
+#include "app/ui/style.h"
 #include "core/character/bindings.h"
+#include "core/geometry/silhouette.h"
 #include "core/rig/attachment.h"
 
 namespace sinew::app {
-
-// All that lies under the pointer, in the order in which clicks take it.
-
 namespace {
 
-constexpr float kCoveredBelow = 1.12f;  ///< Skin over a muscle lies a little outside its ellipsoid, where both blend.
-constexpr float kBulgeBelow = 1.4f;     ///< Where the skin is lifted visibly, its bulge reaches further.
+constexpr float kCoveredBelow = 1.12f;  ///< Skin over a muscle blends a little outside its ellipsoid.
+constexpr float kBulgeBelow = 1.4f;     ///< Where the skin is visibly lifted, its bulge reaches further.
 constexpr float kVisibleLift = 0.004f;  ///< Fraction of H.
-constexpr float kNearHalf = 0.6f;  ///< Share of the way through the body: what is further belongs to its other side.
-constexpr float kLayer = 0.006f;   ///< Fraction of H: clothes on skin.
+constexpr float kNearHalf = 0.6f;       ///< Fraction of the way through the body; the rest belongs to its other side.
+constexpr float kLayer = 0.006f;        ///< Distance of clothes from skin, fraction of H.
 
 enum class Place { kInFront, kHoldsSkin, kUnderSkin, kConcealed };
 
@@ -33,21 +33,21 @@ struct Candidate {
   float rank;  ///< Within the place; smaller is taken first.
 };
 
-/// What the ray meets, the same for all muscles.
+/// Hits of the ray, for all muscles.
 struct Sight {
   const ViewportContext& context;
   const Ray& ray;
   const std::optional<SurfaceHit>& skin;
   int skinBone;
   BodySpan body;
-  float lift = 0.0f;  ///< How far muscles move the skin that is hit, character units.
+  float lift = 0.0f;  ///< Displacement of the skin that is hit, character units.
 };
 
-/// One muscle before it.
+/// One muscle.
 struct Muscle {
   const Primitive& primitive;
   int bone;
-  const Placement& placement;  ///< As its line bends it.
+  const Placement& placement;  ///< On its line.
   const glm::mat4& carrier;    ///< Bone space -> world.
   bool drawn;
 };
@@ -62,13 +62,12 @@ float liftAt(const SurfaceHit& hit, const Surface& surface) {
   return std::abs(lift);
 }
 
-/// The muscle's middle lies in that half of the body which the viewer sees.
+/// Whether a depth is in the half of the body that the viewer sees.
 bool isOnThisSide(const Sight& sight, float middle) {
   return middle <= glm::mix(sight.body.enter, sight.body.leave, kNearHalf) || std::isinf(sight.body.leave);
 }
 
-/// How far outside its shell the skin there is, in radii, if the muscle holds it up. A muscle only counts where its
-/// territory is.
+/// Distance of the skin from the shell in radii, if the muscle lifts it and has it in its territory.
 std::optional<float> heldSkin(const Sight& sight, const Muscle& muscle) {
   const Skeleton& skeleton = sight.context.document.character->skeleton;
   const UnitBallMap map = unitBallMap(muscle.placement, 1.0f, muscle.carrier);
@@ -87,7 +86,7 @@ std::optional<float> heldSkin(const Sight& sight, const Muscle& muscle) {
   return isOnThisSide(sight, middle) ? std::optional(radii) : std::nullopt;
 }
 
-/// How thick an ellipsoid is along a direction.
+/// Thickness of an ellipsoid along a direction.
 float thicknessAlong(const glm::mat4& unitBallInWorld, const glm::vec3& direction) {
   return 2.0f * glm::length(glm::transpose(glm::mat3(unitBallInWorld)) * direction);
 }
@@ -259,7 +258,7 @@ ViewportHover hoverAt(const ViewportContext& context, const View& view, const gl
     if (!hover.any() && hover.here.empty()) hover.pointInWorld = joint;
     hover.bone = shown->bone;
   }
-  // Where no muscle is seen the skin stands for its bone. Concealed muscles come after all that are seen.
+  // Without visible muscles the skin picks its bone. Concealed muscles come last.
   if (shown || (hit && (hover.here.empty() || hover.here.front().concealed))) {
     hover.here.insert(hover.here.begin(), PickEntry{{}, hover.bone, hit ? hit->distance : 0.0f, false});
   }
@@ -288,6 +287,60 @@ std::string describe(const ViewportHover& hover, const Document& document) {
   }
   if (hover.bone >= 0) return "Bone " + shownBoneName(document.character->skeleton, hover.bone);
   return "";
+}
+
+namespace {
+
+bool inside(const glm::vec3& pixel, const glm::vec2& low, const glm::vec2& high) {
+  return std::abs(pixel.z) <= 1.0f && pixel.x >= low.x && pixel.y >= low.y && pixel.x <= high.x && pixel.y <= high.y;
+}
+
+/// Points of the visible outline, and the center.
+std::vector<glm::vec3> outlineOf(const PrimitiveShape& shape, const View& view) {
+  const glm::vec3 eye = view.orthographic ? view.forwardInWorld() : view.eyeInWorld;
+  const Silhouette line = silhouetteOf(shape.shape, shape.unitBallInWorld, eye, view.orthographic);
+  std::vector<glm::vec3> points(line.begin(), line.end());
+  points.emplace_back(shape.unitBallInWorld[3]);
+  return points;
+}
+
+/// In rig order, without hidden and locked ones.
+std::vector<PrimitiveId> musclesInBox(const ViewportContext& context, const View& view, const glm::vec2& corner,
+                                      const glm::vec2& opposite) {
+  const glm::vec2 low = glm::min(corner, opposite);
+  const glm::vec2 high = glm::max(corner, opposite);
+  const Document& document = context.document;
+  std::vector<PrimitiveId> muscles;
+  for (const PrimitiveShape& shape : primitiveShapes(document, context.pose)) {
+    if (!isPickable(document.visibility, document.rig(), document.character->skeleton, shape.rigIndex)) continue;
+    const std::vector<glm::vec3> points = outlineOf(shape, view);
+    const bool hit =
+        std::ranges::any_of(points, [&](const glm::vec3& p) { return inside(view.toPixel(p), low, high); });
+    if (hit) muscles.push_back(document.idAt(shape.rigIndex));
+  }
+  return muscles;
+}
+
+}  // namespace
+
+void selectBox(const ViewportContext& context, const View& view, const BoxDrag& box) {
+  const std::vector<PrimitiveId> muscles = musclesInBox(context, view, box.from, box.to);
+  Selection& selection = context.document.selection;
+  if (box.mode == BoxMode::kRemove) {
+    selection.remove(muscles);
+    return;
+  }
+  if (box.mode == BoxMode::kReplace) selection.bone = -1;
+  selection.setAll(muscles, box.mode == BoxMode::kAdd);
+}
+
+void drawBox(ImDrawList& list, const BoxDrag& box, const glm::vec2& topLeft, float unitsPerPixel) {
+  const glm::vec2 low = topLeft + glm::min(box.from, box.to) * unitsPerPixel;
+  const glm::vec2 high = topLeft + glm::max(box.from, box.to) * unitsPerPixel;
+  const bool removes = box.mode == BoxMode::kRemove;
+  const Tint tint = removes ? palette::kWarning : palette::kAccent;
+  list.AddRectFilled({low.x, low.y}, {high.x, high.y}, tint.faded(0.12f).packed());
+  list.AddRect({low.x, low.y}, {high.x, high.y}, tint.packed());
 }
 
 }  // namespace sinew::app

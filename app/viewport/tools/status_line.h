@@ -1,4 +1,4 @@
-// app/viewport/tools/status_line.h: the one form of the status line.
+// app/viewport/tools/status_line.h: format of the status line.
 #pragma once
 
 #include <initializer_list>
@@ -7,12 +7,11 @@
 
 namespace sinew::app {
 
-/// A line is `SUBJECT · ACT, ACT, ...`.
-/// SUBJECT: what is under the pointer, or what is being done with its numbers: "biceps L on arm_L", "Move X 0.12". A
-/// noun, no instruction; names as the user wrote them.
-/// ACT: an input, capitalised, and what it does, a verb in the third person: "Shift+click adds". In this order, which
-/// no line changes: Click, Release, Drop; Drag; the wheel; Ctrl, Shift, Alt alone; X/Y/Z, digits; Enter, Esc. Of one
-/// input the plain one stands before those with Ctrl, Shift, Alt, Right.
+/// `SUBJECT · ACT, ACT, ...`
+/// SUBJECT: what is under the pointer or being done, with its numbers, as a noun: "biceps L on arm_L", "Move X 0.12".
+/// ACT: an input, capitalised, and its effect, a verb in the third person: "Shift+click adds". Always in this order:
+/// Click, Release, Drop; Drag; the wheel; Ctrl, Shift, Alt alone; X/Y/Z, digits; Enter, Esc. The plain input stands
+/// before the same with Ctrl, Shift, Alt, Right.
 [[nodiscard]] inline std::string statusLine(std::string_view subject, std::initializer_list<std::string_view> acts) {
   std::string line(subject);
   std::string_view between = " \xc2\xb7 ";

@@ -1,4 +1,4 @@
-// app/viewport/tools/territory_tool.cpp: clicks on bones say whose skin the active muscle may move.
+// app/viewport/tools/territory_tool.cpp: clicks on bones choose the skin that the active muscle may move.
 
 #include "app/viewport/tools/territory_tool.h"
 
@@ -10,15 +10,19 @@
 
 #include "app/document/shown_names.h"
 #include "app/viewport/tools/status_line.h"
-#include "app/viewport/tools/tool.h"
+#include "app/viewport/tools/viewport_tools.h"
 #include "core/geometry/at.h"
 #include "core/rig/attachment.h"
 #include "core/rig/rig_edit.h"
 
+#define GLFW_INCLUDE_NONE
+
+
+
 namespace sinew::app {
 namespace {
 
-/// The names that stand for the territory in a file: those it has, or those of the default.
+/// Bones of the territory as named in a file, or those of the default.
 std::vector<std::string> namesOf(const Rig& rig, const Primitive& primitive, const Skeleton& skeleton) {
   if (primitive.territory) return *primitive.territory;
   std::vector<std::string> names;
@@ -29,7 +33,7 @@ std::vector<std::string> namesOf(const Rig& rig, const Primitive& primitive, con
   return names;
 }
 
-/// Bones are picked as if the skeleton were shown.
+/// Picks bones as if the skeleton were shown.
 ViewportHover hoverBone(const ViewportContext& context, const View& view, const glm::vec2& pixel) {
   ViewportContext withBones = context;
   withBones.display.skeleton = true;
@@ -68,7 +72,7 @@ Result<Rig> withTerritoryBone(const Rig& rig, int index, int bone, const Skeleto
   if (removed == 0) names.push_back(skeleton.fileName(bone));
   const bool any =
       std::ranges::any_of(names, [&](const std::string& name) { return skeleton.findBone(name).has_value(); });
-  if (!any) return errorAt("territory", "a muscle must be allowed to move the skin of one bone at least", "territory");
+  if (!any) return errorAt("territory", "a muscle must be allowed to move the skin of at least one bone", "territory");
   return editPrimitives(rig, std::vector<int>{index}, [&](Primitive& primitive) { primitive.territory = names; });
 }
 
@@ -87,19 +91,7 @@ constinit const Tool kTerritoryTool{
     .label = "Edit territory",
     .hint = "Click the bones whose skin the selected muscle may move",
     .key = GLFW_KEY_B,
-    .shift = false,
-    .icon = Icon::kNone,
-    .handles = GizmoMode::kPoles,
-    .whole = GizmoHandle::kNone,
-    .onSkin = false,
-    .picksMuscles = false,
-    .target = nullptr,
-    .beginHandle = nullptr,
-    .continueHandle = nullptr,
     .hover = hoverBone,
-    .press = nullptr,
-    .drag = nullptr,
-    .cancel = nullptr,
     .click = clickBone,
     .describe = describeTerritory,
 };

@@ -1,4 +1,4 @@
-// app/viewport/tools/viewport_context.h: what every viewport tool knows about the frame.
+// app/viewport/tools/viewport_context.h: the frame as viewport tools see it.
 #pragma once
 
 #include <vector>
@@ -12,10 +12,10 @@
 
 namespace sinew::app {
 
-/// The surface as it is seen. Made when a tool first looks at it, where the graphics card draws (LiveSurface::surface).
+/// The shown surface. Where the graphics card draws, computed when a tool first needs it (LiveSurface::surface).
 class SeenSurface {
  public:
-  SeenSurface(const Surface* made = nullptr) : made_(made) {}  // NOLINT: a surface is one that is seen.
+  SeenSurface(const Surface* made = nullptr) : made_(made) {}  // NOLINT
   SeenSurface(const LiveSurface& live) : live_(&live) {}       // NOLINT
   explicit operator bool() const { return made_ != nullptr || live_ != nullptr; }
   const Surface& operator*() const { return live_ != nullptr ? live_->surface() : *made_; }
@@ -26,16 +26,16 @@ class SeenSurface {
   const LiveSurface* live_ = nullptr;
 };
 
-/// References and pointers are valid for the call. Tools change the document's commands and selection, nothing else.
+/// Valid for the call. Tools change only the document's commands and selection, and `overrides`.
 struct ViewportContext {
   Document& document;
-  const Pose& pose;                    ///< The frame's on the screen.
-  SeenSurface surface{};               ///< None before the first smoothing: nothing can be picked on the skin.
+  const Pose& pose;                    ///< On the screen.
+  SeenSurface surface{};               ///< Null before the first smoothing: the skin cannot be picked.
   DisplaySettings display;             ///< Shown primitives can be picked, hidden ones not.
   glm::ivec2 size{1, 1};               ///< Viewport, pixels.
   float uiScale = 1.0f;                ///< Pixels per design pixel.
-  PoseOverrides* overrides = nullptr;  ///< What `pose` was turned with: the pose tool changes it. Null: it cannot.
-  std::vector<bool> hiddenBones{};     ///< [bones] neither drawn nor picked; empty: none is left out.
+  PoseOverrides* overrides = nullptr;  ///< Changed by the pose tool, if not null.
+  std::vector<bool> hiddenBones{};     ///< [bones]; empty: none.
   bool playing = false;                ///< A clip moves the pose from frame to frame.
 };
 

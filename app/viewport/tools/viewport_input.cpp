@@ -1,4 +1,4 @@
-// app/viewport/tools/viewport_input.cpp: the window's input as the viewport's tools want it.
+// app/viewport/tools/viewport_input.cpp: the window's input for the viewport's tools.
 
 #include "app/viewport/tools/viewport_input.h"
 

@@ -1,27 +1,29 @@
-// app/viewport/tools/viewport_tools.h: all that the tools of the viewport remember between frames, and what a frame
-// gives.
+// app/viewport/tools/viewport_tools.h: the tools of the viewport, their state between frames, and the result of a
+// frame.
 #pragma once
 
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
+#include "app/ui/icons.h"
 #include "app/viewport/tools/add_muscle.h"
 #include "app/viewport/tools/axis_triad.h"
-#include "app/viewport/tools/box_select.h"
 #include "app/viewport/tools/camera.h"
 #include "app/viewport/tools/gizmo.h"
-#include "app/viewport/tools/gizmo_group.h"
+#include "app/viewport/tools/gizmo_tools.h"
 #include "app/viewport/tools/line_handles.h"
 #include "app/viewport/tools/line_tool.h"
 #include "app/viewport/tools/pick_cycle.h"
-#include "app/viewport/tools/pose_bone.h"
 #include "app/viewport/tools/select.h"
+#include "app/viewport/tools/viewport_context.h"
+#include "app/viewport/tools/viewport_input.h"
 
 namespace sinew::app {
 
-/// Rows of the table of tools (tool.h).
+/// Rows of tools().
 enum class ToolKind { kSelect, kAddMuscle, kMuscleLine, kMove, kRotate, kScale, kPose };
 inline constexpr std::size_t kToolCount = 7;
 
@@ -30,10 +32,18 @@ inline constexpr std::size_t kToolCount = 7;
 /// Who holds the mouse from a press to its release.
 enum class PressOwner { kNone, kOutside, kGizmo, kLine, kTool, kClick, kOrbit, kPan, kBox, kMenu };
 
-/// All that the viewport's tools remember between frames.
+/// Rotations of joints with the rings; the rig does not change.
+struct PoseBoneState {
+  int bone = -1;                             ///< Being rotated; -1: none.
+  glm::quat before{1.0f, 0.0f, 0.0f, 0.0f};  ///< Its rotation before the drag, restored by Esc.
+  glm::quat start{1.0f, 0.0f, 0.0f, 0.0f};   ///< Its rotation to which that of the drag is added.
+  glm::quat shown{1.0f, 0.0f, 0.0f, 0.0f};   ///< Its rotation in the pose of this frame.
+};
+
+/// State of the tools between frames.
 struct ViewportTools {
-  ToolKind tool = ToolKind::kMove;  ///< Through setTool.
-  GizmoState gizmo;                 ///< `axes` is free to set between drags.
+  ToolKind tool = ToolKind::kMove;  ///< Set by setTool.
+  GizmoState gizmo;                 ///< `axes` may be set between drags.
   AddMuscleState addMuscle;
   LineToolState line;
   LineHandles lineHandles;
@@ -45,25 +55,90 @@ struct ViewportTools {
   MouseButton ownerButton = MouseButton::kLeft;
   glm::vec2 pressPixel{0.0f};
   glm::vec2 lastPixel{0.0f};
-  PrimitiveId gizmoPrimitive;              ///< The one being dragged.
-  std::vector<GizmoCompanion> companions;  ///< Dragged along with it.
-  GizmoPivot pivot = GizmoPivot::kActive;  ///< Where several selected muscles turn. Free to set between drags.
+  PrimitiveId gizmoPrimitive;              ///< Being dragged.
+  std::vector<GizmoCompanion> companions;  ///< Dragged along.
+  GizmoPivot pivot = GizmoPivot::kActive;  ///< For several selected muscles; may be set between drags.
   BoxSelectState box;
-  bool dragWanted = false;     ///< Through startDrag: begins with the next frame.
-  bool buttonless = false;     ///< The gizmo's drag goes on without a button: a click or Enter keeps it.
-  bool territoryMode = false;  ///< Clicks on bones change the active muscle's territory, whatever the tool.
+  bool dragWanted = false;     ///< By startDrag: begins in the next frame.
+  bool buttonless = false;     ///< The gizmo's drag needs no button; a click or Enter keeps it.
+  bool territoryMode = false;  ///< Clicks on bones edit the active muscle's territory, whatever the tool.
   AxisTriad triad;
 };
 
 struct RouteResult {
-  View view;                          ///< After the input: what to draw with.
-  GizmoLayout gizmo;                  ///< In that view: for drawGizmo and --log-state. Not visible: nothing to draw.
+  View view;                          ///< After the input.
+  GizmoLayout gizmo;                  ///< In that view.
   GizmoContext gizmoContext;          ///< For drawGizmo, if visible.
-  std::string status;                 ///< What the tool does next: the status line.
+  std::string status;                 ///< The status line.
   std::optional<Error> refusal;       ///< Why an edit was refused.
-  std::string said;                   ///< What a tool did beyond what was drawn: a toast. Empty: nothing.
-  std::optional<ViewportHover> menu;  ///< The right button was clicked on this: its menu is asked for.
-  bool needsFrame = false;            ///< Something moves or is being dragged: draw again soon.
+  std::string said;                   ///< Toast about further changes; or empty.
+  std::optional<ViewportHover> menu;  ///< Right-clicked: opens its menu.
+  bool needsFrame = false;            ///< Something moves or is being dragged.
 };
+
+/// One frame of the input router.
+struct ToolFrame {
+  ViewportTools& tools;
+  const ViewportInput& input;
+  const ViewportContext& context;
+  View view;
+  RouteResult result;
+
+  [[nodiscard]] Document& document() const { return context.document; }
+};
+
+/// Target of the handles.
+struct GizmoTarget {
+  int primitive = -1;  ///< Rig index; -1: a joint.
+  Placement placement;
+  GizmoContext context;
+};
+
+/// A row of the table in viewport_tools.cpp, with the functions that the input router calls; null: not used.
+struct Tool {
+  const char* id;      ///< Id of its action: "tool/add-muscle".
+  const char* label;   ///< "Add muscle"
+  const char* hint;    ///< One sentence for tooltip and palette.
+  int key;             ///< GLFW's code in the default keymap.
+  bool shift = false;  ///< With Shift.
+  Icon icon = Icon::kNone;
+  GizmoMode handles = GizmoMode::kPoles;   ///< On the target.
+  GizmoHandle whole = GizmoHandle::kNone;  ///< Handle to grab when startDrag starts a drag; kNone: none.
+  bool onSkin = false;                     ///< Draws on the skin: hovers without motion, and its drags hold the pose.
+  bool picksMuscles = false;               ///< Clicks select, repeated ones what lies behind (pick_cycle.h).
+
+  /// Target in this frame. @param atStart  for a drag in progress: at its start, in this frame's pose
+  std::optional<GizmoTarget> (*target)(const ToolFrame& frame, bool atStart) = nullptr;
+  /// Starts a drag of the hovered handle. @return false: not possible
+  bool (*beginHandle)(ToolFrame& frame, const GizmoTarget& target) = nullptr;
+  /// @return false: the drag has ended
+  bool (*continueHandle)(ToolFrame& frame, const ViewportInput& input) = nullptr;
+
+  ViewportHover (*hover)(const ViewportContext& context, const View& view, const glm::vec2& pixel);
+  /// A press outside the handles. @return whether the tool takes the mouse
+  bool (*press)(ToolFrame& frame) = nullptr;
+  /// While it has it. @return false: it has ended
+  bool (*drag)(ToolFrame& frame, const ViewportInput& input) = nullptr;
+  /// Ends and undoes a drag.
+  void (*cancel)(ViewportTools& tools, Document& document) = nullptr;
+  /// A click outside the handles.
+  void (*click)(ToolFrame& frame) = nullptr;
+  /// The status line, unless a handle is hovered or dragged.
+  std::string (*describe)(const ToolFrame& frame);
+};
+
+/// By ToolKind.
+[[nodiscard]] std::span<const Tool* const, kToolCount> tools();
+/// The chosen tool, or the territory mode while it is on.
+[[nodiscard]] const Tool& activeTool(const ViewportTools& tools);
+
+extern const Tool kSelectTool;
+extern const Tool kMoveTool;
+extern const Tool kRotateTool;
+extern const Tool kScaleTool;
+extern const Tool kAddMuscleTool;
+extern const Tool kPoseTool;
+extern const Tool kMuscleLineTool;
+extern const Tool kTerritoryTool;  ///< A mode over the chosen tool, not in tools().
 
 }  // namespace sinew::app

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "app/viewport/gpu/card_pose.h"
+#include "app/viewport/gpu/card_tables.h"
 #include "sinew/files/gltf_import.h"
 #include "tests/support/characters/dressed_humanoid.h"
 #include "tests/support/characters/synthetic_characters.h"

@@ -90,7 +90,7 @@ TEST_F(GpuVerbs, BenchTellsBothAndTheDifference) {
   const Outcome told = run({"bench", "gpu", rig, "--frames", "2", "--crowd", "3"});
   ASSERT_EQ(told.status, 0) << told.error;
   for (const char* part : {"card: ", "3 bodies", "processor", "skin", "patch", "project", "folds", "normals", "drawn",
-                           "roots", "bytes a vertex", "triangles turned over"}) {
+                           "roots", "bytes per vertex", "flipped triangles"}) {
     EXPECT_NE(told.out.find(part), std::string::npos) << part << "\n" << told.out;
   }
   const Outcome json = run({"bench", "gpu", rig, "--frames", "2", "--json"});

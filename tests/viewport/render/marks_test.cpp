@@ -3,7 +3,7 @@
 
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "app/viewport/render/line_drawer.h"
+#include "app/viewport/render/overlay_drawers.h"
 #include "app/viewport/render/picking.h"
 #include "tests/viewport/render/pictures.h"
 

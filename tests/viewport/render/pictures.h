@@ -13,7 +13,7 @@
 #include <gtest/gtest.h>
 
 #include "app/ui/offscreen.h"
-#include "app/viewport/render/framing.h"
+#include "app/viewport/render/view.h"
 #include "app/viewport/render/viewport.h"
 #include "core/geometry/weld.h"
 #include "sinew/character/pose.h"

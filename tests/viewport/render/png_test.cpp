@@ -1,5 +1,5 @@
 // tests/viewport/render/png_test.cpp: what is written reads back.
-#include "app/viewport/render/png.h"
+#include "app/viewport/render/picture_files.h"
 
 #include <cstring>
 

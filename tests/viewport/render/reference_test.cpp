@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "app/viewport/render/png.h"
+#include "app/viewport/render/picture_files.h"
 #include "core/files/disk/atomic_file.h"
 #include "tests/support/rigs/random_rigs.h"
 #include "tests/support/temporary_folder.h"

@@ -2,7 +2,7 @@
 #include <cmath>
 #include <set>
 
-#include "app/viewport/render/lights.h"
+#include "app/viewport/render/frame.h"
 #include "app/viewport/render/render_target.h"
 #include "tests/support/characters/synthetic_characters.h"
 #include "tests/viewport/render/pictures.h"

@@ -1,5 +1,5 @@
 // tests/viewport/render/seen_triangles_test.cpp: nothing that covers a pixel's center is left out, and most else is.
-#include "app/viewport/render/seen_triangles.h"
+#include "app/viewport/render/fewer_triangles.h"
 
 #include <algorithm>
 #include <array>

@@ -1,5 +1,5 @@
 // tests/viewport/render/shadow_mesh_test.cpp: what fewer triangles cover lies where all of them do.
-#include "app/viewport/render/shadow_mesh.h"
+#include "app/viewport/render/fewer_triangles.h"
 
 #include <gtest/gtest.h>
 

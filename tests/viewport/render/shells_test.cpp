@@ -1,5 +1,5 @@
 // tests/viewport/render/shells_test.cpp: shells say where they are and what they are.
-#include "app/viewport/render/shape_colors.h"
+#include "app/viewport/render/color_scales.h"
 
 #include <cmath>
 #include <numbers>

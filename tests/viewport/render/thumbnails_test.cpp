@@ -1,12 +1,13 @@
 // tests/viewport/render/thumbnails_test.cpp: thumbnails belong to a document as it is on the disk; what is damaged is
 // none.
+
 #include "app/viewport/render/thumbnails.h"
 
 #include <chrono>
 #include <cstdlib>
 
 #include "app/document/view_files.h"
-#include "app/viewport/render/png.h"
+#include "app/viewport/render/picture_files.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/viewport/render/pictures.h"
 

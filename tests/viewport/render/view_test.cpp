@@ -6,7 +6,6 @@
 
 #include <gtest/gtest.h>
 
-#include "app/viewport/render/framing.h"
 #include "app/viewport/render/ground_drawer.h"
 
 namespace sinew::test {

@@ -10,7 +10,6 @@
 #include <gtest/gtest.h>
 #include <glm/geometric.hpp>
 
-#include "app/viewport/tools/free_parts.h"
 #include "tests/support/rigs/random_rigs.h"
 
 namespace sinew::app {

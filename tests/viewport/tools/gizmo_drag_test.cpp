@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 #include <glm/geometric.hpp>
 
-#include "app/viewport/tools/gizmo_basis.h"
+#include "app/viewport/tools/gizmo.h"
 #include "tests/viewport/tools/random_gizmo.h"
 
 namespace sinew::app {

@@ -1,6 +1,6 @@
 // tests/viewport/tools/gizmo_draw_test.cpp: what is drawn is where it can be hit. No window: ImGui only fills lists.
 
-#include "app/viewport/tools/gizmo_draw.h"
+#include "app/viewport/tools/draw_tools.h"
 
 #include <gtest/gtest.h>
 #include <imgui.h>

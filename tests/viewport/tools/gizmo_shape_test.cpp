@@ -1,13 +1,12 @@
 // tests/viewport/tools/gizmo_shape_test.cpp: the belly and the bend pulled in the picture.
 
-#include "app/viewport/tools/gizmo_shape.h"
+#include "app/viewport/tools/gizmo.h"
 
 #include <gtest/gtest.h>
 
 #include <glm/geometric.hpp>
 
 #include "app/viewport/tools/camera.h"
-#include "app/viewport/tools/gizmo.h"
 
 namespace sinew::app {
 namespace {

@@ -1,13 +1,11 @@
 // tests/viewport/tools/gizmo_way_test.cpp: ways a handle may go, and the handles they name.
 
-#include "app/viewport/tools/gizmo_way.h"
+#include "app/viewport/tools/gizmo.h"
 
 #include <set>
 #include <string>
 
 #include <gtest/gtest.h>
-
-#include "app/viewport/tools/gizmo_basis.h"
 
 namespace sinew::app {
 namespace {

@@ -1,6 +1,6 @@
 // tests/viewport/tools/lay_line_test.cpp: a line between two places on the skin, and the muscle that it gets.
 
-#include "app/viewport/tools/lay_line.h"
+#include "app/viewport/tools/line_tool.h"
 
 #include <gtest/gtest.h>
 #include <glm/geometric.hpp>

@@ -7,7 +7,7 @@
 #include <limits>
 #include <random>
 
-#include "app/viewport/tools/lay_line.h"
+#include "app/viewport/tools/line_tool.h"
 #include "core/bodies/check.h"
 #include "core/rig/posed_rig.h"
 #include "core/rig/validation.h"

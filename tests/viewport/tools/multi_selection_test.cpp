@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "app/viewport/tools/gizmo_basis.h"
+#include "app/viewport/tools/gizmo.h"
 #include "app/viewport/tools/input_router.h"
 #include "core/rig/mirror.h"
 #include "core/rig/twins.h"

@@ -1,8 +1,6 @@
 // tests/viewport/tools/pose_bone_test.cpp: a joint follows the ring that is dragged, in the world, whatever its bone's
 // frame.
 
-#include "app/viewport/tools/pose_bone.h"
-
 #include <cmath>
 #include <numbers>
 

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "app/viewport/tools/tool.h"
+#include "app/viewport/tools/viewport_tools.h"
 #include "tests/support/editor/muscles_named.h"
 #include "tests/viewport/tools/limb_scene.h"
 

@@ -1,9 +1,9 @@
-// app/viewport/tools/tool_table.cpp: every tool, in the order of ToolKind.
+// app/viewport/tools/viewport_tools.cpp: the table of tools.
+
+#include "app/viewport/tools/viewport_tools.h"
 
 #include <array>
-#include <string>
 
-#include "app/viewport/tools/tool.h"
 #include "core/geometry/nearest_name.h"
 
 namespace sinew::app {

@@ -1,22 +1,139 @@
-// app/viewport/tools/gizmo_draw.cpp: the gizmo in two dimensions, smooth at any window scale.
-
-#include "app/viewport/tools/gizmo_draw.h"
+// app/viewport/tools/draw_tools.cpp: handles, marks and names over the picture.
+#include "app/viewport/tools/draw_tools.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
+#include <vector>
 
-#include <imgui.h>
 #include <glm/geometric.hpp>
 
-#include "app/viewport/tools/gizmo_basis.h"
+#include "app/document/shown_names.h"
+#include "app/ui/reading_order.h"
+#include "core/rig/line_rest.h"
 
 namespace sinew::app {
 namespace {
 
+constexpr ImU32 kHoverColor = IM_COL32(255, 214, 64, 255);
+constexpr ImU32 kMarkFaint = IM_COL32(255, 214, 64, 120);
+constexpr ImU32 kShadow = IM_COL32(12, 14, 18, 190);
+constexpr float kRingRadius = 0.022f;  ///< Fraction of H.
+constexpr std::size_t kHoverRingPoints = 40;
+
+void drawRing(ImDrawList& list, const Canvas& canvas, const SkinPoint& skin, float radius) {
+  const glm::vec3 helper = std::abs(skin.normal.y) < 0.9f ? glm::vec3(0, 1, 0) : glm::vec3(1, 0, 0);
+  const glm::vec3 u = normalizeOr(glm::cross(skin.normal, helper), glm::vec3(1, 0, 0));
+  const glm::vec3 v = glm::cross(skin.normal, u);
+  std::array<ImVec2, kHoverRingPoints> ring;
+  for (std::size_t i = 0; i < kHoverRingPoints; ++i) {
+    const float angle = 2.0f * std::numbers::pi_v<float> * static_cast<float>(i) / static_cast<float>(kHoverRingPoints);
+    const glm::vec3 point = skin.point + radius * (std::cos(angle) * u + std::sin(angle) * v);
+    if (canvas.isBehind(point)) return;
+    ring[i] = canvas.at(point);
+  }
+  list.AddConvexPolyFilled(ring.data(), static_cast<int>(ring.size()), IM_COL32(255, 214, 64, 50));
+  list.AddPolyline(ring.data(), static_cast<int>(ring.size()), kHoverColor, ImDrawFlags_Closed, 2.0f * canvas.scale);
+}
+
+/// Text on a plate, kept within the picture.
+void drawPlate(ImDrawList& list, const ImVec2& corner, float scale, const std::string& shown) {
+  const ImVec2 size = ImGui::CalcTextSize(shown.c_str());
+  const ImVec2 pad{6.0f * scale, 3.0f * scale};
+  const ImVec2 room = list.GetClipRectMax();
+  const ImVec2 low{std::min(corner.x, room.x - size.x - 2.0f * pad.x),
+                   std::min(corner.y, room.y - size.y - 2.0f * pad.y)};
+  list.AddRectFilled({low.x - pad.x, low.y - pad.y}, {low.x + size.x + pad.x, low.y + size.y + pad.y}, kShadow,
+                     4.0f * scale);
+  list.AddText(low, IM_COL32(235, 238, 242, 255), shown.c_str());
+}
+
+}  // namespace
+
+void drawMeshName(ImDrawList& list, const Canvas& canvas, const Bounds& box, const std::string& name) {
+  const glm::vec3 foot(box.center().x, box.low.y, box.center().z);
+  if (canvas.isBehind(foot)) return;
+  const std::string shown = inReadingOrder(name);
+  const ImVec2 at = canvas.at(foot);
+  drawPlate(list, {at.x - 0.5f * ImGui::CalcTextSize(shown.c_str()).x, at.y + 14.0f * canvas.scale}, canvas.scale,
+            shown);
+}
+
+void drawBoneMark(ImDrawList& list, const Canvas& canvas, const Bone& bone, const glm::mat4& boneInWorld) {
+  const glm::vec3 origin(boneInWorld[3]);
+  const glm::vec3 tip(boneInWorld * glm::vec4(bone.tip, 1.0f));
+  if (canvas.isBehind(origin) || canvas.isBehind(tip)) return;
+  const ImVec2 a = canvas.at(origin);
+  const ImVec2 b = canvas.at(tip);
+  list.AddLine(a, b, kShadow, 5.0f * canvas.scale);
+  list.AddLine(a, b, kMarkFaint, 3.0f * canvas.scale);
+  list.AddCircleFilled(a, 5.0f * canvas.scale, kShadow);
+  list.AddCircleFilled(a, 4.0f * canvas.scale, kHoverColor);
+  list.AddCircleFilled(b, 2.5f * canvas.scale, kHoverColor);
+}
+
+void drawLanding(ImDrawList& list, const Canvas& canvas, const ViewportHover& hover, const Character& character,
+                 const Pose& pose) {
+  if (!hover.skin) return;
+  const auto bone = static_cast<std::size_t>(boneAt(character, *hover.skin));
+  const SkinPoint skin = skinPointAt(character, pose, *hover.skin);
+  drawBoneMark(list, canvas, character.skeleton.bones[bone], pose.boneInWorld[bone]);
+  drawRing(list, canvas, skin, kRingRadius * character.height);
+  if (canvas.isBehind(skin.point)) return;
+  const ImVec2 beside = canvas.at(skin.point);
+  drawPlate(list, {beside.x + 18.0f * canvas.scale, beside.y + 14.0f * canvas.scale}, canvas.scale,
+            inReadingOrder(shownBoneName(character.skeleton, static_cast<int>(bone))));
+}
+
+namespace {
+
+constexpr ImU32 kTendon = IM_COL32(244, 238, 226, 255);
+constexpr ImU32 kHot = IM_COL32(255, 196, 64, 255);
+
+void drawCurve(ImDrawList& list, const Canvas& canvas, const ShownLine& line) {
+  const std::vector<glm::vec3> points = pointsAlong({line.origin, line.via, line.insertion});
+  if (std::ranges::any_of(points, [&](const glm::vec3& point) { return canvas.isBehind(point); })) return;
+  std::vector<ImVec2> pixels;
+  for (const glm::vec3& point : points) pixels.push_back(canvas.at(point));
+  const auto stroke = [&](ImU32 color, float width) {
+    list.AddPolyline(pixels.data(), static_cast<int>(pixels.size()), color, ImDrawFlags_None, width);
+  };
+  stroke(kShadow, 2.0f * canvas.scale + 2.0f);
+  stroke(kTendon, 2.0f * canvas.scale);
+}
+
+void ball(ImDrawList& list, const ImVec2& center, float radius, ImU32 color) {
+  list.AddCircleFilled(center, radius + 1.5f, kShadow, 20);
+  list.AddCircleFilled(center, radius, color, 20);
+}
+
+void diamond(ImDrawList& list, const ImVec2& c, float radius, ImU32 color) {
+  const auto quad = [&](float r, ImU32 fill) {
+    list.AddQuadFilled({c.x, c.y - r}, {c.x + r, c.y}, {c.x, c.y + r}, {c.x - r, c.y}, fill);
+  };
+  quad(radius + 2.0f, kShadow);
+  quad(radius, color);
+}
+
+}  // namespace
+
+void drawLine(ImDrawList& list, const Canvas& canvas, const ShownLine& line, const LineHandles& handles, bool curve) {
+  if (curve) drawCurve(list, canvas, line);
+  for (const LineEnd end : {LineEnd::kOrigin, LineEnd::kInsertion, LineEnd::kVia}) {
+    const std::optional<glm::vec3> point = endPoint(line, end);
+    if (!point || canvas.isBehind(*point)) continue;
+    const bool hot = handles.drag ? handles.drag->end == end : handles.hovered == end;
+    const ImU32 color = hot ? kHot : kTendon;
+    if (end == LineEnd::kVia) diamond(list, canvas.at(*point), 6.0f * canvas.scale, color);
+    else ball(list, canvas.at(*point), 5.0f * canvas.scale, color);
+  }
+}
+
+namespace {
+
 constexpr std::array<ImU32, 3> kAxisColors = {IM_COL32(235, 82, 82, 255), IM_COL32(112, 200, 80, 255),
                                               IM_COL32(84, 140, 245, 255)};
-constexpr ImU32 kHoverColor = IM_COL32(255, 214, 64, 255);
 constexpr ImU32 kNeutralColor = IM_COL32(225, 228, 235, 255);
 constexpr ImU32 kShadowColor = IM_COL32(12, 14, 18, 150);
 
@@ -26,7 +143,7 @@ ImU32 faded(ImU32 color, float alpha) {
   return (color & ~IM_COL32_A_MASK) | (value << IM_COL32_A_SHIFT);
 }
 
-/// Draw list and the way from viewport pixels to its units.
+/// A draw list addressed in viewport pixels.
 struct GizmoCanvas {
   ImDrawList& list;
   glm::vec2 topLeft;
@@ -53,7 +170,7 @@ ImU32 colorOf(GizmoHandle handle, const GizmoState& state) {
   if (handle == hot) return kHoverColor;
   const HandleParts parts = partsOf(handle);
   if (parts.way == Way::kWhole) return kNeutralColor;
-  // A plane has the color of the axis across it.
+  // Planes have the color of the axis across them.
   const int axis = isPlane(parts.way) ? normalAxisOf(parts.way) : axisOf(parts.way);
   return kAxisColors[static_cast<std::size_t>(axis)];
 }
@@ -68,7 +185,7 @@ void drawArrow(const GizmoCanvas& canvas, const HandleShape& shape, ImU32 color)
   const float pixel = canvas.scale / canvas.unitsPerPixel;  // Viewport pixels per design pixel.
   const float head = std::min(14.0f * pixel, 0.6f * length);
   const glm::vec2 neck = tip - head * along;
-  canvas.line(base, neck, faded(kShadowColor, 1.0f), 4.5f);
+  canvas.line(base, neck, kShadowColor, 4.5f);
   canvas.line(base, neck, color, 2.5f);
   canvas.list.AddTriangleFilled(canvas.at(tip + 2.0f * pixel * along), canvas.at(neck + 5.5f * pixel * side),
                                 canvas.at(neck - 5.5f * pixel * side), color);
@@ -92,7 +209,6 @@ void drawPlane(const GizmoCanvas& canvas, const HandleShape& shape, ImU32 color,
 void drawRing(const GizmoCanvas& canvas, const HandleShape& shape, ImU32 color, bool hot) {
   const std::size_t count = shape.outline.size();
   for (const bool front : {false, true}) {
-    // Runs of points on one side become one polyline each, so that the joints are smooth.
     for (std::size_t i = 0; i < count; ++i) {
       const std::size_t next = (i + 1) % count;
       if ((shape.inFront[i] && shape.inFront[next]) != front) continue;
@@ -126,22 +242,9 @@ void drawHandle(const GizmoCanvas& canvas, const HandleShape& shape, const Gizmo
   const ImU32 color = colorOf(shape.handle, state);
   const bool hot = color == kHoverColor;
   const HandleParts parts = partsOf(shape.handle);
-  switch (parts.kind) {
-    case HandleKind::kNone:
-      return;
-    case HandleKind::kPole:
-      drawPole(canvas, shape, color, hot);
-      return;
-    case HandleKind::kShape:
-      drawDiamond(canvas, shape.outline[0], color, hot);
-      return;
-    case HandleKind::kRotate:
-      drawRing(canvas, shape, color, hot);
-      return;
-    case HandleKind::kMove:
-    case HandleKind::kScale:
-      break;
-  }
+  if (parts.kind == HandleKind::kPole) return drawPole(canvas, shape, color, hot);
+  if (parts.kind == HandleKind::kShape) return drawDiamond(canvas, shape.outline[0], color, hot);
+  if (parts.kind == HandleKind::kRotate) return drawRing(canvas, shape, color, hot);
   if (parts.way == Way::kWhole) {
     canvas.circle(shape.outline[0], 8.0f, kShadowColor, 4.0f);
     canvas.circle(shape.outline[0], 8.0f, color, hot ? 2.6f : 1.8f);
@@ -155,11 +258,11 @@ void drawHandle(const GizmoCanvas& canvas, const HandleShape& shape, const Gizmo
   }
 }
 
-// What a drag shows -------------------------------------------------------------------------------------------------
+// A drag -------------------------------------------------------------------------------------------------
 
 void drawAxisLine(const GizmoCanvas& canvas, const glm::vec3& origin, const glm::vec3& direction, float arm,
                   ImU32 color, const View& view) {
-  // Long enough for any picture; drawn in pieces, so that what is behind the eye is simply left out.
+  // In pieces, so that those behind the eye are left out.
   constexpr int kPieces = 48;
   for (int i = -kPieces; i < kPieces; ++i) {
     const auto at = [&](int step) { return view.toPixel(origin + 0.5f * arm * static_cast<float>(step) * direction); };
@@ -197,7 +300,7 @@ void drawLabel(const GizmoCanvas& canvas, const glm::vec2& pixel, const std::str
   const ImVec2 size = ImGui::CalcTextSize(text.c_str());
   const ImVec2 at = canvas.at(pixel);
   const float pad = 5.0f * canvas.scale;
-  // Beside the pointer, but never cut off at the picture's edge.
+  // Beside the pointer, kept within the picture.
   const ImVec2 room = canvas.list.GetClipRectMax();
   const ImVec2 low(std::min(at.x + 18.0f * canvas.scale, room.x - size.x - 2.0f * pad),
                    std::min(at.y + 16.0f * canvas.scale, room.y - size.y - 2.0f * pad));
@@ -232,7 +335,7 @@ void drawDrag(const GizmoCanvas& canvas, const GizmoState& state, const GizmoCon
   drawLabel(canvas, drag.pointer, drag.value);
 }
 
-/// Back to front: what hitTest prefers is drawn last.
+/// Handles that hitTest prefers are drawn last.
 int drawOrder(const HandleShape& shape) {
   const HandleParts parts = partsOf(shape.handle);
   if (parts.kind == HandleKind::kShape) return 5;
@@ -252,7 +355,7 @@ void drawGizmo(ImDrawList& list, const GizmoState& state, const GizmoLayout& lay
   if (state.drag) drawDrag(canvas, state, context);
   std::vector<const HandleShape*> ordered;
   for (const HandleShape& shape : layout.handles) {
-    // During a drag only the dragged handle stays, so that the shape under it can be seen.
+    // During a drag only its handle is drawn, so that the shape is visible.
     if (!state.drag || state.drag->handle == shape.handle) ordered.push_back(&shape);
   }
   std::ranges::stable_sort(ordered, {}, [](const HandleShape* shape) { return drawOrder(*shape); });

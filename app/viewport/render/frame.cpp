@@ -1,5 +1,5 @@
-// app/viewport/render/lights.cpp: light presets and backgrounds as tables.
-#include "app/viewport/render/lights.h"
+// app/viewport/render/frame.cpp: light presets and backgrounds as tables.
+#include "app/viewport/render/frame.h"
 
 #include <array>
 #include <cstddef>
@@ -12,7 +12,7 @@ namespace {
 const glm::vec3 kWhiteLamp = glm::normalize(glm::vec3(-0.5f, 0.6f, 0.8f));
 const glm::vec3 kSun = glm::normalize(glm::vec3(-0.62f, 0.86f, 0.58f));
 
-/// Key, fill and rim go around with the camera: every side is shown equally well.
+/// Key, fill and rim light follow the camera.
 LightBlock studio() {
   LightBlock light;
   light.sky = {0.315f, 0.345f, 0.395f, 0.0f};
@@ -31,7 +31,7 @@ LightBlock studio() {
   return light;
 }
 
-/// A sun that stands still in the world, under a wide blue sky.
+/// A fixed sun under a blue sky.
 LightBlock outdoor() {
   LightBlock light;
   light.sky = {0.34f, 0.48f, 0.74f, 0.0f};
@@ -50,7 +50,7 @@ LightBlock outdoor() {
   return light;
 }
 
-/// Two lamps behind the character and little in front: what counts is the outline.
+/// Two lamps behind the character and little light in front.
 LightBlock rim() {
   LightBlock light;
   light.sky = {0.085f, 0.095f, 0.120f, 0.0f};
@@ -69,15 +69,15 @@ LightBlock rim() {
   return light;
 }
 
-/// One lamp, far off, that makes a white, dull surface which faces it exactly white, and nothing else: as other
-/// programs light a material, to compare.
+/// One distant lamp under which a white diffuse surface that faces it is exactly white, to compare materials with other
+/// programs.
 LightBlock whiteLamp() {
   LightBlock light;
   light.keyColor = glm::vec4(1.0f, 1.0f, 1.0f, 0.0f);
   light.keyAim = glm::vec4(kWhiteLamp, 1.0f);
   light.clayKey = {-0.52f, 0.60f, 0.608f, 0.0f};
   light.clayKeyColor = {1.6f, 1.6f, 1.6f, 0.0f};
-  light.lamp = {0.0f, 0.0f, 0.045f, 1.0f};  // Of a lamp without size a mirror would show nothing.
+  light.lamp = {0.0f, 0.0f, 0.045f, 1.0f};  // A mirror needs a lamp of some size.
   return light;
 }
 
@@ -90,7 +90,7 @@ const LightBlock& lightBlock(LightPreset light) {
 
 glm::vec3 keyDirection(LightPreset light) {
   if (light == LightPreset::kWhite) return kWhiteLamp;
-  // In a studio high above a character that looks along +Z, a little in front.
+  // Indoors high above a character that looks along +Z, a little in front.
   return light == LightPreset::kOutdoor ? kSun : glm::normalize(glm::vec3(-0.20f, 1.0f, 0.26f));
 }
 

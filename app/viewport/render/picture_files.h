@@ -1,4 +1,4 @@
-// app/viewport/render/movie.h: pictures of a job as one moving picture.
+// app/viewport/render/picture_files.h: .png files, and moving pictures.
 #pragma once
 
 #include <filesystem>
@@ -10,23 +10,26 @@
 
 namespace sinew::app {
 
-/// Whether the name has an ending of a moving picture: .webp, .gif, .mp4; capitals too.
+/// A .png file; the same bytes for the same picture. Without alpha if opaque. Error: out of memory.
+[[nodiscard]] Result<std::string> pngBytes(const Image& image);
+
+/// Whether the extension is .webp, .gif or .mp4, in any case.
 [[nodiscard]] bool isMovieName(const std::filesystem::path& file);
 
-/// Before the work. Error: .gif and .mp4 need ffmpeg, which is not there.
+/// Error: .gif and .mp4 need ffmpeg, which is not installed.
 [[nodiscard]] Result<void> checkMovieName(const std::filesystem::path& file);
 
-/// A moving picture in the making.
+/// A moving picture being written.
 class Movie {
  public:
   virtual ~Movie() = default;
-  /// All pictures are as large as the first.
+  /// All pictures have the size of the first.
   virtual Result<void> add(const Image& image) = 0;
-  /// The file appears whole. Without it none does.
+  /// Writes the file atomically.
   virtual Result<void> finish() = 0;
 };
 
-/// @param picturesPerSecond  at which it plays, > 0  @param file  checkMovieName()
+/// @param file  passed checkMovieName()  @param picturesPerSecond  > 0
 [[nodiscard]] std::unique_ptr<Movie> makeMovie(const std::filesystem::path& file, double picturesPerSecond);
 
 }  // namespace sinew::app

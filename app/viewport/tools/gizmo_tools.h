@@ -1,4 +1,4 @@
-// app/viewport/tools/gizmo_group.h: several selected muscles on one gizmo.
+// app/viewport/tools/gizmo_tools.h: several selected muscles on one gizmo.
 #pragma once
 
 #include <optional>
@@ -15,24 +15,22 @@ enum class GizmoPivot { kActive, kCentroid };
 
 [[nodiscard]] const char* nameOf(GizmoPivot pivot);  ///< "active", "centroid"
 
-/// A muscle that is dragged along with the active one.
+/// Another muscle dragged along with the active one.
 struct GizmoCompanion {
   PrimitiveId primitive;
   Placement start;
 };
 
-/// The other selected muscles that a drag of `active` (a rig index) moves: attached, neither hidden nor locked, in
-/// order of picking. Of linked twins only one is among them, for the other follows: that on the active one's side of
-/// its own pair is the active itself, of other pairs the one that was picked first.
+/// The other selected muscles that a drag of `active` (a rig index) moves: attached, neither hidden nor locked, in the
+/// order of selection. Only the active or first selected one of linked twins, since the other follows.
 [[nodiscard]] std::vector<GizmoCompanion> companionsOf(const Document& document, int active);
 
-/// Mean of the centers of the active muscle and its companions, in a pose; nothing if there are none.
-/// @param active  its bone and placement
+/// Mean of the centers of the active muscle and its companions in a pose; nullopt without companions.
 [[nodiscard]] std::optional<glm::vec3> centroidOf(const Document& document, const Pose& pose, int activeIndex,
                                                   const Placement& active,
                                                   const std::vector<GizmoCompanion>& companions);
 
-/// The rig with the active muscle placed, and its companions dragged along. Error: a placement is refused.
+/// The rig after a drag of the active muscle and its companions. Error: a placement is refused.
 [[nodiscard]] Result<Rig> dragged(const Document& document, const Pose& pose, int active, const DragResult& drag,
                                   const std::vector<GizmoCompanion>& companions);
 

@@ -1,16 +1,19 @@
-// app/viewport/render/movie.cpp: .webp through its library; .gif and .mp4 through ffmpeg, which reads the pictures from
-// a pipe.
-#include "app/viewport/render/movie.h"
+// app/viewport/render/picture_files.cpp: .png by libspng, .webp by libwebp; .gif and .mp4 by ffmpeg through a pipe.
+#include "app/viewport/render/picture_files.h"
 
 #include <array>
+#include <cassert>
 #include <cmath>
 #include <csignal>
+#include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 #include <sstream>
 #include <system_error>
 #include <utility>
+#include <vector>
 
+#include <spng.h>
 #include <unistd.h>
 #include <webp/encode.h>
 #include <webp/mux.h>
@@ -20,6 +23,67 @@
 #include "core/geometry/nearest_name.h"
 
 namespace sinew::app {
+
+namespace {
+
+// A fifth of the time of the strongest compression; files are a fifth larger.
+constexpr int kCompressionLevel = 1;
+
+struct FreeContext {
+  void operator()(spng_ctx* context) const { spng_ctx_free(context); }
+};
+struct FreeBytes {
+  void operator()(void* bytes) const { std::free(bytes); }
+};
+
+bool isOpaque(const Image& image) {
+  for (std::size_t at = 3; at < image.rgba.size(); at += 4) {
+    if (image.rgba[at] != 255) return false;
+  }
+  return true;
+}
+
+std::vector<std::uint8_t> withoutAlpha(const std::vector<std::uint8_t>& rgba) {
+  std::vector<std::uint8_t> rgb;
+  rgb.reserve(rgba.size() / 4 * 3);
+  for (std::size_t at = 0; at < rgba.size(); at += 4) {
+    rgb.insert(rgb.end(), {rgba[at], rgba[at + 1], rgba[at + 2]});
+  }
+  return rgb;
+}
+
+}  // namespace
+
+Result<std::string> pngBytes(const Image& image) {
+  assert(image.rgba.size() == 4 * static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height));
+  const bool opaque = isOpaque(image);
+  const std::vector<std::uint8_t> rgb = opaque ? withoutAlpha(image.rgba) : std::vector<std::uint8_t>{};
+  const std::vector<std::uint8_t>& pixels = opaque ? rgb : image.rgba;
+
+  const std::unique_ptr<spng_ctx, FreeContext> context(spng_ctx_new(SPNG_CTX_ENCODER));
+  spng_ihdr header{};
+  header.width = static_cast<std::uint32_t>(image.width);
+  header.height = static_cast<std::uint32_t>(image.height);
+  header.bit_depth = 8;
+  header.color_type = opaque ? SPNG_COLOR_TYPE_TRUECOLOR : SPNG_COLOR_TYPE_TRUECOLOR_ALPHA;
+  int error = context ? SPNG_OK : SPNG_EMEM;
+  const auto then = [&error](int status) { error = error == SPNG_OK ? status : error; };
+  if (context) {
+    then(spng_set_option(context.get(), SPNG_ENCODE_TO_BUFFER, 1));
+    then(spng_set_option(context.get(), SPNG_IMG_COMPRESSION_LEVEL, kCompressionLevel));
+    then(spng_set_option(context.get(), SPNG_FILTER_CHOICE, SPNG_FILTER_CHOICE_SUB));
+    then(spng_set_ihdr(context.get(), &header));
+  }
+  if (error == SPNG_OK) {
+    then(spng_encode_image(context.get(), pixels.data(), pixels.size(), SPNG_FMT_PNG, SPNG_ENCODE_FINALIZE));
+  }
+  std::size_t size = 0;
+  std::unique_ptr<void, FreeBytes> bytes;
+  if (error == SPNG_OK) bytes.reset(spng_get_png_buffer(context.get(), &size, &error));
+  if (!bytes) return Error{"", "", std::string("the picture could not be encoded as PNG: ") + spng_strerror(error)};
+  return std::string(static_cast<const char*>(bytes.get()), size);
+}
+
 namespace {
 
 bool hasFfmpeg() {
@@ -31,10 +95,10 @@ bool hasFfmpeg() {
   return false;
 }
 
-constexpr float kQuality = 90.0f;  ///< Of 100: clay and skin show no blocks.
-constexpr int kEffort = 4;         ///< 0..6: slower files are hardly smaller.
+constexpr float kQuality = 90.0f;  ///< Of 100: no blocks on clay and skin.
+constexpr int kEffort = 4;         ///< 0..6: more effort hardly makes smaller files.
 
-/// Plays for ever. Same pictures, same bytes.
+/// Loops. The same bytes for the same pictures.
 class WebpFile : public Movie {
  public:
   WebpFile(std::filesystem::path file, double rate) : file_(std::move(file)), rate_(rate) {}
@@ -45,20 +109,20 @@ class WebpFile : public Movie {
   Result<void> add(const Image& image) override {
     if (encoder_ == nullptr && !begin(image)) return failure("another version of libwebp is installed");
     WebPPicture picture;
-    if (encoder_ == nullptr || WebPPictureInit(&picture) == 0) return failure("there is no memory for it");
+    if (encoder_ == nullptr || WebPPictureInit(&picture) == 0) return failure("out of memory");
     picture.width = image.width;
     picture.height = image.height;
     picture.use_argb = 1;
     const bool read = WebPPictureImportRGBA(&picture, image.rgba.data(), 4 * image.width) != 0;
     const bool added = read && WebPAnimEncoderAdd(encoder_, &picture, millisecondsAt(count_++), &config_) != 0;
     WebPPictureFree(&picture);
-    if (!added) return failure(read ? WebPAnimEncoderGetError(encoder_) : "there is no memory for it");
+    if (!added) return failure(read ? WebPAnimEncoderGetError(encoder_) : "out of memory");
     return {};
   }
   Result<void> finish() override {
     WebPData data;
     WebPDataInit(&data);
-    if (encoder_ == nullptr) return failure("there are none");
+    if (encoder_ == nullptr) return failure("there are no pictures");
     if (WebPAnimEncoderAdd(encoder_, nullptr, millisecondsAt(count_), nullptr) == 0 ||
         WebPAnimEncoderAssemble(encoder_, &data) == 0) {
       return failure(WebPAnimEncoderGetError(encoder_));
@@ -95,7 +159,7 @@ class FfmpegFile : public Movie {
  public:
   FfmpegFile(std::filesystem::path file, double rate) : file_(std::move(file)), rate_(rate) {
     part_ = file_.parent_path() / ("." + file_.stem().string() + ".part" + lowerEnding(file_));
-    std::signal(SIGPIPE, SIG_IGN);  // Its end is an error of the write.
+    std::signal(SIGPIPE, SIG_IGN);  // Reported as a failed write.
   }
   ~FfmpegFile() override {
     if (pipe_ != nullptr) ::pclose(pipe_);
@@ -120,7 +184,7 @@ class FfmpegFile : public Movie {
  private:
   [[nodiscard]] Error failure() const { return {file_.string(), "", "ffmpeg could not write it"}; }
 
-  /// Both are shown everywhere: 4:2:0 wants even sides, a .gif a palette of its own.
+  /// 4:2:0 video needs even sides, a .gif its own palette.
   [[nodiscard]] std::string commandFor(const Image& image) const {
     std::array<char, 32> rate{};
     std::snprintf(rate.data(), rate.size(), "%.6f", rate_);
