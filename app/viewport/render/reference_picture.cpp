@@ -15,7 +15,7 @@
 
 #include "app/viewport/render/framing.h"
 #include "core/files/disk/atomic_file.h"
-#include "core/files/gltf/image.h"
+#include "core/files/gltf/material.h"
 
 namespace sinew::app {
 namespace {
