@@ -1,32 +1,27 @@
-// app/command/batch.cpp: which files a job has, and which of them are this process's to make.
+// app/command/batch.cpp: the files of a job, and those that this process makes.
+
 #include "app/command/batch.h"
 
 #include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <cstddef>
 #include <cstdio>
-#include <filesystem>
+#include <cstdlib>
 #include <optional>
 #include <set>
-#include <string>
 #include <system_error>
 
 #include <CLI/CLI.hpp>
 
-#include "app/command/shard.h"
+#include "app/command/verb.h"
 #include "app/document/folder_listing.h"
 #include "core/files/disk/atomic_file.h"
 #include "sinew/files/rig_json.h"
-#include "sinew/geometry/result.h"
 #include "sinew/geometry/threads.h"
 
 namespace sinew::app {
 namespace {
-
-// The names of a job's files.
-// Fields in names, filled in.
 
 constexpr const char* kNameField = "{name}";
 
@@ -37,7 +32,7 @@ struct FrameField {
   bool zeros = false;
 };
 
-/// nullopt: there is a '%' that is no such field, or more than one field.
+/// nullopt: a '%' that is not such a field, or several fields.
 std::optional<FrameField> frameField(const std::string& name) {
   FrameField field;
   const std::size_t at = name.find('%');
@@ -92,6 +87,7 @@ constexpr std::size_t kMostItems = 10000000;
 constexpr std::uintmax_t kLongestList = 1 << 26;  // Bytes.
 constexpr const char* kStandardInput = "standard input";
 constexpr int kMostThreads = 1024;
+constexpr int kMostShards = 1000000;
 
 std::optional<std::vector<int>> numbersIn(std::string_view text, char between) {
   std::vector<int> numbers;
@@ -117,7 +113,7 @@ Result<std::string> standardInput() {
   return text;
 }
 
-/// Lines without what is blank around them; empty ones and those that begin with '#' are left out.
+/// Lines, trimmed; empty ones and those that begin with '#' are skipped.
 Result<std::vector<std::filesystem::path>> linesOf(const std::filesystem::path& file) {
   const bool isStandard = file == "-";
   const Result<std::string> text = isStandard ? standardInput() : readWholeFile(file, kLongestList);
@@ -151,14 +147,14 @@ bool isThere(const std::filesystem::path& file) {
   return std::filesystem::is_regular_file(file, absent);
 }
 
-/// What an input is read from: itself and, where it is a rig, its character.
+/// The files an input is read from: itself and, for a rig, its character.
 class InputFiles {
  public:
   explicit InputFiles(const std::filesystem::path& input) : input_(input) {}
 
   [[nodiscard]] bool hold(const std::filesystem::path& file) {
     if (!isThere(file)) return false;
-    if (!character_) {                   // Not before something is there: most jobs write where nothing is.
+    if (!character_) {                   // Only now: most jobs write new files.
       const auto rig = loadRig(input_);  // An error for a character.
       character_ = rig ? characterPath(rig.value(), input_) : input_;
     }
@@ -171,7 +167,58 @@ class InputFiles {
   std::optional<std::filesystem::path> character_;
 };
 
+std::optional<int> intIn(std::string_view text) {
+  int value = 0;
+  const auto [end, failed] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (failed != std::errc{} || end != text.data() + text.size()) return std::nullopt;
+  return value;
+}
+
+/// Grid Engine writes "undefined" for jobs that are not arrays.
+std::optional<int> variable(const char* name) {
+  const char* text = std::getenv(name);
+  return text == nullptr ? std::nullopt : intIn(text);
+}
+
+struct ArrayVariables {
+  const char* id;
+  const char* first;
+  const char* last;
+  const char* step;
+  const char* count;  ///< Null: the system has none.
+};
+constexpr ArrayVariables kSlurm{"SLURM_ARRAY_TASK_ID", "SLURM_ARRAY_TASK_MIN", "SLURM_ARRAY_TASK_MAX",
+                                "SLURM_ARRAY_TASK_STEP", "SLURM_ARRAY_TASK_COUNT"};
+constexpr ArrayVariables kGridEngine{"SGE_TASK_ID", "SGE_TASK_FIRST", "SGE_TASK_LAST", "SGE_TASK_STEPSIZE", nullptr};
+
+std::optional<Shard> shardIn(const ArrayVariables& names) {
+  const auto id = variable(names.id), first = variable(names.first), last = variable(names.last);
+  const int step = variable(names.step).value_or(1);
+  if (!id || !first || !last || step < 1 || *first < 0 || *id < *first || *id > *last) return std::nullopt;
+  const Shard shard{(*id - *first) / step, (*last - *first) / step + 1};
+  // An array with gaps, such as one of failed tasks only, would skip items.
+  const int tasks = names.count == nullptr ? shard.count : variable(names.count).value_or(shard.count);
+  if ((*id - *first) % step != 0 || tasks != shard.count) return std::nullopt;
+  return shard;
+}
+
 }  // namespace
+
+Result<Shard> shardOf(const std::string& text) {
+  if (text.empty()) return Shard{};
+  if (text == "auto") {
+    if (const auto slurm = shardIn(kSlurm)) return *slurm;
+    if (const auto gridEngine = shardIn(kGridEngine)) return *gridEngine;
+    return errorAt("--shard", "auto: this is no task of a Slurm or Grid Engine array job without gaps");
+  }
+  const std::size_t slash = text.find('/');
+  const auto index = intIn(std::string_view(text).substr(0, slash));
+  const auto count = slash == std::string::npos ? std::nullopt : intIn(std::string_view(text).substr(slash + 1));
+  if (!index || !count || *count < 1 || *count > kMostShards || *index < 0 || *index >= *count) {
+    return errorAt("--shard", "expected auto, or I/N with 0 <= I < N, got \"" + text + '"');
+  }
+  return Shard{*index, *count};
+}
 
 Result<std::vector<int>> frameNumbers(const BatchOptions& options) {
   if (options.frames.empty()) return std::vector<int>{};
@@ -200,21 +247,18 @@ void addFrameOptions(CLI::App& verb, BatchOptions& options) {
 }
 
 void addBatchOptions(CLI::App& verb, BatchOptions& options) {
-  const auto to = [](std::filesystem::path& path) { return [&path](const std::string& text) { path = text; }; };
-  verb.add_option_function<std::string>(
-          "--list", to(options.list),
+  addPath(verb, "--list", options.list,
           "Instead of FILE: a text file, one input per line, or - for stdin; {name} in OUT is its name")
       ->type_name("FILE.txt");
-  verb.add_option("--shard", options.shard,
-                  "Make share I of N, 0 to N-1; auto: as the Slurm or Grid Engine array job says")
+  verb.add_option("--shard", options.shard, "Make part I of N, 0 to N-1; auto: from the Slurm or Grid Engine array job")
       ->type_name("I/N");
-  verb.add_flag("--resume", options.resume, "Leave out what is there already: files appear whole or not at all");
+  verb.add_flag("--resume", options.resume, "Skip files that exist already: files appear whole or not at all");
   verb.add_flag("--dry-run", options.dryRun, "Print the names of the files, and make none");
   verb.add_option("--threads", options.threads, "Work on N cores at most; without it, on all; the files are the same")
       ->type_name("N")
       ->check(CLI::Range(1, kMostThreads));
   verb.add_flag("--progress", options.progress,
-                "Say how far it is on stderr, every 5 percent; a terminal shows it anyway");
+                "Report progress on stderr every 5 percent; a terminal always shows it");
 }
 
 Result<Batch> planBatch(const BatchOptions& options, const std::filesystem::path& input,
@@ -259,7 +303,6 @@ Result<std::vector<std::filesystem::path>> filesBeside(const Batch& batch, const
     const std::optional<int> frame = batch.frames.empty() ? std::nullopt : std::optional(batch.frames[i]);
     auto name = nameOfItem(pattern, option, input.file, batch.listed, frame);
     if (!name) return name.error();
-    // Here, before what is there is left out to resume.
     if (read.hold(name.value())) return errorAt(option, name->string() + ": is the input; it is not overwritten");
     files.push_back(std::move(name.value()));
   }
@@ -270,10 +313,6 @@ BatchProgress::BatchProgress(const std::string& what, const Batch& batch, const 
     : line_(what, options.progress) {
   for (const BatchInput& input : batch.inputs) all_ += input.wanted.size();
   if (!options.dryRun) show(0);
-}
-
-void BatchProgress::show(std::size_t made) {
-  if (all_ > 0) line_.show(static_cast<double>(before_ + made) / static_cast<double>(all_));
 }
 
 void BatchProgress::showPart(double part) {

@@ -1,5 +1,4 @@
-// app/command/batch.h: a job of many files, whole or a share of it: what every verb that writes files in series has in
-// common. docs/install.md.
+// app/command/batch.h: jobs that write many files, and the part of one that a process makes. docs/install.md.
 #pragma once
 
 #include <cstddef>
@@ -18,16 +17,30 @@ class App;
 
 namespace sinew::app {
 
-/// As the command line says it.
+/// One process's part of a job.
+struct Shard {
+  int index = 0;  ///< 0..count-1.
+  int count = 1;
+
+  [[nodiscard]] bool holds(std::size_t item) const {
+    return item % static_cast<std::size_t>(count) == static_cast<std::size_t>(index);
+  }
+};
+
+/// "I/N", or "auto": from the environment of a Slurm (SLURM_ARRAY_TASK_ID, _MIN, _MAX, _STEP) or Grid Engine
+/// (SGE_TASK_ID, _FIRST, _LAST, _STEPSIZE) array job. "": the whole job. Error: place is "--shard".
+[[nodiscard]] Result<Shard> shardOf(const std::string& text);
+
+/// As given on the command line.
 struct BatchOptions {
-  std::string frames;  ///< "A:B" or "A:B:STEP", both ends included; empty: one moment.
+  std::string frames;  ///< "A:B" or "A:B:STEP", both ends included; empty: one file.
   double framesPerSecond = 30.0;
   std::filesystem::path list;  ///< A file, one input per line, "-" for stdin; empty: the verb's one input.
   std::string shard;           ///< "I/N" or "auto"; empty: the whole job.
   bool resume = false;
   bool dryRun = false;
-  int threads = 0;        ///< At most; 0: one a core.
-  bool progress = false;  ///< Also where stderr is no terminal.
+  int threads = 0;        ///< At most; 0: one per core.
+  bool progress = false;  ///< Even where stderr is not a terminal.
 };
 
 /// --frames and --fps.
@@ -39,42 +52,41 @@ void addBatchOptions(CLI::App& verb, BatchOptions& options);
 struct BatchInput {
   std::filesystem::path file;
   std::vector<std::filesystem::path> outputs;  ///< [moments] of the whole job.
-  std::vector<std::size_t> wanted;             ///< The moments to be made now, ascending.
+  std::vector<std::size_t> wanted;             ///< Moments to make now, ascending.
 };
 
 struct Batch {
   std::vector<BatchInput> inputs;  ///< In order.
-  std::vector<int> frames;         ///< [moments]; empty: one moment without a frame.
-  bool listed = false;             ///< The inputs are from a list.
+  std::vector<int> frames;         ///< [moments]; empty: one moment without a frame number.
+  bool listed = false;             ///< The inputs come from a list.
 };
 
-/// The frames that --frames names, ascending; empty without it. Error: place is the option.
+/// The frames of --frames, ascending; empty without it. Error: place is the option.
 [[nodiscard]] Result<std::vector<int>> frameNumbers(const BatchOptions& options);
 
-/// Reads the list, numbers the job's items (input by input, frame by frame) and keeps this shard's: those whose number
-/// modulo N is I; to resume, those of them that are not there yet.
-/// @param output  with frames a printf integer field such as %04d in its name; with a list "{name}", which stands for
+/// Reads the list, numbers the job's items (input by input, frame by frame) and keeps those of this shard: number
+/// modulo N is I. With --resume, items that exist already are skipped.
+/// @param output  with frames its name has a printf integer field such as %04d; with a list "{name}", which stands for
 ///   the input's name without its ending
-/// Error: place is the option or the list's file, reason what was expected of it; two items write one file,
-/// or one writes what it is read from.
+/// Error: place is the option or the list's file. Also if two items write one file, or one would overwrite its input.
 [[nodiscard]] Result<Batch> planBatch(const BatchOptions& options, const std::filesystem::path& input,
                                       const std::filesystem::path& output);
 
-/// A second file beside each output, such as a report. Errors as planBatch. @param batch  of `options`
+/// A second file for each output, such as a report. Errors as planBatch.
 [[nodiscard]] Result<std::vector<std::filesystem::path>> filesBeside(const Batch& batch, const BatchInput& input,
                                                                      const std::filesystem::path& pattern,
                                                                      const std::string& option);
 
-/// How much of a job is made, on stderr.
+/// Reports the progress of a job on stderr.
 class BatchProgress {
  public:
   /// @param what  the work: "rendering fox_%04d.png"
   BatchProgress(const std::string& what, const Batch& batch, const BatchOptions& options);
-  /// @param made  files of the input at hand
-  void show(std::size_t made);
-  /// @param part  of the one file of the input at hand, 0..1
+  /// @param made  files of the current input
+  void show(std::size_t made) { showPart(static_cast<double>(made)); }
+  /// @param part  of the current input's one file, 0..1
   void showPart(double part);
-  /// All that will come of this input is made.
+  /// The input is done.
   void leave(const BatchInput& input);
 
  private:
@@ -83,14 +95,14 @@ class BatchProgress {
   std::size_t before_ = 0;  ///< Files of the inputs that are done.
 };
 
-/// Calls make(input) for every input that has work to do, on as many threads as the options say. A dry run prints the
-/// files instead, unless the job has frames: which of them the clip holds, `make` finds out and prints. `make` returns
-/// an exit status and has named its failures. Returns kDone, what `make` returned where there is no list, kSomeFailed
-/// where some inputs of a list failed, kBadInput where all did.
+/// Calls make(input) for every input with work to do, on as many threads as the options allow. A dry run prints the
+/// files instead, unless the job has frames: then `make` prints those that the clip holds. `make` returns an exit
+/// status and reports its failures. Returns kDone; without a list what `make` returned; kSomeFailed if some inputs of a
+/// list failed, kBadInput if all did.
 [[nodiscard]] int runBatch(const Batch& batch, const BatchOptions& options,
                            const std::function<int(const BatchInput&)>& make);
 
-/// What a dry run says of an input. @param wanted  moments
+/// Prints the files of an input, for a dry run. @param wanted  moments
 [[nodiscard]] int putNames(const BatchInput& input, const std::vector<std::size_t>& wanted);
 
 /// The time of a moment. @param index  of Batch::frames

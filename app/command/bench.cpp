@@ -1,4 +1,5 @@
-// app/command/bench.cpp: scenes of both surface modes from the files, and where the figures go.
+// app/command/bench.cpp: `sinew bench`: opens the scenes of both surface modes, measures, prints.
+
 #include <array>
 #include <filesystem>
 #include <optional>
@@ -24,15 +25,15 @@ namespace sinew::app {
 namespace {
 
 struct BenchOptions {
-  std::vector<std::filesystem::path> files;   ///< Rigs or characters; none: those that ship with the program.
+  std::vector<std::filesystem::path> files;   ///< Rigs or characters; none: the bundled ones.
   std::optional<std::filesystem::path> json;  ///< Empty path: on stdout in place of the table. nullopt: none.
   int rounds = 7;
-  std::optional<int> crowd;  ///< Bodies, of `bench gpu`.
-  int frames = 10;           ///< Of `bench gpu`.
-  bool progress = false;     ///< Also where stderr is no terminal.
+  std::optional<int> crowd;  ///< `bench gpu`: bodies.
+  int frames = 10;           ///< `bench gpu`.
+  bool progress = false;     ///< Even where stderr is not a terminal.
 };
 
-/// The files of one mode, where none were given: rigs made for it.
+/// Bundled rigs made for one mode.
 struct Bundled {
   SurfaceMode mode;
   std::array<const char*, 2> files;
@@ -61,13 +62,13 @@ Result<ModeScenes> scenesOf(const Bundled& bundled, std::vector<std::filesystem:
   return scenes;
 }
 
-/// Nobody waits a minute for figures that have no place to go.
+/// Checked before measuring, which takes minutes.
 bool hasFolder(const std::filesystem::path& file) {
   std::error_code failed;
   return file.parent_path().empty() || std::filesystem::is_directory(file.parent_path(), failed);
 }
 
-/// `--json` may stand alone: the numbers go to stdout, as other verbs' do.
+/// `--json` alone prints the numbers on stdout, as for other verbs.
 void addBenchOptions(CLI::App& verb, BenchOptions& options) {
   verb.add_option_function<std::vector<std::string>>(
       "FILE", [&options](const std::vector<std::string>& files) { options.files.assign(files.begin(), files.end()); },
@@ -90,7 +91,7 @@ void addBenchOptions(CLI::App& verb, BenchOptions& options) {
       ->type_name("N")
       ->check(CLI::Range(1, 10'000));
   verb.add_flag("--progress", options.progress,
-                "Say how far it is on stderr, every 5 percent; a terminal shows it anyway");
+                "Report progress on stderr every 5 percent; a terminal always shows it");
 }
 
 constexpr double kFrameStep = 1.0 / 30.0;  ///< Seconds between the moments of `bench gpu`.
@@ -106,14 +107,14 @@ int putFigures(const BenchOptions& options, const std::string& text, const Json&
   return putResult(text);
 }
 
-/// The word after --json may be an input, and a folder for what it names must be there.
+/// The word after --json may be an input; the folder of an output must exist.
 std::optional<Error> settleJson(BenchOptions& options) {
   if (options.json && isInput(*options.json)) options.files.push_back(std::exchange(*options.json, {}));
   if (!options.json || hasFolder(*options.json)) return std::nullopt;
   return Error{options.json->string(), "", "cannot be written: its folder does not exist"};
 }
 
-/// The rigs as they are, on the graphics card and on the processor: one body, then a crowd.
+/// Compares the graphics card with the processor: one body, then a crowd.
 int runGpuBench(const BenchOptions& options) {
   std::vector<std::filesystem::path> files = options.files;
   if (files.empty()) files = {dataFile("assets/humanoid.rig.json"), dataFile("assets/horse.rig.json")};
@@ -156,9 +157,8 @@ int runBench(BenchOptions options) {
     modes.push_back(std::move(scenes.value()));
   }
   ProgressLine line("measuring", options.progress);
-  const Result<Whole> whole = measureWhole(modes, options.rounds, [&](int done, int all, const std::string& /*now*/) {
-    line.show(static_cast<double>(done) / all);
-  });
+  const Result<Whole> whole =
+      measureWhole(modes, options.rounds, [&](int done, int all) { line.show(static_cast<double>(done) / all); });
   if (whole) line.show(1.0);
   line.end();
   if (!whole) return badInput(whole.error());

@@ -1,4 +1,4 @@
-// app/command/check.cpp: what goes wrong with a rig's muscles in all clips and the range of motion; and mending it.
+// app/command/check.cpp: `sinew check`: problems of a rig's muscles in all clips and the range of motion, and mending.
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
@@ -21,34 +21,29 @@ namespace {
 
 struct CheckOptions {
   std::filesystem::path file;
-  std::filesystem::path output;  ///< Where the mended rig goes; empty: it is only checked.
+  std::filesystem::path output;  ///< For the mended rig; empty: only check.
   bool json = false;
   bool strict = false;
   bool cloth = false;
 };
 
 void addCheckOptions(CLI::App& verb, CheckOptions& options) {
-  const auto to = [](std::filesystem::path& path) { return [&path](const std::string& text) { path = text; }; };
-  verb.add_option_function<std::string>("RIG", to(options.file), "Rig (.rig.json)")->required();
+  addPath(verb, "RIG", options.file, "Rig (.rig.json)")->required();
   verb.add_flag("--json", options.json, "JSON instead of text");
   verb.add_flag("--strict", options.strict, "Exit status 1 if anything is found, after mending if that is asked for");
   verb.add_flag("--cloth", options.cloth,
                 "Count the vertices of cloth that are below the skin, with and without muscles; takes a while");
-  verb.add_option_function<std::string>("--mend", to(options.output),
-                                        "Change the lines that something was found of, and write the rig there")
+  addPath(verb, "--mend", options.output, "Mend the lines with findings, and write the rig there")
       ->type_name("OUT.rig.json");
 }
 
 Json jsonOf(const Rig& rig, const std::vector<Finding>& findings) {
-  Json list = Json::array();
-  for (const Finding& finding : findings) {
+  return jsonList(findings, [&](const Finding& finding) {
     Json item = Json::object();
     item.set("muscle", at(rig.primitives, finding.primitive).name).set("kind", std::string(nameOf(finding.kind)));
     item.set("clip", finding.clip).set("time", finding.time).set("measure", finding.measure);
-    item.set("text", textOf(finding));
-    list.push(item);
-  }
-  return list;
+    return item.set("text", textOf(finding));
+  });
 }
 
 std::string whenOf(const Finding& finding) {
@@ -95,7 +90,7 @@ Json jsonOf(const ClothCount& count) {
       .set("deepest", count.deepest);
 }
 
-int check(const CheckOptions& options) {
+int runCheck(const CheckOptions& options) {
   Result<Document> opened = openDocument(options.file);
   if (!opened) return badInput(opened.error());
   Document& document = opened.value();
@@ -122,12 +117,8 @@ int check(const CheckOptions& options) {
     if (!mended) return badInput(mended.error());
     findings = check(mended->rig, motions);
     json.set("left", jsonOf(mended->rig, findings));
-    Json changed = Json::array();
-    for (const std::string& said : mended->said) {
-      text << "  mended " << said << '\n';
-      changed.push(said);
-    }
-    json.set("mended", changed);
+    for (const std::string& said : mended->said) text << "  mended " << said << '\n';
+    json.set("mended", jsonList(mended->said));
     text << "after mending: " << countText(findings) << '\n';
     put(text, mended->rig, findings);
     document.commands.apply("Mend", std::move(mended.value().rig));
@@ -141,8 +132,7 @@ int check(const CheckOptions& options) {
 }  // namespace
 
 Verb checkRigVerb() {
-  return makeVerb<CheckOptions>("check", "Find muscles that leave the flesh, and mend them", addCheckOptions,
-                                [](const CheckOptions& options) { return check(options); });
+  return makeVerb<CheckOptions>("check", "Find muscles that leave the flesh, and mend them", addCheckOptions, runCheck);
 }
 
 }  // namespace sinew::app

@@ -11,20 +11,20 @@
 namespace sinew::app {
 namespace {
 
-constexpr int kPercentStep = 5;  ///< From line to line where lines stay.
+constexpr int kPercentStep = 5;  ///< Between lines where stderr is not a terminal.
 
-/// A progress line stands on the terminal, without its end.
+/// The terminal shows an unfinished progress line.
 bool lineIsOpen = false;
 
 void putError(const std::string& text) { std::fwrite(text.data(), 1, text.size(), stderr); }
 
-/// What else is said comes in place of the progress line, which is drawn again below it.
+/// Other output replaces the progress line, which is drawn again below it.
 void clearLine() {
   if (lineIsOpen) putError("\r\033[K");
   lineIsOpen = false;
 }
 
-/// Error::text() keeps it on one line whatever a file name holds.
+/// One line, whatever a file name holds: Error::text() sees to that.
 std::string lineOf(const std::string& text) { return "sinew: " + errorAt({}, text).text(); }
 
 void putErrorLine(const std::string& text) {
@@ -34,7 +34,7 @@ void putErrorLine(const std::string& text) {
 
 bool isOnTerminal() { return ::isatty(STDERR_FILENO) == 1; }
 
-/// A line that wraps cannot be written over: of a longer one the end stays.
+/// A line that wraps cannot be overwritten: keeps the end of a longer one.
 std::string fitted(const std::string& line) {
   winsize size{};
   if (::ioctl(STDERR_FILENO, TIOCGWINSZ, &size) != 0 || size.ws_col < 2) return line;

@@ -1,4 +1,4 @@
-// app/command/console.h: how the verbs talk: results to stdout, all else to stderr, and the exit statuses.
+// app/command/console.h: output of the verbs: results on stdout, everything else on stderr, and the exit statuses.
 #pragma once
 
 #include <string>
@@ -20,37 +20,36 @@ inline constexpr int kSomeFailed = 3;
 /// One line on stderr. Returns kBadCommandLine.
 [[nodiscard]] int badCommandLine(const std::string& reason);
 
-/// Either of them: an error without a file is one of the command line.
+/// badCommandLine for an error without a file, else badInput.
 [[nodiscard]] int refused(const Error& error);
 
-/// One line on stderr that is no error: something the user should know of the result.
+/// One line on stderr that is not an error.
 void message(const std::string& text);
 
-/// How far a long work is, on stderr: on a terminal one line that is written over; elsewhere, if it is wanted there, a
-/// line whenever another 5 percent are done. Messages and results that come meanwhile take its place on the terminal.
+/// Progress of long work on stderr: on a terminal one line that is overwritten; elsewhere, if asked for, a line every 5
+/// percent. Messages and results replace it on the terminal.
 class ProgressLine {
  public:
-  /// @param what  the work: "exporting fox.glb"  @param isAsked  whether it is wanted where there is no terminal
+  /// @param what  the work: "exporting fox.glb"  @param isAsked  show it even without a terminal
   ProgressLine(std::string what, bool isAsked);
   ~ProgressLine();
   ProgressLine(const ProgressLine&) = delete;
   ProgressLine& operator=(const ProgressLine&) = delete;
 
-  /// Whether anybody sees it.
   [[nodiscard]] bool isShown() const { return isTerminal_ || isAsked_; }
-  /// @param share  of the work that is done, 0..1, never falling
+  /// @param share  fraction of the work that is done, 0..1, never falling
   void show(double share);
-  /// Ends the line, for what is to stand below it.
+  /// Ends the line, before output below it.
   void end();
 
  private:
   std::string what_;
   bool isAsked_ = false;
   bool isTerminal_ = false;
-  int percent_ = -1;  ///< Shown last; -1: none.
+  int percent_ = -1;  ///< Last shown; -1: none.
 };
 
-/// Puts the verb's result on stdout. kDone, or kBadInput with a line on stderr if stdout does not take it.
+/// Writes the verb's result to stdout. kDone, or kBadInput with a line on stderr if that fails.
 [[nodiscard]] int putResult(const std::string& text);
 
 }  // namespace sinew::app

@@ -1,4 +1,5 @@
 // app/command/costs.cpp: rigs of different size smooth the same moments in turn; a clip is drawn off screen.
+
 #include "app/command/costs.h"
 
 #include <algorithm>
@@ -10,7 +11,6 @@
 #include <utility>
 #include <vector>
 
-#include "app/command/measuring.h"
 #include "app/ui/offscreen.h"
 #include "app/viewport/render/view.h"
 #include "app/viewport/render/viewport.h"
@@ -22,13 +22,11 @@
 
 namespace sinew::app {
 
-// Low-discrepancy points over the skin's area, a ball under each.
-
 namespace {
 
 constexpr float kReach = 1.5f;
 
-/// Areas of the triangles, each with all before it.
+/// Running sums of the triangles' areas.
 std::vector<float> runningAreas(const ControlMesh& mesh) {
   std::vector<float> sums;
   float sum = 0.0f;
@@ -40,7 +38,7 @@ std::vector<float> runningAreas(const ControlMesh& mesh) {
   return sums;
 }
 
-/// Barycentric, even over a triangle, from the plastic number's multiples.
+/// Barycentric coordinates of a low-discrepancy sequence over a triangle: multiples of the plastic number.
 glm::vec3 barycentric(int number) {
   float u = std::fmod(0.5f + 0.7548776662f * static_cast<float>(number % 4096), 1.0f);
   float v = std::fmod(0.5f + 0.5698402910f * static_cast<float>(number % 4096), 1.0f);
@@ -93,23 +91,23 @@ Rig evenRig(const Character& character, int muscles) {
 namespace {
 
 constexpr int kFrames = 8;
-constexpr int kFramesOfGrowth = 2;  ///< Depth 12 and 4,000 muscles take long.
+constexpr int kFramesOfGrowth = 2;  ///< Few: depth 12 and 4,000 muscles take long.
 constexpr std::array kDepths{2, 3, 4, 5, 6, 8, 10, 12};
 constexpr std::array kMuscles{41, 400, 4000};
-/// Deeper is left out, so that a character of many triangles does not fill the memory.
+/// Depths with more are skipped, so that a large character does not fill the memory.
 constexpr std::int64_t kMostVertices = 200'000;
 constexpr double kStep = 1.0 / 60.0;
 constexpr int kSamples = 4;
 constexpr glm::ivec2 kSize{1280, 800};
 
-/// One rig at work. Seconds and counts of all timed frames, in the order of rounds and moments.
+/// A rig and its timed frames, in the order of rounds and moments.
 struct Contender {
   Smoother smoother;
   Surface surface;
   std::vector<double> seconds, projected;
 };
 
-/// Every rig through all moments in each round.
+/// Smooths all moments with every rig in each round.
 Result<std::vector<Contender>> run(const BenchScene& scene, const std::vector<Rig>& rigs,
                                    const std::vector<Pose>& poses, int rounds) {
   std::vector<Contender> contenders;
@@ -135,7 +133,7 @@ Rig withoutMuscles(Rig rig) {
   return rig;
 }
 
-/// Median of what a frame takes over the floor's of the same moment and round, by its projected vertices; at least 0.
+/// Median time above the floor of the same moment and round, per projected vertex; at least 0.
 double secondsPerProjected(const Contender& with, const Contender& floor) {
   std::vector<double> each;
   for (std::size_t i = 0; i < with.seconds.size(); ++i) {

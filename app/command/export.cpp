@@ -1,4 +1,4 @@
-// app/command/export.cpp: `sinew export`: the kinds and settings of app/document as options, open, export, report.
+// app/command/export.cpp: `sinew export`: options for the kinds and settings of app/document; exports and reports.
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -24,9 +24,6 @@
 namespace sinew::app {
 namespace {
 
-// How far an export is off, vertex by vertex, as a mesh.
-// Little endian .ply with a number of its own for each vertex.
-
 void put(std::string& out, std::uint32_t bits) {
   for (int shift = 0; shift < 32; shift += 8) out += static_cast<char>((bits >> shift) & 0xffU);
 }
@@ -34,8 +31,8 @@ void put(std::string& out, std::uint32_t bits) {
 void put(std::string& out, float value) { put(out, std::bit_cast<std::uint32_t>(value)); }
 char byteOf(float share) { return static_cast<char>(std::lround(255.0f * std::clamp(share, 0.0f, 1.0f))); }
 
-/// A binary .ply with the exported mesh in the bind pose. Each vertex has x, y, z, red, green, blue and "error", its
-/// largest distance to the live surface in percent of the height. White is none, the darkest red the largest of all.
+/// A little endian .ply of the exported mesh in the bind pose. Each vertex has x, y, z, red, green, blue and "error",
+/// its largest distance to the live surface in percent of the height. White is 0, the darkest red the largest.
 Result<void> writeErrorMap(const ExportedSurface& exported, const std::filesystem::path& file) {
   const float largest =
       exported.largest.empty() ? 0.0f : *std::max_element(exported.largest.begin(), exported.largest.end());
@@ -62,9 +59,9 @@ Result<void> writeErrorMap(const ExportedSurface& exported, const std::filesyste
 struct ExportOptions {
   std::filesystem::path file;  ///< Rig or character.
   std::filesystem::path output;
-  std::string word = exportKinds().front().word;  ///< Said after --as.
+  std::string word = exportKinds().front().word;  ///< After --as.
   ExportSettings settings;
-  CLI::App* parser = nullptr;      ///< Knows which options are given.
+  CLI::App* parser = nullptr;      ///< To ask which options are given.
   std::vector<std::string> clips;  ///< Files whose clips are added.
   std::filesystem::path errorMap;  ///< .ply; empty: none.
   bool json = false;
@@ -83,7 +80,7 @@ std::string isBound(const std::string& text) {
   return "expected percent of the height from 0.001 to 100, got \"" + text + '"';
 }
 
-/// An option whose words are the names of the values, in this order in the help.
+/// An option whose words are the names of the values.
 template <class Value>
 void addNamed(CLI::App& verb, const char* option, const char* type, Value& setting, std::initializer_list<Value> values,
               const char* help) {
@@ -108,19 +105,18 @@ void addSettings(CLI::App& verb, ExportSettings& settings) {
   verb.add_option("--clip", settings.clips, "Keep this clip; may be given several times; without it, all are kept")
       ->type_name("NAME")
       ->allow_extra_args(false);
-  verb.add_option(
-          "--joints", settings.helpers,
-          "helpers: how many joints may be added (24), whatever serves best: those of muscle lines, or rigid ones")
+  verb.add_option("--joints", settings.helpers,
+                  "helpers: how many joints may be added (24), for muscle lines or rigid, whichever serve best")
       ->type_name("N")
       ->check(CLI::Range(0, kMostHelpers));
   addNamed(verb, "--joint-scale", "S", settings.jointScale,
            {JointScale::kFull, JointScale::kUniform, JointScale::kNone},
            "helpers: how joints of muscle lines may scale: full, uniform, or none (two joints a line)");
-  verb.add_option("--fps", settings.framesPerSecond, "baked: frames a second (30); the clip's end is one, too")
+  verb.add_option("--fps", settings.framesPerSecond, "baked: frames per second (30), and one at the clip's end")
       ->type_name("N")
       ->check(isFrameRate);
   verb.add_option("--substeps", settings.substeps,
-                  "baked: moments baked a frame (1); more of them hold the bound between frames, too")
+                  "baked: samples per frame (1); more hold the bound between frames, too")
       ->type_name("N")
       ->check(CLI::Range(1, kMostSubsteps));
   verb.add_option("--bound", settings.bound,
@@ -129,7 +125,7 @@ void addSettings(CLI::App& verb, ExportSettings& settings) {
       ->check(isBound);
 }
 
-/// Those without a choice, and of words that have others.
+/// The usual endings, and those of kinds with others.
 std::string endingsText() {
   const std::string usual = exportEndingsOf(exportKinds().front().word);
   std::string text = usual;
@@ -141,8 +137,7 @@ std::string endingsText() {
 
 void addOptions(CLI::App& verb, ExportOptions& options) {
   options.parser = &verb;
-  const auto to = [](std::filesystem::path& path) { return [&path](const std::string& text) { path = text; }; };
-  verb.add_option_function<std::string>("FILE", to(options.file), "Rig (.rig.json) or character (.glb, .gltf, .vrm)");
+  addPath(verb, "FILE", options.file, "Rig (.rig.json) or character (.glb, .gltf, .vrm)");
   verb.add_option(
           "--as", options.word,
           "helpers: with joints that move as the muscles do, keyed in every clip (default); skinned: the file's "
@@ -153,13 +148,10 @@ void addOptions(CLI::App& verb, ExportOptions& options) {
   addClipsOption(verb, options.clips);
   addSettings(verb, options.settings);
   verb.add_flag("--json", options.json, "Report as JSON");
-  verb.add_option_function<std::string>(
-          "--error-map", to(options.errorMap),
+  addPath(verb, "--error-map", options.errorMap,
           "The exported mesh at rest, each vertex with its largest distance to the live surface as color and number")
       ->type_name("OUT.ply");
-  verb.add_option_function<std::string>("-o,--output", to(options.output), "File to write: " + endingsText())
-      ->type_name("OUT")
-      ->required();
+  addPath(verb, "-o,--output", options.output, "File to write: " + endingsText())->type_name("OUT")->required();
   addBatchOptions(verb, options.batch);
 }
 

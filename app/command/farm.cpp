@@ -1,4 +1,4 @@
-// app/command/farm.cpp: writes down a batch job for a farm. It starts nothing.
+// app/command/farm.cpp: `sinew farm`: writes a batch job. It starts nothing.
 #include <algorithm>
 #include <memory>
 #include <optional>
@@ -8,7 +8,6 @@
 #include <CLI/CLI.hpp>
 
 #include "app/command/console.h"
-#include "app/command/parse_refusal.h"
 #include "app/command/verb.h"
 #include "app/document/farm_job.h"
 #include "core/files/disk/atomic_file.h"
@@ -22,10 +21,10 @@ struct FarmOptions {
   std::string to;
   std::string program;         ///< Empty: this one.
   std::filesystem::path file;  ///< Empty: stdout.
-  CLI::App* parser = nullptr;  ///< Keeps what it did not understand: the verb and its arguments.
+  CLI::App* parser = nullptr;  ///< Its remaining arguments are the verb and the verb's arguments.
 };
 
-/// Whether the verb can run with these arguments. Error: of the command line, or what the job cannot be run for.
+/// Whether the verb can run with these arguments. Error: in the command line, or in the job's inputs.
 Result<FarmCheck> checkJob(const Verb& verb, std::span<const std::string> arguments) {
   CLI::App parser{verb.summary, verb.name};
   const VerbCalls calls = verb.add(parser);
@@ -38,7 +37,7 @@ Result<FarmCheck> checkJob(const Verb& verb, std::span<const std::string> argume
   return calls.check();
 }
 
-/// No more tasks than there are files to make.
+/// At most one task per file.
 int tasksFor(const FarmOptions& options, std::size_t files) {
   const auto most = static_cast<int>(std::min<std::size_t>(std::max<std::size_t>(files, 1), kMostTasks));
   if (options.tasks <= most) return options.tasks;
@@ -103,16 +102,14 @@ void addFarmOptions(CLI::App& verb, FarmOptions& options) {
       ->check(CLI::Range(1, kMostTasks));
   verb.add_option("--program", options.program, "What the machines call this program; without it, its path here")
       ->type_name("PATH");
-  verb.add_option_function<std::string>(
-          "--job", [&options](const std::string& text) { options.file = text; }, "Write the job here, not to stdout")
-      ->type_name("FILE");
+  addPath(verb, "--job", options.file, "Write the job here, not to stdout")->type_name("FILE");
 }
 
 }  // namespace
 
 Verb farmVerb(std::vector<Verb> verbs) {
   return makeVerb<FarmOptions>(
-      "farm", "Write down a batch job for Slurm, GNU parallel or another farm", addFarmOptions,
+      "farm", "Write a batch job for Slurm, GNU parallel or another farm", addFarmOptions,
       [verbs = std::move(verbs)](const FarmOptions& options) { return runFarm(options, verbs); });
 }
 

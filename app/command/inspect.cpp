@@ -1,4 +1,4 @@
-// app/command/inspect.cpp: counts, names and defects of characters and rigs, as JSON or for people.
+// app/command/inspect.cpp: `sinew inspect`: counts, names and defects of characters and rigs, as JSON or text.
 #include <algorithm>
 #include <filesystem>
 #include <optional>
@@ -20,10 +20,10 @@ struct InspectOptions {
   std::vector<std::string> files;
   std::vector<std::string> clips;  ///< Files whose clips are added.
   bool json = false;
-  bool strict = false;  ///< A rig whose bones are missing is a bad input.
+  bool strict = false;  ///< A rig with missing bones is a bad input.
 };
 
-/// What one file gives; `put` is called unless it cannot be read.
+/// Passes the facts of one file, or the error, to `put`. False: the file fails.
 template <class Put>
 bool inspectFile(const InspectOptions& options, const std::string& file, Put put) {
   const auto document = openDocument(file, {options.clips.begin(), options.clips.end()});
@@ -43,7 +43,7 @@ bool inspectFile(const InspectOptions& options, const std::string& file, Put put
   return badInput({file, "", bones + " of the rig missing in " + facts.document.characterFile.string()}) == kDone;
 }
 
-/// Columns as wide as they need to be: the first to the left, the numbers to the right.
+/// Columns as wide as needed: the first aligned left, the numbers right.
 std::string tableOf(const std::vector<std::vector<std::string>>& rows) {
   std::vector<std::size_t> widths(rows.front().size(), 0);
   for (const auto& row : rows) {

@@ -1,4 +1,5 @@
-// app/command/inspect_facts.cpp: counting what a document holds.
+// app/command/inspect_facts.cpp: counts the contents of a document, and writes them as text and JSON.
+
 #include "app/command/inspect_facts.h"
 
 #include <algorithm>
@@ -92,7 +93,7 @@ InspectFacts factsOf(const Document& document) {
   return facts;
 }
 
-// A character or rig in lines for people, and a row of a table.
+// Text.
 
 namespace {
 
@@ -112,7 +113,6 @@ std::string pointText(const glm::vec3& p) {
   return '(' + shortNumber(p.x) + ", " + shortNumber(p.y) + ", " + shortNumber(p.z) + ')';
 }
 
-/// The bone a vertex follows most.
 const std::string& strongestBoneName(const Character& character, int vertex) {
   return character.skeleton.bones[static_cast<std::size_t>(strongestBone(character, vertex))].name;
 }
@@ -127,7 +127,7 @@ void addOnce(std::vector<std::string>& names, const std::string& name) {
   if (std::ranges::find(names, name) == names.end()) names.push_back(name);
 }
 
-/// Where a joined edge is, so that a modeller finds it: its ends, the bones it follows, the materials it lies between.
+/// Where a joined edge is, for a modeller: its ends, bones and materials.
 std::string edgeText(const Character& character, const MeshFacts& mesh, const std::array<int, 2>& edge) {
   const glm::vec3 a = mesh.joined.positions[static_cast<std::size_t>(edge[0])];
   const glm::vec3 b = mesh.joined.positions[static_cast<std::size_t>(edge[1])];
@@ -220,7 +220,7 @@ void putRig(std::ostream& out, const InspectFacts& facts) {
       << std::ranges::count(wedges, true, &Wedge::creased) << " of them creased\n";
 }
 
-/// A line for each part of the body; those that the body's kind does not have are left out.
+/// A line for each part that this kind of body has.
 void putBody(std::ostream& out, const InspectFacts& facts) {
   out << "  body        " << nameOf(facts.body.kind) << '\n';
   for (const BodySlot slot : allBodySlots()) {
@@ -300,22 +300,13 @@ std::vector<std::string> inspectRow(const InspectFacts& facts, const std::string
           std::to_string(character.ignored.size())};
 }
 
-// A character or rig as a JSON object, docs/formats.md.
+// JSON: docs/formats.md.
 
 namespace {
 
 int count(std::size_t size) { return static_cast<int>(size); }
 
-template <class Items, class Show>
-Json listOf(const Items& items, Show show) {
-  Json list = Json::array();
-  for (const auto& item : items) list.push(show(item));
-  return list;
-}
-
-const std::string& asIs(const std::string& name) { return name; }
-
-/// Slots that have a bone.
+/// Slots with a bone.
 Json bodyJson(const InspectFacts& facts) {
   Json found = Json::object();
   for (const BodySlot slot : allBodySlots()) {
@@ -329,7 +320,6 @@ Json bodyJson(const InspectFacts& facts) {
   return Json::object().set("kind", nameOf(facts.body.kind)).set("slots", std::move(found));
 }
 
-/// The parts of the mesh, with what they are to the muscles.
 Json partsJson(const InspectFacts& facts) {
   const std::vector<MeshPart>& parts = facts.document.character->parts;
   Json list = Json::array();
@@ -346,27 +336,26 @@ void addRig(Json& json, const InspectFacts& facts) {
   const std::vector<Wedge>& wedges = facts.rig.shadedWedges;
   json.set("character", facts.document.characterFile.string());
   json.set("primitives", count(rig.primitives.size()));
-  json.set("groups", listOf(rig.groups, [](const Group& group) { return group.name; }));
-  json.set("links", listOf(rig.links, [](const auto& link) { return listOf(link, asIs); }));
-  json.set("lines", listOf(facts.rig.lines, asIs));
+  json.set("groups", jsonList(rig.groups, [](const Group& group) { return group.name; }));
+  json.set("links", jsonList(rig.links, [](const auto& link) { return jsonList(link); }));
+  json.set("lines", jsonList(facts.rig.lines));
   json.set("shapes", count(facts.rig.shaped));
   json.set("keys", count(facts.rig.keys)).set("keyed_numbers", count(facts.rig.keyed));
-  json.set("channels", listOf(facts.rig.channels, asIs));
+  json.set("channels", jsonList(facts.rig.channels));
   json.set("drivers", count(facts.rig.drivers));
-  json.set("unattached", listOf(facts.rig.unattached, asIs));
+  json.set("unattached", jsonList(facts.rig.unattached));
   const Skeleton& skeleton = facts.document.character->skeleton;
   json.set("missing",
-           listOf(facts.rig.missing, [&](const MissingBone& bone) { return refusalOf(bone, skeleton).text(); }));
-  json.set("missing_shapes", listOf(facts.rig.missingShapes, asIs));
-  json.set("missing_parts", listOf(facts.rig.missingParts, asIs));
+           jsonList(facts.rig.missing, [&](const MissingBone& bone) { return refusalOf(bone, skeleton).text(); }));
+  json.set("missing_shapes", jsonList(facts.rig.missingShapes));
+  json.set("missing_parts", jsonList(facts.rig.missingParts));
   json.set("crease_angle", rig.smoothing.creaseAngle);
   json.set("shaded_wedges", count(wedges.size()));
   json.set("creased_wedges", static_cast<int>(std::ranges::count(wedges, true, &Wedge::creased)));
 }
 
-/// The files whose clips are added.
 Json clipFilesJson(const Document& document) {
-  return listOf(document.clipFiles.files, [&](const ClipFileReport& file) {
+  return jsonList(document.clipFiles.files, [&](const ClipFileReport& file) {
     Json clips = Json::array();
     for (const AnimationClip& clip : document.character->clips) {
       if (clip.addedFrom == file.file) clips.push(clip.name);
@@ -375,8 +364,8 @@ Json clipFilesJson(const Document& document) {
         .set("file", file.file)
         .set("missing", file.missing ? Json(file.missing->text()) : Json())
         .set("clips", std::move(clips))
-        .set("unmatched_bones", listOf(file.unmatched, asIs))
-        .set("unmoved_bones", listOf(file.unmoved, asIs));
+        .set("unmatched_bones", jsonList(file.unmatched))
+        .set("unmoved_bones", jsonList(file.unmoved));
   });
 }
 
@@ -396,19 +385,19 @@ Json inspectJson(const InspectFacts& facts, const std::string& file) {
   json.set("non_manifold_edges", count(facts.mesh.touching.nonManifoldEdges.size()));
   json.set("height", character.height);
   json.set("joints", count(character.skeleton.bones.size()));
-  json.set("joint_names", listOf(character.skeleton.bones, [](const Bone& bone) { return bone.name; }));
-  json.set("helper_joints", listOf(facts.helpers, asIs));
+  json.set("joint_names", jsonList(character.skeleton.bones, [](const Bone& bone) { return bone.name; }));
+  json.set("helper_joints", jsonList(facts.helpers));
   json.set("body", bodyJson(facts));
-  json.set("clips", listOf(character.clips, [](const AnimationClip& clip) {
+  json.set("clips", jsonList(character.clips, [](const AnimationClip& clip) {
              return Json::object().set("name", clip.name).set("duration", clip.duration);
            }));
   json.set("clip_files", clipFilesJson(facts.document));
-  json.set("morph_targets", listOf(facts.shapes, asIs));
+  json.set("morph_targets", jsonList(facts.shapes));
   json.set("range_of_motion", facts.rangeOfMotion);
   json.set("materials", count(character.materials.size()));
   json.set("parts", partsJson(facts));
   json.set("textures", count(character.textures.size()));
-  json.set("ignored", listOf(character.ignored, asIs));
+  json.set("ignored", jsonList(character.ignored));
   if (facts.hasRig()) addRig(json, facts);
   return json;
 }

@@ -1,16 +1,46 @@
-// app/command/measuring.cpp: medians and the frames to measure, for the benchmarks.
+// app/command/measuring.cpp: scenes, frames and medians for the benchmarks.
 #include "app/command/measuring.h"
-#include "sinew/character/character_pose.h"
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
+#include "app/document/document.h"
+#include "core/rig/trial_rig.h"
+#include "sinew/character/character_pose.h"
+
 namespace sinew::app {
+
+constexpr int kTrialMuscles = 12;
+constexpr std::uint64_t kTrialSeed = 1;
+
+Result<BenchScene> openScene(const std::filesystem::path& file) {
+  const Result<Document> document = openDocument(file);
+  if (!document) return document.error();
+  const std::string name = file.filename().string();
+  const bool bare = document->rig().primitives.empty();
+  return BenchScene{name.substr(0, name.find('.', 1)), document->character,
+                    bare ? trialRig(*document->character, kTrialMuscles, kTrialSeed) : document->rig()};
+}
+
+Rig rigAt(const BenchScene& scene, int depth) {
+  Rig rig = scene.rig;
+  rig.smoothing.detail = DetailKind::kUniform;
+  rig.smoothing.depth = depth;
+  rig.smoothing.autoDepth = false;
+  return rig;
+}
+
+Result<Smoother> preparedSmoother(const BenchScene& scene, const Rig& rig, ProjectionKind projection) {
+  Smoother smoother(scene.character, projection);
+  if (const Result<void> prepared = smoother.prepare(rig); !prepared) return prepared.error();
+  return smoother;
+}
+
 namespace {
 
-/// @param seconds  into the first clip; past its end it begins again.
-Pose poseAt(const Character& character, double seconds) {
+/// @param seconds  into the first clip, which loops
+Pose loopedPose(const Character& character, double seconds) {
   if (character.clips.empty()) return bindPose(character.skeleton);
   const AnimationClip& clip = character.clips.front();
   const float time = clip.duration > 0.0f ? std::fmod(static_cast<float>(seconds), clip.duration) : 0.0f;
@@ -62,14 +92,14 @@ void inTurn(std::size_t variants, int rounds, const std::function<void(std::size
 
 std::vector<Pose> steadyFrames(const Character& character, int count, double step) {
   std::vector<Pose> poses;
-  for (int i = 0; i < count; ++i) poses.push_back(poseAt(character, step * i));
+  for (int i = 0; i < count; ++i) poses.push_back(loopedPose(character, step * i));
   return poses;
 }
 
 std::vector<Pose> cutFrames(const Character& character, int count) {
   const double duration = character.clips.empty() ? 0.0 : static_cast<double>(character.clips.front().duration);
   std::vector<Pose> poses;
-  for (int i = 0; i < count; ++i) poses.push_back(poseAt(character, duration * (0.5 * (i % 2) + 0.4 * i / count)));
+  for (int i = 0; i < count; ++i) poses.push_back(loopedPose(character, duration * (0.5 * (i % 2) + 0.4 * i / count)));
   return poses;
 }
 

@@ -1,38 +1,64 @@
-// app/command/measuring.h: medians and the frames to measure, for the benchmarks.
+// app/command/measuring.h: scenes, frames and medians for the benchmarks.
 #pragma once
 
 #include <cstddef>
+#include <filesystem>
 #include <functional>
+#include <memory>
+#include <string>
 #include <vector>
 
 #include "sinew/character/character.h"
 #include "sinew/character/pose.h"
+#include "sinew/geometry/result.h"
+#include "sinew/rig/rig.h"
+#include "sinew/surface/smoother.h"
 
 namespace sinew::app {
 
-/// The upper one of an even number; 0 of none.
+/// A character with muscles in one surface mode.
+struct BenchScene {
+  std::string name;
+  std::shared_ptr<const Character> character;
+  Rig rig;
+};
+
+/// Opens a rig or a character; without muscles it gets 12 by rule. Its name is "fox" for fox.glb and fox.rig.json.
+/// Error: as openDocument.
+[[nodiscard]] Result<BenchScene> openScene(const std::filesystem::path& file);
+
+/// Depth of single figures: the highest of the paper's second table.
+inline constexpr int kBenchDepth = 5;
+
+/// The scene's rig at a depth.
+[[nodiscard]] Rig rigAt(const BenchScene& scene, int depth);
+
+/// Error: the rig is refused.
+[[nodiscard]] Result<Smoother> preparedSmoother(const BenchScene& scene, const Rig& rig,
+                                                ProjectionKind projection = ProjectionKind::kNewton);
+
+/// The upper one of an even number; 0 for none.
 [[nodiscard]] double median(std::vector<double> values);
 
-/// Median of above[i] / below[i], of those with below[i] > 0; 0 of none. Both of one length.
+/// Median of above[i] / below[i] where below[i] > 0; 0 for none. Both have the same length.
 [[nodiscard]] double medianRatio(const std::vector<double>& above, const std::vector<double>& below);
 
-/// p of y = c x^p, by least squares of the logarithms. Only places where both are > 0 count; 0 of fewer than two
-/// different x. Both of one length.
+/// p of y = c x^p, by least squares of the logarithms where both are > 0; 0 for fewer than two different x. Both have
+/// the same length.
 [[nodiscard]] double exponent(const std::vector<double>& x, const std::vector<double>& y);
 
-/// Runs every variant once a round, each round beginning with the next one, so that a slow moment of the machine and
-/// what one leaves in the caches meet all alike. Round 0 warms up and is not to be counted; rounds 1..rounds follow.
+/// Runs every variant once a round, each round beginning with the next one, so that slow moments of the machine and
+/// warm caches affect all alike. Round 0 warms up and must not be counted; rounds 1..rounds follow.
 /// @param run  (variant, round)
 void inTurn(std::size_t variants, int rounds, const std::function<void(std::size_t, int)>& run);
 
-/// `count` moments of the first clip, `step` seconds apart from its start, round and round; the bind pose that often
-/// where there is none.
+/// `count` moments of the first clip, looped, `step` seconds apart; copies of the bind pose without a clip.
 [[nodiscard]] std::vector<Pose> steadyFrames(const Character& character, int count, double step);
 
-/// As many moments, each far from the one before: the clip's halves in turn.
+/// Moments that are far from each other: the clip's halves in turn.
 [[nodiscard]] std::vector<Pose> cutFrames(const Character& character, int count);
 
-/// Spread evenly over the first clip; the bind pose alone where there is none.
+/// Moments spread evenly over the first clip; the bind pose alone without a clip.
 [[nodiscard]] std::vector<Pose> spreadFrames(const Character& character, int count);
 
 }  // namespace sinew::app

@@ -1,4 +1,4 @@
-// app/command/muscle.cpp: a rig with a set of muscles for a character, in one command.
+// app/command/muscle.cpp: `sinew muscle`: gives a character a set of muscles.
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -34,12 +34,8 @@ struct MuscleOptions {
 };
 
 void addMuscleOptions(CLI::App& verb, MuscleOptions& options) {
-  const auto to = [](std::filesystem::path& path) { return [&path](const std::string& text) { path = text; }; };
-  verb.add_option_function<std::string>("FILE", to(options.file), "Character (.glb, .gltf, .vrm) or rig (.rig.json)")
-      ->required();
-  verb.add_option_function<std::string>("-o,--output", to(options.output), "Rig to write (.rig.json)")
-      ->type_name("OUT.rig.json")
-      ->required();
+  addPath(verb, "FILE", options.file, "Character (.glb, .gltf, .vrm) or rig (.rig.json)")->required();
+  addPath(verb, "-o,--output", options.output, "Rig to write (.rig.json)")->type_name("OUT.rig.json")->required();
   verb.add_option("--set", options.set,
                   "Set of muscles: athlete, animal, one of your own, or a file (.json); without it, the one for this "
                   "kind of body")
@@ -50,9 +46,7 @@ void addMuscleOptions(CLI::App& verb, MuscleOptions& options) {
   verb.add_option("--definition", options.definition, "How far muscles stand out, 0 to 1 (the set's)")
       ->type_name("D")
       ->check(CLI::Range(0.0f, 1.0f));
-  verb.add_option_function<std::string>("--report", to(options.report),
-                                        "Muscles, and what was left out and why, as JSON")
-      ->type_name("FILE.json");
+  addPath(verb, "--report", options.report, "Muscles, and what was left out and why, as JSON")->type_name("FILE.json");
 }
 
 Result<Preset> presetOf(const MuscleOptions& options, BodyKind kind) {
@@ -68,20 +62,18 @@ Result<Preset> presetOf(const MuscleOptions& options, BodyKind kind) {
 
 std::string reportText(const AddedSet& added, const Preset& preset, const BodySlots& slots, double seconds) {
   const FittedPreset& fitted = added.fitted;
-  Json muscles = Json::array();
-  for (const std::string& name : fitted.muscles) muscles.push(name);
-  Json leftOut = Json::array();
-  for (const auto& [name, why] : fitted.leftOut) leftOut.push(Json::object().set("muscle", name).set("why", why));
+  const auto leftOut = jsonList(fitted.leftOut, [](const auto& left) {
+    const auto& [name, why] = left;
+    return Json::object().set("muscle", name).set("why", why);
+  });
   Json missing = Json::array();
   for (const BodySlot slot : allBodySlots()) {
     if (slots[slot].bone < 0) missing.push(nameOf(slot));
   }
-  Json mended = Json::array();
-  for (const std::string& line : added.mended) mended.push(line);
   Json json = Json::object();
-  json.set("set", preset.name).set("body", nameOf(slots.kind)).set("muscles", std::move(muscles));
-  json.set("primitives", static_cast<int>(fitted.rig.primitives.size())).set("left_out", std::move(leftOut));
-  json.set("mended", std::move(mended)).set("missing_parts", std::move(missing)).set("seconds", seconds);
+  json.set("set", preset.name).set("body", nameOf(slots.kind)).set("muscles", jsonList(fitted.muscles));
+  json.set("primitives", static_cast<int>(fitted.rig.primitives.size())).set("left_out", leftOut);
+  json.set("mended", jsonList(added.mended)).set("missing_parts", std::move(missing)).set("seconds", seconds);
   return json.dump(true) + '\n';
 }
 

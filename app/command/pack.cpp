@@ -1,4 +1,4 @@
-// app/command/pack.cpp: a character with its rig as one file that a game loads.
+// app/command/pack.cpp: `sinew pack`: a character with its rig as one file for games.
 #include <filesystem>
 #include <string>
 #include <string_view>
@@ -11,7 +11,6 @@
 #include "app/document/document.h"
 #include "core/files/disk/atomic_file.h"
 #include "core/geometry/nearest_name.h"
-#include "core/rig/attachment.h"
 #include "sinew/runtime/game_file.h"
 
 namespace sinew::app {
@@ -24,23 +23,14 @@ struct PackOptions {
 };
 
 void addPackOptions(CLI::App& verb, PackOptions& options) {
-  const auto to = [](std::filesystem::path& path) { return [&path](const std::string& text) { path = text; }; };
-  verb.add_option_function<std::string>("FILE", to(options.file), "Rig (.rig.json) or character (.glb, .gltf, .vrm)")
-      ->required();
-  verb.add_option_function<std::string>("-o,--output", to(options.output), "File to write (.sinew)")
-      ->type_name("OUT.sinew")
-      ->required();
+  addPath(verb, "FILE", options.file, "Rig (.rig.json) or character (.glb, .gltf, .vrm)")->required();
+  addPath(verb, "-o,--output", options.output, "File to write (.sinew)")->type_name("OUT.sinew")->required();
   addDetailOptions(verb, options.detail);
 }
 
-/// As a game will read it: what a file cannot hold is found here.
+/// Reads the bytes again, as a game will, to find what a file cannot hold.
 Result<std::vector<std::byte>> packed(const Document& document, const Rig& rig, const std::filesystem::path& file) {
-  const auto missing = missingBones(rig, document.character->skeleton);
-  if (!missing.empty()) {
-    Error refusal = refusalOf(missing.front(), document.character->skeleton);
-    refusal.file = file.string();
-    return refusal;
-  }
+  if (auto attached = checkBones(rig, document.character->skeleton, file); !attached) return attached.error();
   std::vector<std::byte> bytes = gameFile(*document.character, rig);
   if (const auto read = readGameFile(bytes); !read) {
     return Error{file.string(), read.error().place, read.error().reason};

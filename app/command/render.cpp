@@ -1,4 +1,5 @@
-// app/command/render.cpp: open, frame all moments at once, then pose, smooth, draw and write each.
+// app/command/render.cpp: `sinew render`: opens, frames all moments together, then poses, smooths, draws and writes
+// each.
 
 #include <cstdio>
 #include <filesystem>
@@ -10,10 +11,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include "app/command/clip_frames.h"
 #include "app/command/console.h"
-#include "app/command/contact_sheet.h"
-#include "app/command/render_input.h"
 #include "app/command/render_plan.h"
 #include "app/command/surface_options.h"
 #include "app/command/verb.h"
@@ -35,18 +33,34 @@
 namespace sinew::app {
 namespace {
 
-// .png files, written beside the drawing of the next one.
-// A thread for the picture that is written.
-
-/// One at a time, in order.
+/// Writes .png files on a thread while the next picture is drawn: one at a time, in order.
 class PictureWriter {
  public:
-  /// First finishes the picture before. @return its failure, if it failed.
-  Result<void> write(const std::filesystem::path& file, Image image);
-  /// Waits for the last picture, and names its file among the verb's results.
-  Result<void> finish();
+  /// First finishes the previous picture. Error: that of the previous picture.
+  Result<void> write(const std::filesystem::path& file, Image image) {
+    if (const Result<void> before = finish(); !before) return before;
+    file_ = file;
+    writing_ = std::async(std::launch::async, [file, image = std::move(image)]() -> Written {
+      Stopwatch watch;
+      const Result<std::string> bytes = pngBytes(image);
+      if (!bytes) return {Error{file.string(), bytes.error().place, bytes.error().reason}, 0.0};
+      Result<void> done = writeFileAtomically(file, bytes.value());
+      return {std::move(done), watch.lap()};
+    });
+    return {};
+  }
+
+  /// Waits for the last picture and prints its name.
+  Result<void> finish() {
+    if (!writing_.valid()) return {};
+    Written written = writing_.get();
+    seconds_ += written.seconds;
+    if (written.result) status_ = putResult(file_.string() + '\n');
+    return std::move(written.result);
+  }
+
   [[nodiscard]] double seconds() const { return seconds_; }
-  /// kDone, or what became of the standard output.
+  /// kDone, or the status of printing.
   [[nodiscard]] int status() const { return status_; }
 
  private:
@@ -60,30 +74,6 @@ class PictureWriter {
   int status_ = kDone;
 };
 
-Result<void> PictureWriter::write(const std::filesystem::path& file, Image image) {
-  if (const Result<void> before = finish(); !before) return before;
-  file_ = file;
-  writing_ = std::async(std::launch::async, [file, image = std::move(image)]() -> Written {
-    Stopwatch watch;
-    const Result<std::string> bytes = pngBytes(image);
-    if (!bytes) return {Error{file.string(), bytes.error().place, bytes.error().reason}, 0.0};
-    Result<void> done = writeFileAtomically(file, bytes.value());
-    return {std::move(done), watch.lap()};
-  });
-  return {};
-}
-
-Result<void> PictureWriter::finish() {
-  if (!writing_.valid()) return {};
-  Written written = writing_.get();
-  seconds_ += written.seconds;
-  if (written.result) status_ = putResult(file_.string() + '\n');
-  return std::move(written.result);
-}
-
-// The segments that `replace` searches, as lines to draw (paper Fig. 5).
-// Anchors of the control vertices, found in the bind pose, carried by their bones.
-
 std::vector<bool> cornersOfImplicitTriangles(const ControlMesh& mesh, const Surface& surface) {
   std::vector<bool> held(mesh.positions.size(), false);
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
@@ -93,8 +83,8 @@ std::vector<bool> cornersOfImplicitTriangles(const ControlMesh& mesh, const Surf
   return held;
 }
 
-/// From each control vertex that the muscles hold (a corner of an implicit triangle, by `surface.classes`) to its
-/// anchor, both in the pose; kFound where the smoothed surface lies off the control vertex, else kLost. World space.
+/// The segments that `replace` searches (Fig. 5 of the paper), in world space: from each corner of an implicit triangle
+/// to its anchor, both in the pose; kFound if the smoothed surface lies off the control vertex, else kLost.
 std::vector<SceneSegment> anchorSegments(const Character& character, const Pose& pose,
                                          std::span<const float> morphWeights, const Surface& surface) {
   SkinnedMesh skinned;
@@ -130,7 +120,7 @@ class Drawing {
   }
 
   Image draw(const Moment& moment);
-  /// The surface is to be computed on the graphics card, as long as that can.
+  /// Computes the surface on the graphics card as long as it can.
   void drawFromCard(std::unique_ptr<DrawnOnCard> card) { card_ = std::move(card); }
 
   RenderSeconds seconds;
@@ -146,7 +136,7 @@ class Drawing {
   Viewport& viewport_;
   std::vector<SkinLayer> layers_;  ///< Scene::layers.
   std::unique_ptr<DrawnOnCard> card_;
-  Surface surface_;  ///< The processor's.
+  Surface surface_;  ///< From the processor.
 };
 
 void tellLeft(const std::string& reason) { message("the surface is computed by the processor: " + reason); }
@@ -243,8 +233,7 @@ void addLook(CLI::App& verb, RenderOptions& options) {
 }
 
 void addRenderOptions(CLI::App& verb, RenderOptions& options) {
-  const auto to = [](std::filesystem::path& path) { return [&path](const std::string& text) { path = text; }; };
-  verb.add_option_function<std::string>("FILE", to(options.input), "Rig (.rig.json) or character (.glb, .gltf, .vrm)");
+  addPath(verb, "FILE", options.input, "Rig (.rig.json) or character (.glb, .gltf, .vrm)");
   addClipsOption(verb, options.clips);
   verb.add_option("--clip", options.clip,
                   "Pose from this clip, or \"Range of motion\", made from the joints; "
@@ -263,8 +252,7 @@ void addRenderOptions(CLI::App& verb, RenderOptions& options) {
       ->type_name("CxR");
   addLook(verb, options);
   addSurfaceOptions(verb, options.surfaceOptions);
-  verb.add_option_function<std::string>(
-          "-o,--output", to(options.output),
+  addPath(verb, "-o,--output", options.output,
           "Picture to write: OUT.png, OUT_%04d.png with --frames or --turntable, or all of them as one moving "
           "picture, OUT.webp, or OUT.gif or OUT.mp4 where ffmpeg is installed")
       ->type_name("OUT")
@@ -272,7 +260,7 @@ void addRenderOptions(CLI::App& verb, RenderOptions& options) {
   addBatchOptions(verb, options.batch);
 }
 
-/// Every picture in a file of its own.
+/// One file per picture.
 int writePictures(const OpenedInput& opened, const BatchInput& input, Drawing& drawing, BatchProgress& progress) {
   PictureWriter writer;
   std::size_t made = 0;
@@ -320,7 +308,7 @@ int writeSheet(const OpenedInput& opened, const RenderPlan& plan, const std::fil
   return writer.status();
 }
 
-/// What is wanted of one input.
+/// Makes the wanted pictures of one input.
 int renderInput(const RenderOptions& options, const RenderPlan& plan, const BatchInput& input,
                 BatchProgress& progress) {
   const auto opened = openToRender(options, plan, input);

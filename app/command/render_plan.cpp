@@ -1,19 +1,60 @@
-// app/command/render_plan.cpp: words of the command line become numbers.
+// app/command/render_plan.cpp: parses the options, opens inputs, frames all moments.
+
 #include "app/command/render_plan.h"
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <charconv>
 #include <cmath>
+#include <cstdio>
 #include <numbers>
-#include <optional>
+#include <span>
 #include <string_view>
 
+#include <glm/gtc/matrix_transform.hpp>
+
+#include "app/command/console.h"
+#include "app/document/auto_depth.h"
+#include "app/document/document.h"
+#include "app/viewport/render/framing.h"
+#include "app/viewport/render/picking.h"
 #include "app/viewport/render/picture_files.h"
 #include "app/viewport/render/scene.h"
+#include "core/character/bone_segments.h"
+#include "core/character/skinning.h"
 #include "core/geometry/nearest_name.h"
+#include "core/rig/motion_clip.h"
 
 namespace sinew::app {
+
+Image contactSheet(const std::vector<Image>& pictures, const glm::ivec2& cells) {
+  assert(!pictures.empty() && pictures.size() <= static_cast<std::size_t>(cells.x * cells.y));
+  const int width = pictures.front().width;
+  const int height = pictures.front().height;
+  Image sheet{width * cells.x, height * cells.y, {}};
+  const auto rowBytes = 4 * static_cast<std::ptrdiff_t>(width);
+  const std::ptrdiff_t sheetRow = rowBytes * cells.x;
+  sheet.rgba.assign(static_cast<std::size_t>(sheetRow) * static_cast<std::size_t>(sheet.height), 0);
+  for (std::size_t i = 0; i < pictures.size(); ++i) {
+    const int column = static_cast<int>(i) % cells.x;
+    const int row = static_cast<int>(i) / cells.x;
+    for (int y = 0; y < height; ++y) {
+      std::copy_n(pictures[i].rgba.begin() + y * rowBytes, rowBytes,
+                  sheet.rgba.begin() + (row * height + y) * sheetRow + column * rowBytes);
+    }
+  }
+  return sheet;
+}
+
+std::vector<std::size_t> evenly(std::size_t count, std::size_t most) {
+  std::vector<std::size_t> chosen;
+  const std::size_t shown = std::min(count, most);
+  for (std::size_t i = 0; i < shown; ++i)
+    chosen.push_back(shown == 1 ? 0 : (i * (count - 1) + (shown - 1) / 2) / (shown - 1));
+  return chosen;
+}
+
 namespace {
 
 constexpr int kSmallestPicture = 16;
@@ -125,7 +166,6 @@ Result<void> readDisplay(const RenderOptions& options, RenderPlan& plan) {
   return {};
 }
 
-/// Where the surface is computed.
 Result<void> readPlace(const RenderOptions& options, RenderPlan& plan) {
   plan.onCard = options.on == "gpu";
   if (!plan.onCard) return {};
@@ -151,7 +191,7 @@ Result<void> readSheet(const std::string& text, RenderPlan& plan) {
   return {};
 }
 
-/// What the ending of the output, --sheet, --turntable and --frames make together.
+/// Combines the ending of the output, --sheet, --turntable and --frames.
 Result<void> readForm(const RenderOptions& options, RenderPlan& plan) {
   plan.isMovie = isMovieName(options.output);
   if (!plan.isMovie && lowerEnding(options.output) != ".png") {
@@ -207,6 +247,140 @@ Result<RenderPlan> planRender(const RenderOptions& options) {
   if (const auto read = readForm(options, plan); !read) return read.error();
   if (const auto read = readMoments(options, plan); !read) return read.error();
   return plan;
+}
+
+// Inputs, moments and views.
+
+namespace {
+
+constexpr int kFramedTurns = 24;  ///< Sides that a turntable is framed from.
+
+/// Points that enclose what one moment shows: skin, ellipsoids, and bones if they are drawn.
+void addFramedPoints(const OpenedInput& input, const PosedRig& posed, const Pose& pose, const DisplaySettings& display,
+                     std::vector<glm::vec3>& points) {
+  SkinnedMesh skinned;
+  skin(*input.character, pose, posed.morphWeights, skinned);
+  const std::vector<glm::vec3> extremes = extremePoints(skinned.positions);
+  points.insert(points.end(), extremes.begin(), extremes.end());
+  for (const PrimitiveShape& shape : shapesOf(input.rig, posed)) {
+    if (shape.sign < 0 && !display.primitives && !display.influence && !display.anatomy) continue;
+    const std::array<glm::vec3, 6> ends = extremesOf(shape, display.influence ? shape.reach : 1.0f);
+    points.insert(points.end(), ends.begin(), ends.end());
+  }
+  if (!display.skeleton) return;
+  for (const BoneSegment& segment : boneSegments(input.character->skeleton, pose)) {
+    points.push_back(segment.head);
+    points.push_back(segment.tail);
+  }
+}
+
+/// Without frames: one moment, one per picture of a turntable, or one per cell of a sheet.
+std::vector<Moment> momentsOf(const RenderPlan& plan, const AnimationClip* clip) {
+  std::vector<Moment> moments;
+  for (const double time : plan.times) moments.push_back({time, 0.0f});
+  if (plan.spreads && clip != nullptr) {
+    const int cells = plan.sheet.x * plan.sheet.y;
+    moments.clear();
+    for (int i = 0; i < cells; ++i) {
+      moments.push_back({static_cast<double>(clip->duration) * i / std::max(cells - 1, 1), 0.0f});
+    }
+  }
+  for (std::size_t i = 0; plan.turntable > 0 && i < moments.size(); ++i) {
+    const double turns = static_cast<double>(i) / plan.turntable;
+    moments[i].turn = static_cast<float>(2.0 * std::numbers::pi * (turns - std::floor(turns)));
+  }
+  return moments;
+}
+
+}  // namespace
+
+Result<OpenedInput> openToRender(const RenderOptions& options, const RenderPlan& plan, const BatchInput& input) {
+  auto document = openWithClips(input.file, options.clips);
+  if (!document) return document.error();
+  document.value().character = withClipNamed(document->character, options.clip);
+  auto rig = overridden(document.value(), options.surfaceOptions);
+  if (!rig) return rig.error();
+  OpenedInput opened{document->character, std::move(rig).value(), nullptr, {}, {}, {}};
+  if (auto attached = checkBones(opened.rig, opened.character->skeleton, input.file); !attached) {
+    return attached.error();
+  }
+  if (plan.animated) {
+    const auto named = options.clip.empty() ? std::nullopt : std::optional(options.clip);
+    const auto clip = clipOf(document.value(), named, options.time.value_or(0.0));
+    if (!clip) return clip.error();
+    opened.clip = clip.value();
+  }
+  const auto frames = framesInClip(plan.frames, options.batch, input.wanted, opened.clip, document->characterFile);
+  if (!frames) return frames.error();
+  opened.moments = momentsOf(plan, opened.clip);
+  if (!plan.frames.empty()) opened.moments.resize(frames->count);
+  opened.wanted = plan.isOneFile() ? input.wanted : frames->wanted;
+  opened.left = frames->left;
+  if (plan.sheet.x > 0) {
+    std::vector<Moment> shown;
+    const auto room = static_cast<std::size_t>(plan.sheet.x * plan.sheet.y);
+    for (const std::size_t i : evenly(opened.moments.size(), room)) shown.push_back(opened.moments[i]);
+    opened.moments = std::move(shown);
+  }
+  return opened;
+}
+
+View SteadyView::at(const Moment& moment) const {
+  if (moment.turn == 0.0f) return view;
+  const glm::vec3 up(0.0f, 1.0f, 0.0f);
+  const auto turned = [&](float angle) {
+    const glm::mat4 there = glm::translate(glm::mat4(1.0f), center);
+    return there * glm::rotate(glm::mat4(1.0f), angle, up) * glm::translate(glm::mat4(1.0f), -center);
+  };
+  View result = view;
+  result.viewFromWorld = view.viewFromWorld * turned(-moment.turn);
+  result.eyeInWorld = glm::vec3(turned(moment.turn) * glm::vec4(view.eyeInWorld, 1.0f));
+  return result;
+}
+
+SteadyView steadyView(const OpenedInput& input, const RenderOptions& options, const RenderPlan& plan) {
+  const RigPoser poser(input.rig, *input.character);
+  std::vector<glm::vec3> points;
+  std::optional<double> last;
+  for (const Moment& moment : input.moments) {
+    if (last == moment.time) continue;
+    last = moment.time;
+    const Pose pose = poseAt(*input.character, input.clip, moment.time);
+    addFramedPoints(input, poser.pose(pose), pose, plan.display, points);
+  }
+  SteadyView steady;
+  steady.center = boundsOf(points).center();
+  if (plan.turntable > 0) {
+    std::vector<glm::vec3> around;
+    for (int i = 0; i < kFramedTurns; ++i) {
+      const float angle = 2.0f * std::numbers::pi_v<float> * static_cast<float>(i) / kFramedTurns;
+      const glm::mat3 turn(glm::rotate(glm::mat4(1.0f), angle, glm::vec3(0.0f, 1.0f, 0.0f)));
+      for (const glm::vec3& point : points) around.push_back(steady.center + turn * (point - steady.center));
+    }
+    points = std::move(around);
+  }
+  steady.view = framedView(points, plan.yaw, plan.pitch, plan.size, options.orthographic);
+  return steady;
+}
+
+Rig settled(const OpenedInput& input, const View& view) {
+  Rig rig = input.rig;
+  if (!rig.smoothing.autoDepth) return rig;
+  const Character& character = *input.character;
+  SkinnedMesh skinned;
+  const Pose pose = poseAt(character, input.clip, input.moments.front().time);
+  skin(character, pose, RigPoser(rig, character).pose(pose).morphWeights, skinned);
+  const float pixels = character.height / view.unitsPerPixelAt(boundsOf(skinned.positions).center());
+  if (rig.smoothing.detail == DetailKind::kAdaptive) {
+    rig.smoothing.tolerance = autoTolerance(pixels, 0.0f);
+    std::array<char, 16> number{};
+    std::snprintf(number.data(), number.size(), "%.2g", static_cast<double>(rig.smoothing.tolerance));
+    message("tolerance " + std::string(number.data()) + " for the character's size in the picture");
+    return rig;
+  }
+  rig.smoothing.depth = autoDepth(meanEdgeFraction(character.mesh, character.height), pixels, 0);
+  message("depth " + std::to_string(rig.smoothing.depth) + " for the character's size in the picture");
+  return rig;
 }
 
 }  // namespace sinew::app

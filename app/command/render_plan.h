@@ -1,7 +1,9 @@
-// app/command/render_plan.h: what a `sinew render` command line asks for, read and checked.
+// app/command/render_plan.h: a `sinew render` command line as numbers; its inputs, moments and view.
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -9,18 +11,31 @@
 #include "app/command/batch.h"
 #include "app/command/surface_options.h"
 #include "app/viewport/render/scene.h"
+#include "app/viewport/render/view.h"
+#include "app/viewport/render/viewport.h"
+#include "core/rig/posed_rig.h"
+#include "sinew/character/animation_clip.h"
+#include "sinew/character/character.h"
+#include "sinew/geometry/geometry.h"
 #include "sinew/geometry/result.h"
 
 namespace sinew::app {
 
+/// Pictures in rows, from left to right and top to bottom; cells without a picture are transparent.
+/// @param cells  columns, rows  @param pictures  1 to as many as cells, all of one size
+[[nodiscard]] Image contactSheet(const std::vector<Image>& pictures, const glm::ivec2& cells);
+
+/// At most `most` of `count` indices, evenly spread, the first and last among them.
+[[nodiscard]] std::vector<std::size_t> evenly(std::size_t count, std::size_t most);
+
 inline constexpr int kMostTurns = 10000;
 
-/// As the command line says it.
+/// As given on the command line.
 struct RenderOptions {
   std::filesystem::path input;
   std::filesystem::path output;    ///< .png, or isMovieName(); its fields as planBatch.
   std::vector<std::string> clips;  ///< Files whose clips are added.
-  std::string clip;                ///< Name; empty: the first if a time or frames are given, else the bind pose.
+  std::string clip;                ///< Empty: the first if a time or frames are given, else the bind pose.
   std::optional<double> time;      ///< Seconds.
   BatchOptions batch;
   int turntable = 0;                   ///< Pictures once around; 0: none.
@@ -32,7 +47,7 @@ struct RenderOptions {
   float glass = DisplaySettings{}.glass;
   bool cull = false;
   std::string on = "processor";  ///< Where the surface is computed: "processor" or "gpu".
-  bool surface = true;           ///< Off: what is shown of muscles, bones and control mesh alone.
+  bool surface = true;           ///< Off: only muscles, bones and control mesh.
   bool ground = true;
   bool transparent = false;
   std::string light = "studio";
@@ -45,30 +60,61 @@ struct RenderOptions {
 
 struct RenderPlan {
   Batch batch;
-  std::vector<int> frames;    ///< [moments] of the clip; empty: the moments are no frames.
-  std::vector<double> times;  ///< [moments] seconds into the clip, of every input.
-  int turntable = 0;          ///< Pictures once around; 0: the eye stays.
+  std::vector<int> frames;    ///< [moments] of the clip; empty: moments without frame numbers.
+  std::vector<double> times;  ///< [moments] seconds into the clip.
+  int turntable = 0;          ///< Pictures once around; 0: a fixed eye.
   glm::ivec2 sheet{0};        ///< Columns and rows of a contact sheet; 0: none.
   bool spreads = false;       ///< The sheet's moments are spread over the clip.
   bool isMovie = false;
-  double picturesPerSecond = 30.0;  ///< Of a movie.
-  bool animated = false;            ///< A clip is wanted; else the bind pose.
+  double picturesPerSecond = 30.0;  ///< For a movie.
+  bool animated = false;            ///< Plays a clip; else the bind pose.
   float yaw = 0.0f;                 ///< Radians, as framing.h counts them.
   float pitch = 0.0f;
   glm::ivec2 size{1280, 800};
   int samples = 4;
   DisplaySettings display;
-  bool onCard = false;   ///< The surface is computed on the graphics card, where that can.
-  bool anchors = false;  ///< The segments from the control vertices to the skeleton.
+  bool onCard = false;   ///< Compute the surface on the graphics card if it can.
+  bool anchors = false;  ///< Draw segments from the control vertices to the skeleton.
 
-  /// Ambient occlusion without noise is the mean of many drawings, which smooth the edges as well. Of muscles one
-  /// drawing does unless more is asked for.
+  /// Whether a picture is the mean of many drawings: for ambient occlusion without noise, and for muscles with more
+  /// than 4 samples.
   [[nodiscard]] bool isMean() const { return display.look.occlusion || (display.anatomy && samples > 4); }
   /// All pictures of an input are in one file.
   [[nodiscard]] bool isOneFile() const { return isMovie || sheet.x > 0; }
 };
 
-/// Error: place is the option, reason what was expected of it.
+/// Error: place is the option.
 [[nodiscard]] Result<RenderPlan> planRender(const RenderOptions& options);
+
+/// A picture of the job.
+struct Moment {
+  double time = 0.0;  ///< Seconds into the clip.
+  float turn = 0.0f;  ///< Radians of the eye around the character.
+};
+
+/// An input, ready to draw.
+struct OpenedInput {
+  std::shared_ptr<const Character> character;
+  Rig rig;
+  const AnimationClip* clip = nullptr;  ///< Null: the bind pose.
+  std::vector<Moment> moments;          ///< All moments that the clip holds, in order.
+  std::vector<std::size_t> wanted;      ///< Those to make now.
+  std::string left;                     ///< As ClipFrames::left.
+};
+
+[[nodiscard]] Result<OpenedInput> openToRender(const RenderOptions& options, const RenderPlan& plan,
+                                               const BatchInput& input);
+
+/// One view for all moments, so that a clip's pictures do not shake. A moment turns it about the character.
+struct SteadyView {
+  View view;
+  glm::vec3 center{0.0f};  ///< On the vertical axis.
+
+  [[nodiscard]] View at(const Moment& moment) const;
+};
+[[nodiscard]] SteadyView steadyView(const OpenedInput& input, const RenderOptions& options, const RenderPlan& plan);
+
+/// The rig with one detail for all pictures where it follows the size on screen; reports it.
+[[nodiscard]] Rig settled(const OpenedInput& input, const View& view);
 
 }  // namespace sinew::app

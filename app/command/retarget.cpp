@@ -1,4 +1,4 @@
-// app/command/retarget.cpp: the muscles of a rig on another character.
+// app/command/retarget.cpp: `sinew retarget`: the muscles of a rig on another character.
 #include <filesystem>
 #include <string>
 
@@ -24,26 +24,20 @@ struct RetargetOptions {
 };
 
 void addRetargetOptions(CLI::App& verb, RetargetOptions& options) {
-  const auto to = [](std::filesystem::path& path) { return [&path](const std::string& text) { path = text; }; };
-  verb.add_option_function<std::string>("RIG", to(options.rig), "Rig whose muscles are wanted (.rig.json)")->required();
-  verb.add_option_function<std::string>("CHARACTER", to(options.character),
-                                        "Character that gets them (.glb, .gltf, .vrm)")
-      ->required();
-  verb.add_option_function<std::string>("-o,--output", to(options.output), "Rig to write (.rig.json)")
-      ->type_name("OUT.rig.json")
-      ->required();
-  verb.add_option_function<std::string>("--report", to(options.report), "What was left out and why, as JSON")
-      ->type_name("FILE.json");
+  addPath(verb, "RIG", options.rig, "Rig whose muscles are wanted (.rig.json)")->required();
+  addPath(verb, "CHARACTER", options.character, "Character that gets them (.glb, .gltf, .vrm)")->required();
+  addPath(verb, "-o,--output", options.output, "Rig to write (.rig.json)")->type_name("OUT.rig.json")->required();
+  addPath(verb, "--report", options.report, "What was left out and why, as JSON")->type_name("FILE.json");
 }
 
 std::string reportText(const Retargeted& done, double seconds) {
-  Json leftOut = Json::array();
-  for (const auto& [name, why] : done.leftOut) leftOut.push(Json::object().set("muscle", name).set("why", why));
-  Json mended = Json::array();
-  for (const std::string& line : done.mended) mended.push(line);
   Json json = Json::object();
-  json.set("primitives", static_cast<int>(done.rig.primitives.size())).set("left_out", std::move(leftOut));
-  json.set("mended", std::move(mended)).set("seconds", seconds);
+  json.set("primitives", static_cast<int>(done.rig.primitives.size()));
+  json.set("left_out", jsonList(done.leftOut, [](const auto& left) {
+             const auto& [name, why] = left;
+             return Json::object().set("muscle", name).set("why", why);
+           }));
+  json.set("mended", jsonList(done.mended)).set("seconds", seconds);
   return json.dump(true) + '\n';
 }
 

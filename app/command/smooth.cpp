@@ -1,4 +1,4 @@
-// app/command/smooth.cpp: open, override, pose, smooth, export, report.
+// app/command/smooth.cpp: `sinew smooth`: opens, overrides, poses, smooths, exports and reports.
 #include <cmath>
 #include <filesystem>
 #include <optional>
@@ -9,14 +9,12 @@
 #include <CLI/CLI.hpp>
 
 #include "app/command/batch.h"
-#include "app/command/clip_frames.h"
 #include "app/command/console.h"
 #include "app/command/surface_options.h"
 #include "app/command/verb.h"
 #include "app/document/document.h"
 #include "core/files/disk/atomic_file.h"
 #include "core/files/json/json.h"
-#include "core/rig/attachment.h"
 #include "core/rig/motion_clip.h"
 #include "sinew/character/pose_check.h"
 #include "sinew/files/surface_export.h"
@@ -62,7 +60,7 @@ std::string isTime(const std::string& text) {
     const double seconds = std::stod(text, &used);
     if (used == text.size() && std::isfinite(seconds) && seconds >= 0.0) return {};
   } catch (const std::exception&) {
-    // Falls through: what is no number is no time.
+    // Not a number.
   }
   return "expected seconds >= 0, got \"" + text + '"';
 }
@@ -73,8 +71,7 @@ std::string isOutput(const std::string& text) {
 }
 
 void addSmoothOptions(CLI::App& verb, SmoothOptions& options) {
-  const auto to = [](std::filesystem::path& path) { return [&path](const std::string& text) { path = text; }; };
-  verb.add_option_function<std::string>("FILE", to(options.file), "Rig (.rig.json) or character (.glb, .gltf, .vrm)");
+  addPath(verb, "FILE", options.file, "Rig (.rig.json) or character (.glb, .gltf, .vrm)");
   CLI::Option* clip =
       verb.add_option("--clip", options.clip,
                       "Pose from this clip, or \"Range of motion\", made from the joints; without it, the bind pose");
@@ -88,17 +85,16 @@ void addSmoothOptions(CLI::App& verb, SmoothOptions& options) {
           "How roots are found: newton, or to compare, by the slow reference, the paper's bisection or analytic")
       ->type_name("P")
       ->check(CLI::IsMember({"newton", "bisection", "analytic"}));
-  verb.add_option_function<std::string>("-o,--output", to(options.output), "Surface to write: " + exportNameEndings())
+  addPath(verb, "-o,--output", options.output, "Surface to write: " + exportNameEndings())
       ->type_name("OUT")
       ->required()
       ->check(isOutput);
-  verb.add_option_function<std::string>("--report", to(options.report),
-                                        "Counts, class sizes, residuals and seconds as JSON")
+  addPath(verb, "--report", options.report, "Counts, class sizes, residuals and seconds as JSON")
       ->type_name("FILE.json");
   addBatchOptions(verb, options.batch);
 }
 
-/// The report first: a surface that is there has its report.
+/// Writes the report first, so that every surface has one.
 Result<void> writeSurface(const Surface& surface, const Character& character, const std::filesystem::path& output,
                           const std::filesystem::path& report) {
   if (!report.empty()) {
@@ -127,7 +123,7 @@ Result<SmoothJob> planSmooth(const SmoothOptions& options) {
   return job;
 }
 
-/// An input as it is to be smoothed.
+/// An input, ready to smooth.
 struct OpenedInput {
   std::shared_ptr<const Character> character;
   Rig rig;
@@ -142,10 +138,8 @@ Result<OpenedInput> open(const SmoothOptions& options, const SmoothJob& job, con
   auto rig = overridden(document.value(), options.surface);
   if (!rig) return rig.error();
   OpenedInput opened{document->character, std::move(rig).value(), nullptr, {}};
-  const Skeleton& skeleton = opened.character->skeleton;
-  if (const auto missing = missingBones(opened.rig, skeleton); !missing.empty()) {
-    const Error refusal = refusalOf(missing.front(), skeleton);
-    return Error{input.file.string(), refusal.place, refusal.reason};
+  if (auto attached = checkBones(opened.rig, opened.character->skeleton, input.file); !attached) {
+    return attached.error();
   }
   if (options.clip) {
     const auto clip = clipOf(document.value(), options.clip, options.time.value_or(0.0));
@@ -158,7 +152,7 @@ Result<OpenedInput> open(const SmoothOptions& options, const SmoothJob& job, con
   return opened;
 }
 
-/// What is wanted of one input.
+/// Makes the wanted moments of one input.
 int smoothInput(const SmoothOptions& options, const SmoothJob& job, const BatchInput& input, BatchProgress& progress) {
   std::vector<std::filesystem::path> reports(input.outputs.size());
   if (!options.report.empty()) {

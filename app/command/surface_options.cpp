@@ -1,8 +1,11 @@
-// app/command/surface_options.cpp: how the surface is made, and the clip it moves by.
+// app/command/surface_options.cpp: the options, and what they make of a document.
 #include "app/command/surface_options.h"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
+#include <cmath>
+#include <cstdio>
 
 #include <CLI/CLI.hpp>
 
@@ -10,6 +13,7 @@
 #include "core/character/clip_names.h"
 #include "core/character/range_of_motion.h"
 #include "core/geometry/nearest_name.h"
+#include "core/rig/attachment.h"
 #include "core/rig/morphs.h"
 #include "sinew/character/character_pose.h"
 
@@ -17,7 +21,7 @@ namespace sinew::app {
 namespace {
 
 constexpr std::size_t kNamesListed = 12;
-constexpr double kPastEnd = 1e-4;  ///< Seconds: less is rounding.
+constexpr double kPastEnd = 1e-4;  ///< Seconds; less is rounding.
 
 /// @param expected  the range in words
 std::string isWithin(const std::string& text, float least, float most, const char* expected) {
@@ -34,7 +38,7 @@ std::string isTolerance(const std::string& text) {
   return isWithin(text, kLeastTolerance, kMostTolerance, "a number from 0.0001 to 0.01");
 }
 
-/// Names may have "=" in them: the last one counts.
+/// A name may contain "=": the last one counts.
 std::string isShape(const std::string& text) {
   const std::size_t equals = text.rfind('=');
   if (equals == std::string::npos || equals == 0) return "expected NAME=WEIGHT, got \"" + text + '"';
@@ -64,12 +68,25 @@ Result<Rig> withShape(Rig rig, const std::string& shape, const Document& documen
   return setMorphWeight(std::move(rig), name, weight);
 }
 
+constexpr double kSameFrame = 1e-3;  ///< Fraction of a frame; less is rounding.
+
+std::string numberText(double number) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.6g", number);
+  return text.data();
+}
+
+std::string endText(const AnimationClip& clip, double framesPerSecond, int last) {
+  return "ends at frame " + std::to_string(last) + " (" + numberText(static_cast<double>(clip.duration)) + " s at " +
+         numberText(framesPerSecond) + " a second)";
+}
+
 }  // namespace
 
 void addDetailOptions(CLI::App& verb, DetailOverride& detail) {
   verb.add_option(
           "--depth", detail.depth,
-          "Every triangle becomes N x N, in place of the rig's detail, also of one that follows the size on screen")
+          "Every triangle becomes N x N, in place of the rig's detail, even detail that follows the size on screen")
       ->type_name("N")
       ->check(CLI::Range(1, kMaxDepth));
   verb.add_option_function<std::string>(
@@ -113,7 +130,7 @@ void addSurfaceOptions(CLI::App& verb, SurfaceOptions& options) {
       ->type_name("DEGREES")
       ->check(isAngle);
   verb.add_option("--shape", options.shapes,
-                  "What the rig adds to a shape (morph target) in place of its own, -10 to 10; once for each")
+                  "Weight of a shape (morph target) in place of the rig's, -10 to 10; once for each")
       ->type_name("NAME=W")
       ->allow_extra_args(false)
       ->check(isShape);
@@ -133,6 +150,13 @@ Result<Rig> overridden(const Document& document, const SurfaceOptions& options) 
   return rig;
 }
 
+Result<void> checkBones(const Rig& rig, const Skeleton& skeleton, const std::filesystem::path& file) {
+  const auto missing = missingBones(rig, skeleton);
+  if (missing.empty()) return {};
+  const Error refusal = refusalOf(missing.front(), skeleton);
+  return Error{file.string(), refusal.place, refusal.reason};
+}
+
 Result<const AnimationClip*> clipOf(const Document& document, const std::optional<std::string>& name, double lastTime) {
   const Character& character = *document.character;
   const std::string file = document.characterFile.string();
@@ -150,6 +174,27 @@ Result<const AnimationClip*> clipOf(const Document& document, const std::optiona
 
 Pose poseAt(const Character& character, const AnimationClip* clip, double seconds) {
   return clip == nullptr ? bindPose(character.skeleton) : samplePose(character, *clip, static_cast<float>(seconds));
+}
+
+Result<ClipFrames> framesInClip(const std::vector<int>& frames, const BatchOptions& options,
+                                const std::vector<std::size_t>& wanted, const AnimationClip* clip,
+                                const std::filesystem::path& file) {
+  ClipFrames inside{std::max<std::size_t>(frames.size(), 1), wanted, {}};
+  if (clip == nullptr || frames.empty()) return inside;
+  const double end = static_cast<double>(clip->duration) * options.framesPerSecond + kSameFrame;
+  const auto past = std::ranges::upper_bound(frames, end);
+  if (past == frames.end()) return inside;
+  const std::string place = "clip \"" + clip->name + '"';
+  const std::string ends = endText(*clip, options.framesPerSecond, static_cast<int>(std::floor(end)));
+  if (past == frames.begin()) {
+    return Error{file.string(), place, ends + ", before the first of --frames " + options.frames};
+  }
+  inside.count = static_cast<std::size_t>(past - frames.begin());
+  std::erase_if(inside.wanted, [&](std::size_t moment) { return moment >= inside.count; });
+  const std::size_t left = frames.size() - inside.count;
+  inside.left = file.string() + ": " + place + ": " + ends + "; " + std::to_string(left) +
+                (left == 1 ? " frame past it is" : " frames past it are") + " left out";
+  return inside;
 }
 
 }  // namespace sinew::app

@@ -1,13 +1,16 @@
-// app/command/surface_options.h: what `smooth` and `render` have in common: how the surface is made, and the clip it
-// moves by.
+// app/command/surface_options.h: options shared by verbs that make surfaces: detail, mode, clips and frames.
 #pragma once
 
+#include <cstddef>
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "app/command/batch.h"
 #include "app/document/document.h"
 #include "app/document/export_kinds.h"
+#include "sinew/character/animation_clip.h"
 #include "sinew/character/pose.h"
 #include "sinew/geometry/result.h"
 
@@ -17,11 +20,11 @@ class App;
 
 namespace sinew::app {
 
-/// In place of the rig's own, where given.
+/// Overrides of the rig's settings.
 struct SurfaceOptions {
   DetailOverride detail;
   std::optional<float> crease;  ///< Degrees.
-  std::string mode;             ///< Empty: the rig's, as for the next.
+  std::string mode;             ///< Empty: the rig's.
   std::string patch;
   std::vector<std::string> shapes;  ///< "NAME=W"
 };
@@ -32,22 +35,39 @@ void addSurfaceOptions(CLI::App& verb, SurfaceOptions& options);
 /// --clips, once for each file.
 void addClipsOption(CLI::App& verb, std::vector<std::string>& files);
 
-/// openDocument; says what of the clips is left out. Error: also one of these files that cannot be read.
+/// openDocument; reports clips that are left out. Error: also if one of these files cannot be read.
 [[nodiscard]] Result<Document> openWithClips(const std::filesystem::path& file, const std::vector<std::string>& clips);
 
-/// --depth, --detail and --tolerance alone.
+/// --depth, --detail and --tolerance only.
 void addDetailOptions(CLI::App& verb, DetailOverride& detail);
 
-/// The document's rig with what the command line says instead. The words have passed the parser.
-/// Error: no such shape, and those that there are.
+/// The document's rig with the overrides. The words have passed the parser. Error: no such shape; lists those that
+/// exist.
 [[nodiscard]] Result<Rig> overridden(const Document& document, const SurfaceOptions& options);
 
-/// The clip of that name; nullopt: the first. Says so if the last time lies past its end.
-/// Error: no such clip, and those that there are.
+/// Error: the rig uses a bone that the skeleton lacks. @param file  for the error
+[[nodiscard]] Result<void> checkBones(const Rig& rig, const Skeleton& skeleton, const std::filesystem::path& file);
+
+/// The clip of that name; nullopt: the first. Reports a last time past its end.
+/// Error: no such clip; lists those that exist.
 [[nodiscard]] Result<const AnimationClip*> clipOf(const Document& document, const std::optional<std::string>& name,
                                                   double lastTime);
 
 /// @param clip  null: the bind pose
 [[nodiscard]] Pose poseAt(const Character& character, const AnimationClip* clip, double seconds);
+
+struct ClipFrames {
+  std::size_t count = 1;            ///< Moments that the clip holds: the job's first ones.
+  std::vector<std::size_t> wanted;  ///< The wanted ones among them.
+  std::string left;                 ///< Frames left out, as a message; "" for none.
+};
+
+/// Leaves out frames past a clip's end, which would all show its last pose.
+/// @param frames  of the job; empty: one moment  @param wanted  BatchInput::wanted
+/// @param clip  null: the bind pose  @param file  named in the error
+/// Error: the clip ends before the first frame.
+[[nodiscard]] Result<ClipFrames> framesInClip(const std::vector<int>& frames, const BatchOptions& options,
+                                              const std::vector<std::size_t>& wanted, const AnimationClip* clip,
+                                              const std::filesystem::path& file);
 
 }  // namespace sinew::app

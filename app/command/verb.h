@@ -1,57 +1,80 @@
-// app/command/verb.h: what a verb of the command line is, and all verbs.
+// app/command/verb.h: the verbs of the command line, and what they share.
 #pragma once
 
+#include <cstddef>
+#include <filesystem>
 #include <functional>
 #include <memory>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
-#include "app/command/farm_check.h"
+#include "app/command/batch.h"
+#include "app/command/surface_options.h"
+#include "app/document/task_needs.h"
 
 namespace CLI {
 class App;
-}
+class Option;
+class ParseError;
+}  // namespace CLI
 
 namespace sinew::app {
 
-/// What a verb does after the parse.
+struct FarmCheck {
+  std::size_t files = 0;  ///< The job makes.
+  TaskNeeds needs;
+};
+
+/// One input of a job, opened.
+struct InputCheck {
+  std::shared_ptr<const Character> character;
+  Rig rig;  ///< With the overrides of the command line.
+  ClipFrames frames;
+  double heldFrames = 0.0;  ///< As taskNeeds().
+};
+
+/// Opens every input as the verb would, so that a job fails here and not on each machine. Error: no input, a file that
+/// cannot be read, a clip that does not exist or has none of the frames, or an output folder that does not exist.
+[[nodiscard]] Result<FarmCheck> checkForFarm(const std::string& verb, const Batch& batch, const BatchOptions& options,
+                                             const std::function<Result<InputCheck>(const BatchInput&)>& open);
+
+/// What a verb does after parsing.
 struct VerbCalls {
   std::function<int()> run;                  ///< Returns the exit status (docs/formats.md).
-  std::function<Result<FarmCheck>()> check;  ///< Whether a farm can run it; null: it is not for farms.
+  std::function<Result<FarmCheck>()> check;  ///< Whether a farm can run it; null: not for farms.
 };
 
 /// A row of the table in app/command/verbs.cpp.
 struct Verb {
   std::string name;
   std::string summary;  ///< One line of the help.
-  /// Adds what the verb reads to its parser. Returns what it does after the parse.
+  /// Adds the verb's options to its parser.
   std::function<VerbCalls(CLI::App& parser)> add;
 };
 
 /// A verb that reads into `Options`.
-/// @param add  void(CLI::App&, Options&): the options stay where they are.
-/// @param run  int(const Options&): returns the exit status (docs/formats.md).
-template <class Options, class Add, class Run>
-[[nodiscard]] Verb makeVerb(std::string name, std::string summary, Add add, Run run) {
-  const auto addTo = [add, run](CLI::App& parser) -> VerbCalls {
+/// @param add    void(CLI::App&, Options&): the options keep their address.
+/// @param run    int(const Options&): returns the exit status (docs/formats.md).
+/// @param check  Result<FarmCheck>(const Options&); without it the verb is not for farms.
+template <class Options, class Add, class Run, class Check = std::nullptr_t>
+[[nodiscard]] Verb makeVerb(std::string name, std::string summary, Add add, Run run, Check check = {}) {
+  const auto addTo = [add, run, check](CLI::App& parser) -> VerbCalls {
     const auto options = std::make_shared<Options>();
     add(parser, *options);
-    return {[options, run] { return run(*options); }, nullptr};
+    VerbCalls calls{[options, run] { return run(*options); }, nullptr};
+    if constexpr (!std::is_null_pointer_v<Check>) calls.check = [options, check] { return check(*options); };
+    return calls;
   };
   return {std::move(name), std::move(summary), addTo};
 }
 
-/// The same for farms. @param check  Result<FarmCheck>(const Options&)
-template <class Options, class Add, class Run, class Check>
-[[nodiscard]] Verb makeVerb(std::string name, std::string summary, Add add, Run run, Check check) {
-  const auto addTo = [add, run, check](CLI::App& parser) -> VerbCalls {
-    const auto options = std::make_shared<Options>();
-    add(parser, *options);
-    return {[options, run] { return run(*options); }, [options, check] { return check(*options); }};
-  };
-  return {std::move(name), std::move(summary), addTo};
-}
+/// Adds an option or positional argument that is a path.
+CLI::Option* addPath(CLI::App& verb, const char* name, std::filesystem::path& path, const std::string& help);
+
+/// Why a parse failed, with the option that was probably meant.
+[[nodiscard]] std::string parseRefusal(const CLI::App& parser, const CLI::ParseError& error);
 
 [[nodiscard]] Verb inspectVerb();
 [[nodiscard]] Verb checkRigVerb();
@@ -62,7 +85,7 @@ template <class Options, class Add, class Run, class Check>
 [[nodiscard]] Verb packVerb();
 [[nodiscard]] Verb renderVerb();
 [[nodiscard]] Verb benchVerb();
-/// @param verbs  those that a farm can share: they take --shard and --resume.
+/// @param verbs  those that a farm can run: they take --shard and --resume
 [[nodiscard]] Verb farmVerb(std::vector<Verb> verbs);
 
 }  // namespace sinew::app

@@ -11,7 +11,6 @@
 #include <CLI/CLI.hpp>
 
 #include "app/command/console.h"
-#include "app/command/parse_refusal.h"
 #include "app/command/verb.h"
 #include "core/geometry/nearest_name.h"
 
@@ -83,7 +82,7 @@ bool isVerb(std::span<const Verb> verbs, const std::string& word) {
   return std::ranges::find(verbs, word, &Verb::name) != verbs.end();
 }
 
-/// The arguments after the program's name, the first verb put in front where none stands there.
+/// The arguments after the program's name, with the first verb in front if there is none.
 std::vector<std::string> withVerb(std::span<const Verb> verbs, int argc, const char* const* argv) {
   std::vector<std::string> arguments(argv + std::min(argc, 1), argv + argc);
   const bool asked = !arguments.empty() && (isVerb(verbs, arguments[0]) || arguments[0] == "--help" ||
@@ -92,14 +91,14 @@ std::vector<std::string> withVerb(std::span<const Verb> verbs, int argc, const c
   return arguments;
 }
 
-/// A lone word that names neither verb nor file: a typo, not a reason to open a window.
+/// A word that names neither a verb nor a file is a typo, not a reason to open a window.
 bool isUnknownWord(std::span<const Verb> verbs, const std::string& word) {
   std::error_code failed;
   return !word.empty() && word.find_first_of("./-") == std::string::npos && !isVerb(verbs, word) &&
          !std::filesystem::exists(word, failed);
 }
 
-/// Help and version go to stdout; all else is a line on stderr.
+/// Help and version go to stdout, everything else to stderr.
 int answer(const CommandLine& line, const CLI::ParseError& error) {
   if (dynamic_cast<const CLI::CallForHelp*>(&error)) {
     const auto chosen = line.app.get_subcommands();

@@ -1,4 +1,4 @@
-// app/command/verbs.h: the command line as a whole: which verb, with which options.
+// app/command/verbs.h: parses and runs a command line.
 #pragma once
 
 #include <functional>
@@ -6,16 +6,15 @@
 
 namespace sinew::app {
 
-/// What the editor is started with; main hands it on, as the command line must not know the window.
+/// Options of the editor; main passes them on, since the command line must not depend on the window.
 struct EditRequest {
   std::string file;      ///< "" for the bundled character.
   std::string logState;  ///< "" for none.
-  float scale = 0.0f;    ///< 0: what preferences or system say.
+  float scale = 0.0f;    ///< 0: from preferences or the system.
 };
 using RunEditor = std::function<int(const EditRequest&)>;
 
-/// Reads the command line and runs its verb; `edit` is what runs without one. Returns the exit status
-/// (docs/formats.md).
+/// Runs the verb of a command line, or `edit` without one. Returns the exit status (docs/formats.md).
 [[nodiscard]] int runCommandLine(int argc, const char* const* argv, const RunEditor& edit);
 
 }  // namespace sinew::app

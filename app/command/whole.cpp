@@ -1,23 +1,102 @@
-// app/command/whole.cpp: part after part.
+// app/command/whole.cpp: the machine, the measurements in order, and their JSON and text.
 #include "app/command/whole.h"
 
 #include <array>
 #include <cstdarg>
 #include <cstdio>
+#include <cstdlib>
+#include <fstream>
 #include <utility>
 
+#include <sched.h>
+
+#include "app/ui/version.h"
+#include "core/geometry/instruction_set.h"
 #include "sinew/geometry/threads.h"
 
 namespace sinew::app {
+
+// The machine and the build.
+
 namespace {
 
-/// A part of the run: what it is called, and what measures it.
-struct Part {
-  std::string name;
-  std::function<Result<void>()> measure;
-};
+int usableThreads() {
+  cpu_set_t set;
+  CPU_ZERO(&set);
+  return ::sched_getaffinity(0, sizeof set, &set) == 0 ? CPU_COUNT(&set) : 1;
+}
 
-/// Puts what was measured into its place.
+std::string compilerName() {
+#ifdef __clang__
+  return __VERSION__;  // Begins with its name.
+#else
+  return std::string("GCC ") + __VERSION__;
+#endif
+}
+
+std::string trimmed(const std::string& text) {
+  const std::size_t first = text.find_first_not_of(" \t");
+  if (first == std::string::npos) return {};
+  return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
+}
+
+}  // namespace
+
+std::string processorName(std::istream& cpuinfo) {
+  for (std::string line; std::getline(cpuinfo, line);) {
+    const std::size_t colon = line.find(':');
+    if (!line.starts_with("model name") || colon == std::string::npos) continue;
+    if (std::string name = trimmed(line.substr(colon + 1)); !name.empty()) return name;
+  }
+  return "unknown";
+}
+
+Machine machineHere() {
+  Machine machine;
+  std::ifstream cpuinfo("/proc/cpuinfo");
+  machine.processor = processorName(cpuinfo);
+  for (const InstructionSet set : availableInstructionSets()) machine.instructionSets.emplace_back(nameOf(set));
+  machine.threads = usableThreads();
+  if (::getloadavg(&machine.load, 1) < 1) machine.load = 0.0;
+  machine.compiler = compilerName();
+  const std::string build = trimmed(SINEW_BUILD_TYPE);
+  machine.buildType = build.empty() ? "none" : build;
+#ifndef NDEBUG
+  machine.assertions = true;
+#endif
+  machine.version = programVersion();
+  return machine;
+}
+
+Json jsonOf(const Machine& machine) {
+  Json json = Json::object();
+  json.set("processor", machine.processor)
+      .set("instruction_sets", jsonList(machine.instructionSets))
+      .set("threads", machine.threads);
+  json.set("load", machine.load);
+  json.set("compiler", machine.compiler).set("build_type", machine.buildType).set("assertions", machine.assertions);
+  json.set("version", machine.version);
+  return json;
+}
+
+std::string textOf(const Machine& machine) {
+  char load[32];
+  std::snprintf(load, sizeof load, "%.1f", machine.load);
+  std::string sets;
+  for (const std::string& set : machine.instructionSets) sets += (sets.empty() ? "" : " ") + set;
+  return "sinew " + machine.version + ", built with " + machine.compiler + ", build type " + machine.buildType +
+         (machine.assertions ? ", assertions on\n" : "\n") + machine.processor + ", " +
+         std::to_string(machine.threads) + (machine.threads == 1 ? " thread" : " threads") + ", load " + load +
+         ", sets: " + sets + '\n';
+}
+
+// The run, part by part.
+
+namespace {
+
+using Parts = std::vector<std::function<Result<void>()>>;
+
+/// Stores what was measured.
 template <class Value>
 Result<void> keep(Result<Value> measured, Value& place) {
   if (!measured) return measured.error();
@@ -32,51 +111,47 @@ Result<void> append(Result<std::vector<Row>> measured, std::vector<Row>& rows) {
   return {};
 }
 
-/// @param figures  stays where it is while the parts run.
-void addMode(const ModeScenes& scenes, int rounds, ModeFigures& figures, Whole& whole, std::vector<Part>& parts) {
+/// @param figures, whole  keep their addresses while the parts run
+void addMode(const ModeScenes& scenes, int rounds, ModeFigures& figures, Whole& whole, Parts& parts) {
   const BenchScene& scene = scenes.front();
   figures.mode = scene.rig.surface.mode;
   figures.scene = scene.name;
-  const std::string where = std::string(", ") + scene.name + ", " + nameOf(figures.mode);
-  parts.push_back({"speedup" + where, [&, rounds] { return keep(measureSpeedups(scene, rounds), figures.speedups); }});
-  parts.push_back(
-      {"cost of muscles" + where, [&, rounds] { return keep(measureMuscleCost(scene, rounds), figures.cost); }});
-  parts.push_back({"growth with vertices" + where,
-                   [&, rounds] { return keep(exponentOfVertices(scene, rounds), figures.exponentVertices); }});
-  parts.push_back({"growth with muscles" + where,
-                   [&, rounds] { return keep(exponentOfPrimitives(scene, rounds), figures.exponentPrimitives); }});
-  parts.push_back({"threads" + where, [&, rounds] { return keep(measureThreads(scene, rounds), figures.threads); }});
-  parts.push_back({"table 1" + where, [&, rounds] { return append(measureTable1(scene, rounds), whole.table1); }});
+  parts.push_back([&, rounds] { return keep(measureSpeedups(scene, rounds), figures.speedups); });
+  parts.push_back([&, rounds] { return keep(measureMuscleCost(scene, rounds), figures.cost); });
+  parts.push_back([&, rounds] { return keep(exponentOfVertices(scene, rounds), figures.exponentVertices); });
+  parts.push_back([&, rounds] { return keep(exponentOfPrimitives(scene, rounds), figures.exponentPrimitives); });
+  parts.push_back([&, rounds] { return keep(measureThreads(scene, rounds), figures.threads); });
+  parts.push_back([&, rounds] { return append(measureTable1(scene, rounds), whole.table1); });
   for (const BenchScene& each : scenes) {
-    parts.push_back({"table 2, " + each.name + ", " + nameOf(figures.mode),
-                     [&, rounds] { return append(measureTable2(each, rounds), whole.table2); }});
+    parts.push_back([&, rounds] { return append(measureTable2(each, rounds), whole.table2); });
   }
-  parts.push_back({"drawing" + where, [&, rounds]() -> Result<void> {
-                     const Result<DrawCost> drawing = measureDrawing(scene, rounds);
-                     if (drawing) figures.drawing = drawing.value();
-                     return {};  // The rig was taken before: there is no context.
-                   }});
+  parts.push_back([&, rounds]() -> Result<void> {
+    const Result<DrawCost> drawing = measureDrawing(scene, rounds);
+    if (drawing) figures.drawing = drawing.value();
+    return {};  // Other parts have prepared the rig: what fails here is the context.
+  });
 }
 
 }  // namespace
 
-Result<Whole> measureWhole(const std::vector<ModeScenes>& modes, int rounds, const TellProgress& tell) {
+Result<Whole> measureWhole(const std::vector<ModeScenes>& modes, int rounds,
+                           const std::function<void(int done, int all)>& show) {
   const ThreadLimit one(1);  // measureThreads() has its own.
   Whole whole;
   whole.machine = machineHere();
   whole.rounds = rounds;
   whole.modes.resize(modes.size());
-  std::vector<Part> parts;
+  Parts parts;
   for (std::size_t m = 0; m < modes.size(); ++m) addMode(modes[m], rounds, whole.modes[m], whole, parts);
   int done = 0;
-  for (const Part& part : parts) {
-    tell(done++, static_cast<int>(parts.size()), part.name);
-    if (const Result<void> measured = part.measure(); !measured) return measured.error();
+  for (const auto& measure : parts) {
+    show(done++, static_cast<int>(parts.size()));
+    if (const Result<void> measured = measure(); !measured) return measured.error();
   }
   return whole;
 }
 
-// A run of `sinew bench` for programs. docs/formats.md.
+// JSON: docs/formats.md.
 
 namespace {
 
@@ -130,12 +205,7 @@ Json jsonOf(const Table2Row& row) {
   return json;
 }
 
-template <class Row>
-Json listOf(const std::vector<Row>& rows) {
-  Json list = Json::array();
-  for (const Row& row : rows) list.push(jsonOf(row));
-  return list;
-}
+constexpr auto kRowJson = [](const auto& row) { return jsonOf(row); };
 
 }  // namespace
 
@@ -143,11 +213,11 @@ Json jsonOf(const Whole& whole) {
   Json json = Json::object();
   json.set("machine", jsonOf(whole.machine)).set("rounds", whole.rounds);
   for (const ModeFigures& figures : whole.modes) json.set(nameOf(figures.mode), jsonOf(figures));
-  json.set("table1", listOf(whole.table1)).set("table2", listOf(whole.table2));
+  json.set("table1", jsonList(whole.table1, kRowJson)).set("table2", jsonList(whole.table2, kRowJson));
   return json;
 }
 
-// A run of `sinew bench` for people.
+// Text.
 
 namespace {
 
@@ -190,7 +260,7 @@ std::string textOf(const ModeFigures& figures) {
 
 std::string rateOf(const std::optional<double>& rate) { return rate ? formatted("%.0f", *rate) : "-"; }
 
-/// One line for each scene, mode and depth: the row's rates by projection and culling, each beside the paper's.
+/// One line for each scene, mode and depth: rates by projection and culling, with the paper's.
 std::string textOf(const std::vector<Table1Row>& rows) {
   std::string text =
       "\nTable 1: frames a second, smoothing alone, in brackets the paper's; culled: without back faces\n"
@@ -203,7 +273,7 @@ std::string textOf(const std::vector<Table1Row>& rows) {
       text += formatted("%s%-7s  %-16.40s  %5d ", line ? "\n" : "", nameOf(row.mode), row.scene.c_str(), row.depth);
       line = &row;
     }
-    // The paper knows no newton: no room for its figure there.
+    // The paper has no newton.
     text += row.projection == ProjectionKind::kNewton
                 ? formatted("   %7.0f", row.fps)
                 : formatted(" %8.0f %6s", row.fps, ('[' + rateOf(row.paperFps) + ']').c_str());

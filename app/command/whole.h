@@ -1,20 +1,40 @@
-// app/command/whole.h: all that `sinew bench` measures in one run.
+// app/command/whole.h: one whole run of `sinew bench`, and the machine it ran on.
 #pragma once
 
 #include <functional>
+#include <istream>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "app/command/costs.h"
-#include "app/command/machine.h"
-#include "app/command/paper_tables.h"
-#include "app/command/scene.h"
+#include "app/command/measuring.h"
 #include "app/command/speedup.h"
+#include "core/files/json/json.h"
 
 namespace sinew::app {
 
-/// One surface mode, on its first scene.
+struct Machine {
+  std::string processor;                     ///< Or "unknown".
+  std::vector<std::string> instructionSets;  ///< Available ones, narrowest first.
+  int threads = 1;                           ///< Available to this process.
+  double load = 0.0;                         ///< Mean of the last minute; above `threads`, times are unreliable.
+  std::string compiler;
+  std::string buildType;  ///< With added flags; "none" without either.
+  bool assertions = false;
+  std::string version;  ///< The program's.
+};
+
+[[nodiscard]] Machine machineHere();
+
+/// The first "model name" of a /proc/cpuinfo, or "unknown".
+[[nodiscard]] std::string processorName(std::istream& cpuinfo);
+
+[[nodiscard]] Json jsonOf(const Machine& machine);
+/// A few lines.
+[[nodiscard]] std::string textOf(const Machine& machine);
+
+/// Figures of one surface mode on its first scene.
 struct ModeFigures {
   SurfaceMode mode = SurfaceMode::kSwell;
   std::string scene;
@@ -34,14 +54,13 @@ struct Whole {
   std::vector<Table2Row> table2;  ///< All scenes.
 };
 
-/// The scenes of one mode, one at least.
+/// Scenes of one mode, at least one.
 using ModeScenes = std::vector<BenchScene>;
 
-/// How far a run is: `done` of `all` parts, and what comes now.
-using TellProgress = std::function<void(int done, int all, const std::string& now)>;
-
-/// @param rounds  1 or more: how often everything is timed.  Error: a rig is refused, or there is no skin for muscles.
-[[nodiscard]] Result<Whole> measureWhole(const std::vector<ModeScenes>& modes, int rounds, const TellProgress& tell);
+/// Error: a rig is refused, or there is no skin for muscles.
+/// @param rounds  1 or more: how often everything is timed  @param show  how many of all parts are done
+[[nodiscard]] Result<Whole> measureWhole(const std::vector<ModeScenes>& modes, int rounds,
+                                         const std::function<void(int done, int all)>& show);
 
 /// Objects "swell" and "replace" with the figures of each mode, and "machine", "rounds", "table1", "table2":
 /// docs/formats.md.

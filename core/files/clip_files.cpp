@@ -1,11 +1,9 @@
-// core/files/clip_files.cpp: file after file, each transferred to the character as it came from its own.
+// core/files/clip_files.cpp: imports each file and transfers its clips to the character.
 #include "core/files/clip_files.h"
 
 #include <algorithm>
 #include <cstdint>
-#include <exception>
 #include <span>
-#include <string>
 #include <system_error>
 #include <utility>
 
@@ -16,8 +14,6 @@
 #include "sinew/files/rig_json.h"
 
 namespace sinew {
-
-// By the JSON alone.
 
 std::vector<std::filesystem::path> bufferFilesOf(const std::filesystem::path& file) {
   std::vector<std::filesystem::path> files;
@@ -36,9 +32,7 @@ std::vector<std::filesystem::path> bufferFilesOf(const std::filesystem::path& fi
       if (gltf::placeInside(folder, relative.value()) || !std::filesystem::exists(named, failed))
         files.push_back(named);
     }
-  } catch (const gltf::Refusal&) {
-    files.clear();
-  } catch (const std::exception&) {
+  } catch (...) {
     files.clear();
   }
   return files;
@@ -48,7 +42,7 @@ namespace {
 
 bool isAdded(const AnimationClip& clip) { return !clip.addedFrom.empty(); }
 
-/// Adds the clips of the file to the character, or says why not.
+/// Adds the clips of a file to the character.
 ClipFileReport addFile(const std::string& file, const std::filesystem::path& path,
                        std::span<const SlotCorrection> corrections, Character& character) {
   ClipFileReport report{file, path};

@@ -13,19 +13,17 @@
 
 namespace sinew {
 
-// The files that a .gltf has its numbers in.
-
-/// The buffers that a .gltf names in its own folder, in its order, there or not; no link that leads out
-/// of it. None of other files, nor where it cannot be read. Never throws.
+/// Buffer files that a .gltf names inside its own folder, in its order, whether they exist or not. Empty for other
+/// files and for one that cannot be read. Never throws.
 [[nodiscard]] std::vector<std::filesystem::path> bufferFilesOf(const std::filesystem::path& file);
 
-/// What became of one of Rig::clipFiles.
+/// Outcome for one of Rig::clipFiles.
 struct ClipFileReport {
-  std::string file;                      ///< As the rig names it; AnimationClip::addedFrom of its clips.
-  std::filesystem::path path{};          ///< Where it was looked for.
-  std::optional<Error> missing{};        ///< Its clips are left out: the reason.
-  std::vector<std::string> notes{};      ///< What did not match, one line each, in plain words.
-  std::vector<std::string> unmatched{};  ///< As TransferredClips, and so is the next.
+  std::string file;                      ///< As in the rig; AnimationClip::addedFrom of its clips.
+  std::filesystem::path path{};          ///< Full path.
+  std::optional<Error> missing{};        ///< Why its clips are left out.
+  std::vector<std::string> notes{};      ///< Mismatches, one line each, for people.
+  std::vector<std::string> unmatched{};  ///< As in TransferredClips, and so is the next.
   std::vector<std::string> unmoved{};
 };
 
@@ -36,17 +34,15 @@ struct WithClipFiles {
 
 /// Why clips are left out, file by file.
 [[nodiscard]] std::vector<Error> missingOf(const std::vector<ClipFileReport>& files);
-/// What did not match, each line with its file's name.
+/// Mismatches, each line with its file's name.
 [[nodiscard]] std::vector<std::string> notesOf(const std::vector<ClipFileReport>& files);
 
-/// The character with the clips of Rig::clipFiles after its own (core/bodies/transfer_clips.h). Those that it had from
-/// such files before are left out first. A file that cannot be read is told, and the others are added.
-/// @param folder  that relative paths begin in
+/// The character with the clips of Rig::clipFiles after its own (core/bodies/transfer_clips.h), replacing those added
+/// before. A file that cannot be read is reported, and the others are added. @param folder  base of relative paths
 [[nodiscard]] WithClipFiles withClipFiles(std::shared_ptr<const Character> character, const Rig& rig,
                                           const std::filesystem::path& folder);
 
-/// Rig::clipFiles as a rig file elsewhere names them; absolute ones stay.
-/// @param folder  that they begin in now
+/// Rig::clipFiles relative to another rig file; absolute paths stay. @param folder  their base now
 [[nodiscard]] std::vector<std::string> clipFilesFor(const std::filesystem::path& rigFile,
                                                     const std::vector<std::string>& files,
                                                     const std::filesystem::path& folder);

@@ -1,11 +1,11 @@
-// core/files/preset_json.cpp: text -> Preset, every refusal with its JSON path.
+// core/files/preset_json.cpp: presets from JSON and to JSON.
 #include "core/files/preset_json.h"
 
 #include <cmath>
 #include <utility>
 
 #include "core/files/disk/atomic_file.h"
-#include "core/files/json/reader.h"
+#include "core/files/json/json.h"
 #include "core/rig/validation.h"
 
 namespace sinew {
@@ -17,7 +17,7 @@ constexpr std::size_t kMostMuscles = 1000;
 /// ["upperArm", 0.56, -5] or with the depth: ["lowerArm", 0.06, 0, 0.75].
 Mark readMark(Reader& reader, const Json& node, const Place& place) {
   Mark mark;
-  const std::string expected = "[part, way along it, angle] or [part, way along it, angle, depth]";
+  const std::string expected = "[part, position along it, angle] or [part, position along it, angle, depth]";
   if (node.kind != Json::Kind::kArray || node.children.size() < 3 || node.children.size() > 4) {
     reader.expect(place, expected, node);
     return mark;
@@ -36,7 +36,7 @@ Mark readMark(Reader& reader, const Json& node, const Place& place) {
   return mark;
 }
 
-/// A number within a range; absent: as it was.
+/// A number within a range; unchanged if absent.
 void readIn(Reader& reader, const Json& node, const Place& place, const char* key, float least, float most,
             float& value) {
   readFloat(reader, node, place, key, value);
@@ -83,12 +83,10 @@ LineSettings readLineSettings(Reader& reader, const Json& node, const Place& pla
 PresetMuscle readMuscle(Reader& reader, const Json& node, const Place& place) {
   PresetMuscle muscle;
   if (!reader.object(node, place)) return muscle;
-  muscle.name = readNeededText(reader, node, place, "name");
-  if (!reader.error() && muscle.name.empty())
-    reader.refuse(Reader::join(place, "name"), "expected a name, got nothing");
-  muscle.group = readNeededText(reader, node, place, "group");
-  if (!reader.error() && muscle.group.empty())
-    reader.refuse(Reader::join(place, "group"), "expected a name, got nothing");
+  for (const auto& [key, name] : {std::pair{"name", &muscle.name}, std::pair{"group", &muscle.group}}) {
+    *name = readNeededText(reader, node, place, key);
+    if (!reader.error() && name->empty()) reader.refuse(Reader::join(place, key), "expected a name, got nothing");
+  }
   const auto mark = [&](const char* key) -> std::optional<Mark> {
     const Json* found = node.find(key);
     return found == nullptr ? std::nullopt : std::optional(readMark(reader, *found, Reader::join(place, key)));
@@ -166,7 +164,7 @@ void writeLine(Json& json, const LineSettings& line) {
   json.set("flex", pairJson(line.flex)).set("full", line.full);
 }
 
-/// What a reader would assume is left out.
+/// Omits defaults.
 Json muscleJson(const PresetMuscle& muscle) {
   const PresetMuscle usual;
   Json json = Json::object();
@@ -197,12 +195,10 @@ Json muscleJson(const PresetMuscle& muscle) {
 }  // namespace
 
 std::string presetToJson(const Preset& preset) {
-  Json muscles = Json::array();
-  for (const PresetMuscle& muscle : preset.muscles) muscles.push(muscleJson(muscle));
   Json json = Json::object();
   json.set("format", "sinew-preset").set("version", 1).set("title", preset.title).set("body", nameOf(preset.body));
   json.set("definition", preset.definition).set("reach", preset.reach).set("skin_blend", preset.skinBlend);
-  json.set("muscles", std::move(muscles));
+  json.set("muscles", jsonList(preset.muscles, muscleJson));
   return json.dump(true) + '\n';
 }
 

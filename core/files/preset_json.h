@@ -1,4 +1,4 @@
-// core/files/preset_json.h: preset files: sets of muscles as marks. docs/muscles.md.
+// core/files/preset_json.h: preset files: sets of muscles by marks on the body. docs/muscles.md.
 #pragma once
 
 #include <filesystem>
@@ -9,7 +9,7 @@
 
 namespace sinew {
 
-/// Error: place is the JSON path, reason what was expected.
+/// Error: place is the JSON path.
 [[nodiscard]] Result<Preset> presetFromJson(const std::string& text);
 /// Refuses files over 4 MiB.
 [[nodiscard]] Result<Preset> loadPreset(const std::filesystem::path& file);

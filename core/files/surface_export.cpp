@@ -1,4 +1,4 @@
-// core/files/surface_export.cpp: picks the format; what the formats share.
+// core/files/surface_export.cpp: chooses the format; code shared by the formats.
 #include "sinew/files/surface_export.h"
 
 #include <algorithm>
@@ -9,7 +9,7 @@
 #include <stb_image_write.h>
 
 #include "core/files/disk/atomic_file.h"
-#include "core/files/gltf/image_bytes.h"
+#include "core/files/gltf/material.h"
 #include "core/files/surface_formats.h"
 #include "core/geometry/at.h"
 #include "core/geometry/nearest_name.h"
@@ -40,7 +40,7 @@ Result<void> writeGlb(const Surface& surface, const Character& character, const 
   return writeFileAtomically(file, bytes.value());
 }
 
-/// A new format is one row and its writer. @param file  in a folder that is there
+/// A new format is one row and its writer. @param file  in an existing folder
 struct SurfaceFormat {
   std::string_view ending;  ///< Lower case.
   Result<void> (*write)(const Surface& surface, const Character& character, const std::filesystem::path& file);
@@ -115,7 +115,7 @@ Result<void> exportSurface(const Surface& surface, const Character& character, c
                  {},
                  "cannot be written: bones are moved or scaled so far that places are no longer finite numbers"};
   }
-  // Before files beside it are written: the message names what was asked for.
+  // Before side files are written, so that the message names the requested file.
   std::error_code unknown;
   if (file.has_parent_path() && !std::filesystem::is_directory(file.parent_path(), unknown)) {
     return Error{file.string(), {}, "cannot be written: there is no such folder"};

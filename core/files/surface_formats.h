@@ -1,4 +1,4 @@
-// core/files/surface_formats.h: a surface as the bytes of each file format; surface_export.h writes them.
+// core/files/surface_formats.h: a surface as the bytes of each file format.
 #pragma once
 
 #include <string>
@@ -10,32 +10,32 @@
 
 namespace sinew {
 
-/// A run of refined triangles [begin, end) of one material.
+/// Refined triangles [begin, end) of one material.
 struct MaterialRun {
   int material = 0;
   std::size_t begin = 0;
   std::size_t end = 0;
 };
 
-/// In triangle order; neighbors differ in material.
+/// In triangle order.
 [[nodiscard]] std::vector<MaterialRun> materialRuns(const Surface& surface, const Character& character);
 
-/// Indices of the materials that some triangle has, ascending; and of the textures these materials have, likewise.
+/// Indices of materials in use, ascending, and of their textures.
 [[nodiscard]] std::vector<int> usedMaterials(const Surface& surface, const Character& character);
 enum class Maps { kBaseColor, kAll };
 [[nodiscard]] std::vector<int> usedTextures(const std::vector<int>& materials, const Character& character, Maps maps);
 
-/// An image as other programs read it.
+/// An encoded image.
 struct ImageFile {
   std::string bytes;
   std::string mimeType;  ///< "image/png" or "image/jpeg".
   std::string ending;    ///< ".png" or ".jpg".
 };
 
-/// The PNG or JPEG the texture came from; a PNG made from its pixels if it was another kind of file or none.
+/// The texture's original PNG or JPEG, else a PNG made from its pixels.
 [[nodiscard]] ImageFile imageFile(const Texture& texture);
 
-/// A file beside the one that was asked for.
+/// A file beside the main one.
 struct SideFile {
   std::string name;
   std::string bytes;
@@ -46,10 +46,10 @@ struct ObjFiles {
   std::vector<SideFile> sides;  ///< Textures, then the .mtl.
 };
 
-/// A name as .obj and .mtl can hold it: one word that starts no comment.
+/// A name for .obj and .mtl: one word that does not start a comment.
 [[nodiscard]] std::string asWord(std::string name);
 
-/// @param stem of the .obj's name: side files are called after it.
+/// @param stem  of the .obj's name, for the names of side files
 [[nodiscard]] ObjFiles objFiles(const Surface& surface, const Character& character, const std::string& stem);
 
 [[nodiscard]] std::string plyBytes(const Surface& surface);

@@ -1,4 +1,4 @@
-// core/files/surface_glb.cpp: a surface as binary glTF 2.0: one node, one mesh, a primitive per material.
+// core/files/surface_glb.cpp: a surface as .glb (one node, one mesh, a primitive per material), .obj and .ply.
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -25,23 +25,32 @@
 namespace sinew {
 namespace {
 
-// A character's material as glTF has it.
-// Materials, their maps and the extensions that these need.
-
-/// A map's place as KHR_texture_transform says it: u, v -> turned, scaled, moved.
+/// KHR_texture_transform: rotates, scales and moves u, v.
 struct MapTransform {
   glm::dvec2 offset{0.0};
   double rotation = 0.0;  ///< Radians.
   glm::dvec2 scale{1.0};
 };
 
-std::optional<MapTransform> transformOf(const TextureMap& map);
+/// nullopt: it shears, which the extension cannot express.
+std::optional<MapTransform> transformOf(const TextureMap& map) {
+  constexpr double kSlant = 1e-5;  // of the lengths: places are floats
+  const glm::dvec2 u(map.place[0].x, map.place[1].x), v(map.place[0].y, map.place[1].y);
+  if (!(std::abs(glm::dot(u, v)) <= kSlant * glm::length(u) * glm::length(v))) return std::nullopt;
+  MapTransform result;
+  result.offset = {map.place[0].z, map.place[1].z};
+  const bool along = glm::dot(u, u) > 0.0;
+  result.rotation = along ? std::atan2(-u.y, u.x) : std::atan2(v.x, v.y);
+  result.scale.x = glm::length(u);
+  result.scale.y = std::sin(result.rotation) * v.x + std::cos(result.rotation) * v.y;
+  return result;
+}
 
 tinygltf::Value pairValue(const glm::dvec2& pair) {
   return tinygltf::Value(tinygltf::Value::Array{tinygltf::Value(pair.x), tinygltf::Value(pair.y)});
 }
 
-/// Fills one of tinygltf's three kinds of texture info. @return whether the map is written
+/// Fills one of tinygltf's three kinds of texture info. False if the map cannot be written.
 template <class Info>
 bool putMap(const TextureMap& map, const std::map<int, int>& textureNumber, std::set<std::string>& extensions,
             Info& info) {
@@ -70,22 +79,8 @@ void putEmissive(const Material& from, bool withMap, std::set<std::string>& exte
   extensions.insert("KHR_materials_emissive_strength");
 }
 
-/// nullopt: it slants, which the extension has no words for.
-std::optional<MapTransform> transformOf(const TextureMap& map) {
-  constexpr double kSlant = 1e-5;  // of the lengths: places are floats
-  const glm::dvec2 u(map.place[0].x, map.place[1].x), v(map.place[0].y, map.place[1].y);
-  if (!(std::abs(glm::dot(u, v)) <= kSlant * glm::length(u) * glm::length(v))) return std::nullopt;
-  MapTransform result;
-  result.offset = {map.place[0].z, map.place[1].z};
-  const bool along = glm::dot(u, u) > 0.0;
-  result.rotation = along ? std::atan2(-u.y, u.x) : std::atan2(v.x, v.y);
-  result.scale.x = glm::length(u);
-  result.scale.y = std::sin(result.rotation) * v.x + std::cos(result.rotation) * v.y;
-  return result;
-}
-
 /// @param textureNumber  the character's -> the file's
-/// @param extensions  those it needs are added
+/// @param extensions  receives those in use
 tinygltf::Material gltfMaterial(const Material& from, const std::map<int, int>& textureNumber,
                                 std::set<std::string>& extensions) {
   tinygltf::Material material;
@@ -126,7 +121,7 @@ constexpr std::size_t kMaxGlbBytes = std::numeric_limits<std::uint32_t>::max();
 constexpr std::array kWrap{TINYGLTF_TEXTURE_WRAP_REPEAT, TINYGLTF_TEXTURE_WRAP_CLAMP_TO_EDGE,
                            TINYGLTF_TEXTURE_WRAP_MIRRORED_REPEAT};
 
-/// Takes what is written without the copies a string stream makes.
+/// Writes to a string without the copies of a string stream.
 class StringBuffer : public std::streambuf {
  public:
   explicit StringBuffer(std::string& to) : to_(to) {}
@@ -155,7 +150,7 @@ Error tooLarge(std::size_t bytes) {
                          " bytes, a .glb holds at most 4 GiB; choose a smaller depth or another format");
 }
 
-/// The file in the making. tinygltf writes names as they are and throws at what is not UTF-8.
+/// Builds the file. tinygltf throws at names that are not UTF-8.
 class GlbWriter {
  public:
   GlbWriter(const Surface& surface, const Character& character)
@@ -279,7 +274,7 @@ class GlbWriter {
     }
   }
 
-  /// tinygltf counts in 32 bits and does not say when they run over.
+  /// tinygltf does not check that sizes fit 32 bits.
   Result<std::string> assemble() const {
     const std::size_t bytes = model_.buffers[0].data.size();
     if (bytes > kMaxGlbBytes) return tooLarge(bytes);
@@ -307,7 +302,7 @@ Result<std::string> glbBytes(const Surface& surface, const Character& character)
   return GlbWriter(surface, character).write();
 }
 
-// The two formats without a scene: Wavefront .obj with .mtl, and binary .ply.
+// Wavefront .obj with .mtl, and binary .ply.
 
 namespace {
 
@@ -323,17 +318,17 @@ void appendLine(std::string& out, const char* word, std::initializer_list<float>
   out += '\n';
 }
 
-/// Nine digits tell any float from its neighbors.
+/// Nine digits are exact for a float.
 void appendExact(std::string& out, const char* word, std::initializer_list<float> values) {
   appendLine(out, word, values, 9);
 }
 
-/// Colors and the like: what eight bits of a screen cannot tell is left out.
+/// For colors, which need no more than 8 bits.
 void appendRounded(std::string& out, const char* word, std::initializer_list<float> values) {
   appendLine(out, word, values, 6);
 }
 
-/// One word per used material, [materials of the character]; unused ones stay empty.
+/// [materials of the character] a unique word for each used material; empty for unused ones.
 std::vector<std::string> materialWords(const std::vector<int>& used, const Character& character) {
   std::vector<std::string> words(character.materials.size());
   std::set<std::string> taken;
@@ -355,10 +350,10 @@ std::string mtlText(const std::vector<int>& used, const Character& character, co
     out += "newmtl " + at(words, index) + '\n';
     appendRounded(out, "Kd", {material.baseColor.r, material.baseColor.g, material.baseColor.b});
     appendRounded(out, "Ks", {0.04f, 0.04f, 0.04f});
-    // Shininess that looks about as rough (Blinn's exponent for a GGX lobe of roughness^2).
+    // Blinn exponent of similar roughness to a GGX lobe of roughness^2.
     const float roughness = std::clamp(material.roughness, 0.05f, 1.0f);
     appendRounded(out, "Ns", {std::min(2.0f / (roughness * roughness * roughness * roughness) - 2.0f, 1000.0f)});
-    const bool glows = material.emissiveMap.texture < 0;  // All of it, not what a map says.
+    const bool glows = material.emissiveMap.texture < 0;  // Not with a map, which .mtl lacks.
     const glm::vec3 glow = glows ? glm::clamp(material.emissive, 0.0f, 1.0f) : glm::vec3(0.0f);
     appendRounded(out, "Ke", {glow.r, glow.g, glow.b});
     const bool opaque = material.alphaMode == AlphaMode::kOpaque;
@@ -406,7 +401,7 @@ void appendRaw(std::string& out, const Value& value) {
   out.append(bytes.data(), bytes.size());
 }
 
-/// As programs that read .ply show it: sRGB, 8 bits; alpha stays linear.
+/// sRGB of 8 bits, as programs show it; alpha stays linear.
 std::array<std::uint8_t, 4> shownColor(const glm::vec4& linear) {
   const auto byteOf = [](float share) { return static_cast<std::uint8_t>(std::lround(255.0f * share)); };
   const auto encoded = [](float l) {
@@ -417,7 +412,6 @@ std::array<std::uint8_t, 4> shownColor(const glm::vec4& linear) {
 
 }  // namespace
 
-// Words in these formats end at white space, and names must not start a comment.
 std::string asWord(std::string name) {
   for (char& c : name) {
     if (static_cast<unsigned char>(c) <= ' ' || c == '#' || c == 0x7f) c = '_';

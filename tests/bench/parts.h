@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "app/command/console.h"
-#include "app/command/scene.h"
+#include "app/command/measuring.h"
 #include "core/files/json/json.h"
 #include "sinew/geometry/result.h"
 

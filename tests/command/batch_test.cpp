@@ -3,7 +3,6 @@
 
 #include <set>
 
-#include "app/command/shard.h"
 #include "tests/command/program.h"
 
 namespace sinew::test {

@@ -3,7 +3,7 @@
 
 #include <stb_image.h>
 
-#include "app/command/contact_sheet.h"
+#include "app/command/render_plan.h"
 #include "app/ui/offscreen.h"
 #include "tests/command/program.h"
 

@@ -13,7 +13,7 @@
 #include <glm/gtc/type_ptr.hpp>
 
 #include "core/files/export/source.h"
-#include "core/files/fit/line_joints.h"
+#include "core/files/fit/helper_motion.h"
 #include "core/geometry/at.h"
 #include "sinew/files/gltf_import.h"
 #include "sinew/files/rig_json.h"

@@ -52,11 +52,11 @@ class Structure(unittest.TestCase):
     def test_a_test_of_core_including_app(self):
         for here in ("geometry", "support/rigs"):
             path = "tests/%s/a.h" % here
-            for header in ("app/command/scene.h", "tests/viewport/tools/limb_scene.h", "tests/support/editor/drawn_text.h"):
+            for header in ("app/command/measuring.h", "tests/viewport/tools/limb_scene.h", "tests/support/editor/drawn_text.h"):
                 body = self.header(path, '#include "%s"\n' % header)
                 tree = {"tests__CMakeLists_DOT_txt": "geometry support", path.replace("/", "__").replace(".", "_DOT_"): body}
                 self.one("tests of core include nothing of app", **tree)
-        body = self.header("tests/support/editor/a.h", '#include "app/command/scene.h"\n')
+        body = self.header("tests/support/editor/a.h", '#include "app/command/measuring.h"\n')
         self.assertEqual([], self.problems(tests__CMakeLists_DOT_txt="support", tests__support__editor__a_DOT_h=body))
 
     def test_core_including_templates_that_programs_have_too(self):

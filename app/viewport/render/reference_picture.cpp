@@ -1,4 +1,5 @@
 // app/viewport/render/reference_picture.cpp: decodes, places and draws reference pictures.
+
 #include "app/viewport/render/reference_picture.h"
 
 #include <algorithm>
@@ -14,7 +15,7 @@
 
 #include "app/viewport/render/view.h"
 #include "core/files/disk/atomic_file.h"
-#include "core/files/gltf/image.h"
+#include "core/files/gltf/material.h"
 
 namespace sinew::app {
 

@@ -1,32 +1,23 @@
-// core/files/disk/atomic_file.cpp: POSIX files, every failure returns a readable message.
+// core/files/disk/atomic_file.cpp: POSIX files; every failure becomes a readable message.
 #include "core/files/disk/atomic_file.h"
 
 #include <algorithm>
 #include <array>
 #include <atomic>
 #include <cerrno>
-#include <chrono>
 #include <csignal>
-#include <ctime>
 #include <memory>
 #include <mutex>
 #include <set>
-#include <string>
-#include <string_view>
 #include <system_error>
 #include <thread>
-#include <vector>
 
-#include <fcntl.h>
 #include <sys/file.h>
 #include <sys/stat.h>
-#include <unistd.h>
-
-#include "core/files/disk/descriptor.h"
 
 namespace sinew {
 
-// A part without a lock is nobody's.
+// Stray parts.
 
 namespace {
 
@@ -36,7 +27,7 @@ constexpr std::string_view kBefore = ".sinew-";
 constexpr std::string_view kAfter = ".part";
 constexpr std::string_view kDigits = "0123456789";
 
-/// Takes digits off the front. False if there are none.
+/// Removes digits from the front. False without any.
 bool takeNumber(std::string_view& text) {
   const std::size_t end = std::min(text.find_first_not_of(kDigits), text.size());
   text.remove_prefix(end);
@@ -51,19 +42,19 @@ bool isPartName(std::string_view name) {
   return takeNumber(name) && name == kAfter;
 }
 
-/// When it was written last. A second name of an older file was given when the file was changed last in any way.
+/// Time of the last write; for a second name of an older file, of the last change of any kind.
 std::time_t lastUsed(const struct stat& file) { return file.st_nlink > 1 ? file.st_ctim.tv_sec : file.st_mtim.tv_sec; }
 
 bool isSameFile(const struct stat& a, const struct stat& b) { return a.st_ino == b.st_ino && a.st_dev == b.st_dev; }
 
-/// Only a regular file of that very name: links are not followed.
+/// Only a regular file: links are not followed.
 void removeIfStray(const fs::path& part, std::time_t before) {
   struct stat named {};
   struct stat opened {};
   if (::lstat(part.c_str(), &named) != 0 || !S_ISREG(named.st_mode) || lastUsed(named) >= before) return;
   const Descriptor file(::open(part.c_str(), O_RDWR | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC));
   if (!file.isOpen() || ::flock(file.number(), LOCK_EX | LOCK_NB) != 0) return;
-  // Since the first look it may have been put in its place, and the name given to another.
+  // By now it may have been renamed to its place and the name reused.
   if (::fstat(file.number(), &opened) != 0 || ::lstat(part.c_str(), &named) != 0 || !isSameFile(opened, named)) return;
   ::unlink(part.c_str());
 }
@@ -96,21 +87,21 @@ void clearStrayParts(const fs::path& folder, std::time_t now) {
   for (const fs::path& part : parts) removeIfStray(part, before);
 }
 
+// Writing and reading.
+
 namespace {
 
-namespace fs = std::filesystem;
-
-/// A pipe waits for its reader so long ...
+/// How long a pipe waits for its reader.
 constexpr int kReaderTries = 50;
 constexpr std::chrono::milliseconds kReaderPause{100};
-/// Where a file system has no hard links, previous versions up to this size are copied.
+/// Previous versions up to this size are copied where the file system has no hard links.
 constexpr std::uintmax_t kMostCopied = 1U << 30U;
 
 Error because(const fs::path& file, const std::string& what, int code) {
   return {file.string(), {}, what + ": " + std::generic_category().message(code)};
 }
 
-/// 0, or the errno of the failure.
+/// 0 or errno.
 int writeAll(int descriptor, std::string_view bytes) {
   while (!bytes.empty()) {
     const ssize_t written = ::write(descriptor, bytes.data(), bytes.size());
@@ -121,7 +112,7 @@ int writeAll(int descriptor, std::string_view bytes) {
   return 0;
 }
 
-/// While it lives, a pipe whose reader has gone gives this thread an error, not the signal that ends the program.
+/// Blocks SIGPIPE in this thread, so that writing to a closed pipe gives an error.
 class NoPipeSignal {
  public:
   NoPipeSignal() {
@@ -142,7 +133,7 @@ class NoPipeSignal {
   sigset_t before_{};
 };
 
-/// Opened without waiting, since a pipe that nobody reads would hold the program for ever. -1: errno says why not.
+/// Opens without blocking, as a pipe without a reader would block forever. -1: see errno.
 int openStream(const fs::path& file) {
   for (int tries = 0;; ++tries) {
     const int stream = ::open(file.c_str(), O_WRONLY | O_NONBLOCK | O_CLOEXEC);
@@ -151,13 +142,13 @@ int openStream(const fs::path& file) {
   }
 }
 
-/// Pipes, terminals and devices: nothing to replace, the bytes just go there.
+/// Pipes, terminals and devices.
 Result<void> writeStream(const fs::path& file, std::string_view bytes) {
   Descriptor stream(openStream(file));
   if (!stream.isOpen() && errno == ENXIO) {
     return Error{file.string(), {}, "cannot be written: it is a pipe that no program reads"};
   }
-  // Once it is open a slow reader is waited for, as everywhere.
+  // Once open, wait for a slow reader.
   if (!stream.isOpen() || ::fcntl(stream.number(), F_SETFL, 0) != 0) return because(file, "cannot be written", errno);
   const NoPipeSignal quiet;
   const int failed = writeAll(stream.number(), bytes);
@@ -165,7 +156,7 @@ Result<void> writeStream(const fs::path& file, std::string_view bytes) {
   return {};
 }
 
-/// Creates a file nobody has, beside `file`, and locks it; its name goes to `made`. Not open: errno says why.
+/// Creates and locks a new file beside `file`, named `made`. Not open: see errno.
 Descriptor createNeighbor(const fs::path& file, fs::path& made) {
   for (int attempt = 0; attempt < 1000; ++attempt) {
     made = freshPart(file.parent_path());
@@ -174,21 +165,21 @@ Descriptor createNeighbor(const fs::path& file, fs::path& made) {
     if (!neighbor.isOpen()) continue;
     lockPart(neighbor);
     struct stat created {};
-    // Without a name: before it was locked, another program has taken it for a stray one.
+    // Unlinked: another program took it for a stray part before it was locked.
     if (::fstat(neighbor.number(), &created) != 0 || created.st_nlink > 0) return neighbor;
   }
   errno = EEXIST;
   return {};
 }
 
-/// 0, or the errno of the failure. `mode` 0: what the system gives new files.
+/// 0 or errno. `mode` 0: the system's default.
 int fill(const Descriptor& neighbor, std::string_view bytes, mode_t mode) {
   if (const int failed = writeAll(neighbor.number(), bytes); failed != 0) return failed;
   if (mode != 0 && ::fchmod(neighbor.number(), mode) != 0) return errno;
   return ::fsync(neighbor.number()) == 0 ? 0 : errno;
 }
 
-/// Gives an open file without a name one that nobody has, beside `file`. 0, or the errno of the failure.
+/// Gives an unnamed open file a new name beside `file`. 0 or errno.
 int nameNeighbor(const Descriptor& neighbor, const fs::path& file, fs::path& made) {
   const std::string open = "/proc/self/fd/" + std::to_string(neighbor.number());
   for (int attempt = 0; attempt < 1000; ++attempt) {
@@ -199,14 +190,14 @@ int nameNeighbor(const Descriptor& neighbor, const fs::path& file, fs::path& mad
   return EEXIST;
 }
 
-/// A file that is written, beside its place.
+/// A written file beside its target.
 struct Written {
   fs::path name;
-  Descriptor lock;  ///< Held until the name is gone again.
+  Descriptor lock;  ///< Held as long as the name exists.
 };
 
-/// Writes without a name and names what is whole, so that a process that is killed leaves nothing behind. False where
-/// that failed, also because the file system has no such files.
+/// Writes an unnamed file and names it when whole, so that a killed process leaves nothing behind. False if that fails,
+/// for example because the file system has no unnamed files.
 bool writeUnnamed(const fs::path& file, std::string_view bytes, mode_t mode, Written& made) {
   const fs::path folder = file.parent_path();
   Descriptor neighbor(::open(folder.empty() ? "." : folder.c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, 0666));
@@ -219,7 +210,7 @@ bool writeUnnamed(const fs::path& file, std::string_view bytes, mode_t mode, Wri
   return false;
 }
 
-/// 0, or the errno of the failure; nothing is left then.
+/// 0 or errno; a failure leaves no file.
 int writeNamed(const fs::path& file, std::string_view bytes, mode_t mode, Written& made) {
   Descriptor neighbor = createNeighbor(file, made.name);
   if (!neighbor.isOpen()) return errno;
@@ -240,7 +231,7 @@ bool holds(const fs::path& file, std::string_view bytes) {
   return present && present.value() == bytes;
 }
 
-/// Another name for the file, or where the file system has none, a copy. 0, or the errno of the failure.
+/// A second name for the file, or a copy. 0 or errno.
 int doubleFile(const fs::path& file, Written& made) {
   made.lock = lockShared(file);
   for (int attempt = 0; attempt < 1000; ++attempt) {
@@ -254,8 +245,8 @@ int doubleFile(const fs::path& file, Written& made) {
   return writeNamed(file, bytes.value(), present.st_mode & 07777, made);
 }
 
-/// The version that is replaced stays as NAME~. Where it cannot, because a folder has that name or the disk is full,
-/// the new version is put in its place all the same: it is whole on the disk.
+/// Keeps the previous version as NAME~. If that fails (a folder has the name, the disk is full), the new version still
+/// replaces the file: it is whole on the disk.
 void keepPrevious(const fs::path& file) {
   Written made;
   fs::path kept = file;
@@ -265,10 +256,10 @@ void keepPrevious(const fs::path& file) {
   ::unlink(made.name.c_str());  // A rename onto another name of the same file leaves both.
 }
 
-/// Files or folders that this run of the program has come to.
+/// Paths seen in this run of the program.
 class SeenPaths {
  public:
-  /// Whether it is the first time.
+  /// Whether it is new.
   bool add(const fs::path& file) {
     const std::scoped_lock lock(mutex_);
     return files_.insert(file.string()).second;
@@ -279,7 +270,6 @@ class SeenPaths {
   std::set<std::string> files_;
 };
 
-/// The files that it has written.
 SeenPaths& writtenFiles() {
   static SeenPaths files;
   return files;
@@ -291,22 +281,22 @@ fs::path fullPath(const fs::path& file) {
   return failed ? file : full;
 }
 
-/// What killed programs left goes before this one writes into their folder for the first time.
+/// Removes stray parts before the first write into a folder.
 void clearOnce(const fs::path& folder) {
   static SeenPaths cleared;
   if (cleared.add(fullPath(folder.empty() ? "." : folder))) clearStrayParts(folder, std::time(nullptr));
 }
 
-/// The rename itself must reach the disk too. Some file systems cannot; the file is whole either way.
+/// Flushes the rename to disk. Some file systems cannot; the file is whole either way.
 void flushFolder(const fs::path& folder) {
   const Descriptor descriptor(::open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
   if (descriptor.isOpen()) ::fsync(descriptor.number());
 }
 
-/// A file on the disk beside the one that it is to replace; gone again unless it was put there.
+/// A file beside its target; removed unless put() renames it.
 class Neighbor {
  public:
-  /// @param exists  there is a file that it replaces
+  /// @param exists  the target exists
   Neighbor(fs::path file, fs::path target, bool exists, Previous previous)
       : file_(std::move(file)), target_(std::move(target)), exists_(exists), previous_(previous) {}
   Neighbor(const Neighbor&) = delete;
@@ -325,10 +315,10 @@ class Neighbor {
     return because(file_, "cannot be written", failed);
   }
 
-  /// A file that another program has written into the same folder.
+  /// Uses a file that another program has written into the same folder.
   void take(const fs::path& made) { made_.name = made; }
 
-  /// Before put().
+  /// Keeps the previous version. Before put().
   void keep() {
     if (previous_ == Previous::kKept && !isSame_ && writtenFiles().add(fullPath(target_)) && exists_) {
       keepPrevious(target_);
@@ -349,31 +339,31 @@ class Neighbor {
   Written made_;
   bool exists_ = false;
   Previous previous_ = Previous::kKept;
-  bool isSame_ = false;  ///< What is replaced has these bytes.
+  bool isSame_ = false;  ///< The target has these bytes already.
 };
 
-/// A place for a regular file.
-struct Place {
-  fs::path target;
+/// Target of a regular file.
+struct FileTarget {
+  fs::path path;
   mode_t mode = 0;
 };
 
-Result<Place> placeForFile(const fs::path& file, const struct stat* present) {
-  if (!present) return Place{file, 0};
+Result<FileTarget> targetFor(const fs::path& file, const struct stat* present) {
+  if (!present) return FileTarget{file, 0};
   if (S_ISDIR(present->st_mode)) return Error{file.string(), {}, "cannot be written: it is a folder"};
   if (!S_ISREG(present->st_mode)) return Error{file.string(), {}, "cannot be written: it is not a regular file"};
-  // A rename would walk past a write protection; the designer set it on purpose.
+  // A rename would ignore write protection, which is set on purpose.
   if (::access(file.c_str(), W_OK) != 0) return because(file, "cannot be written", errno);
-  // Through a link to the file it names, so that the link stays one.
+  // Follow links, so that they remain links.
   std::error_code failed;
   fs::path target = fs::canonical(file, failed);
   if (failed) return because(file, "cannot be written", failed.value());
-  return Place{std::move(target), static_cast<mode_t>(present->st_mode & 07777)};
+  return FileTarget{std::move(target), static_cast<mode_t>(present->st_mode & 07777)};
 }
 
 template <class Bytes>
 Result<Bytes> readWhole(const fs::path& file, std::uintmax_t limit) {
-  // Without waiting: a pipe nobody writes to must not hang the program.
+  // Without blocking: a pipe without a writer must not hang the program.
   const Descriptor source(::open(file.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC));
   if (!source.isOpen()) return because(file, "cannot be read", errno);
   struct stat present {};
@@ -412,12 +402,12 @@ Result<void> writeFilesAtomically(const std::vector<NamedBytes>& files, Previous
   for (const NamedBytes& each : files) {
     struct stat present {};
     const bool exists = ::stat(each.file.c_str(), &present) == 0;
-    const Result<Place> place = placeForFile(each.file, exists ? &present : nullptr);
-    if (!place) return place.error();
-    neighbors.push_back(std::make_unique<Neighbor>(each.file, place->target, exists, previous));
-    if (auto filled = neighbors.back()->fill(each.bytes, place->mode); !filled) return filled;
+    const Result<FileTarget> target = targetFor(each.file, exists ? &present : nullptr);
+    if (!target) return target.error();
+    neighbors.push_back(std::make_unique<Neighbor>(each.file, target->path, exists, previous));
+    if (auto filled = neighbors.back()->fill(each.bytes, target->mode); !filled) return filled;
   }
-  // The renames stand together: a process that is killed between two of them leaves files of two versions.
+  // Renames follow each other at once: a process killed between two of them leaves files of two versions.
   for (const auto& neighbor : neighbors) neighbor->keep();
   for (const auto& neighbor : neighbors) {
     if (auto put = neighbor->put(); !put) return put;
@@ -429,13 +419,13 @@ Result<void> writeFilesAtomically(const std::vector<NamedBytes>& files, Previous
 Result<void> putFileAtomically(const fs::path& made, const fs::path& file) {
   struct stat present {};
   const bool exists = ::stat(file.c_str(), &present) == 0;
-  const Result<Place> place = placeForFile(file, exists ? &present : nullptr);
-  if (!place) return place.error();
-  Neighbor neighbor(file, place->target, exists, Previous::kKept);
+  const Result<FileTarget> target = targetFor(file, exists ? &present : nullptr);
+  if (!target) return target.error();
+  Neighbor neighbor(file, target->path, exists, Previous::kKept);
   neighbor.take(made);
   const Descriptor descriptor(::open(made.c_str(), O_RDONLY | O_CLOEXEC));
   if (!descriptor.isOpen() || ::fsync(descriptor.number()) != 0) return because(file, "cannot be written", errno);
-  if (place->mode != 0 && ::fchmod(descriptor.number(), place->mode) != 0) {
+  if (target->mode != 0 && ::fchmod(descriptor.number(), target->mode) != 0) {
     return because(file, "cannot be written", errno);
   }
   neighbor.keep();

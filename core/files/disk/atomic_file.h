@@ -1,4 +1,4 @@
-// core/files/disk/atomic_file.h: whole files in, whole files out.
+// core/files/disk/atomic_file.h: reading and writing whole files.
 #pragma once
 
 #include <chrono>
@@ -8,60 +8,85 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
-#include "core/files/disk/descriptor.h"
+#include <fcntl.h>
+#include <unistd.h>
+
 #include "sinew/geometry/result.h"
 
 namespace sinew {
 
-// Names of files that are to replace others, and what killed programs left of them.
-//
-// A file is `.sinew-NUMBER-NUMBER.part` until it is renamed to its place. Whoever writes one holds a lock on it (flock)
-// from before it has that name until after it has lost it; the system releases the lock however the program ends. So a
-// part that nobody has locked belongs to nobody. On network folders without locks age is the second sign.
+/// An open file of the system, closed at the end of its scope.
+class Descriptor {
+ public:
+  Descriptor() = default;
+  /// @param number  from the system; -1: not open
+  explicit Descriptor(int number) : number_(number) {}
+  Descriptor(Descriptor&& other) noexcept : number_(std::exchange(other.number_, -1)) {}
+  Descriptor& operator=(Descriptor&& other) noexcept {
+    std::swap(number_, other.number_);
+    return *this;
+  }
+  ~Descriptor() { close(); }
 
-/// Parts that are younger are left alone: no write lasts so long, and locks may be missing.
-inline constexpr std::chrono::hours kStrayAge{1};
+  [[nodiscard]] int number() const { return number_; }
+  [[nodiscard]] bool isOpen() const { return number_ >= 0; }
+  /// A duplicate: locks last until both are closed.
+  [[nodiscard]] Descriptor copy() const { return Descriptor(::fcntl(number_, F_DUPFD_CLOEXEC, 0)); }
+  /// False if the system reports a late failure, in errno.
+  bool close() {
+    if (number_ < 0) return true;
+    return ::close(std::exchange(number_, -1)) == 0;
+  }
 
-/// A name that this process has not used yet.
-[[nodiscard]] std::filesystem::path freshPart(const std::filesystem::path& folder);
-
-/// Tells other programs that the open file is in use, for as long as it or a copy is open. Does nothing where the file
-/// system has no locks.
-void lockPart(const Descriptor& file);
-
-/// For a second name of a file that is there: the same, while others may do so too.
-[[nodiscard]] Descriptor lockShared(const std::filesystem::path& file);
-
-/// Removes parts that nobody holds and that are older than kStrayAge; what cannot be removed stays.
-/// @param now  seconds since 1970
-void clearStrayParts(const std::filesystem::path& folder, std::time_t now);
-
-/// What becomes of the version of a file that is replaced.
-enum class Previous {
-  kKept,      ///< As NAME~, once in a run of the program: the file as it was before the run. Not where it is the same.
-  kReplaced,  ///< Nothing: what the program keeps for itself.
+ private:
+  int number_ = -1;
 };
 
-/// Writes beside the target, flushes to disk, renames over it: after a crash or a full disk the old file is whole. To
-/// pipes, terminals and devices the bytes are written as they are. Error also: a pipe that nobody reads for 5 seconds.
+// A file is named `.sinew-NUMBER-NUMBER.part` until it is renamed to its place. Its writer holds a lock on it (flock)
+// for as long as it has that name; the system releases the lock however the program ends. So an unlocked part is stray.
+// On network folders without locks its age decides.
+
+/// Younger parts are kept: no write takes so long, and locks may be missing.
+inline constexpr std::chrono::hours kStrayAge{1};
+
+/// A new name in this process.
+[[nodiscard]] std::filesystem::path freshPart(const std::filesystem::path& folder);
+
+/// Marks an open file as in use until it and its copies are closed. Does nothing without locks.
+void lockPart(const Descriptor& file);
+
+/// The same with a shared lock, for a second name of an existing file.
+[[nodiscard]] Descriptor lockShared(const std::filesystem::path& file);
+
+/// Removes unlocked parts older than kStrayAge, as far as possible. @param now  seconds since 1970
+void clearStrayParts(const std::filesystem::path& folder, std::time_t now);
+
+/// What happens to the previous version of a file.
+enum class Previous {
+  kKept,      ///< Kept as NAME~, once in a run of the program: as it was before the run. Not if it is the same.
+  kReplaced,  ///< Replaced: for the program's own files.
+};
+
+/// Writes beside the target, flushes to disk, renames over it: after a crash or a full disk the old file is whole.
+/// Pipes, terminals and devices are written directly. Error also: a pipe that nobody reads for 5 seconds.
 [[nodiscard]] Result<void> writeFileAtomically(const std::filesystem::path& file, std::string_view bytes,
                                                Previous previous = Previous::kKept);
 
-/// A file to be written.
 struct NamedBytes {
   std::filesystem::path file;
   std::string_view bytes;
 };
 
-/// The same for several files that belong together: all are on the disk before the first is renamed, so that on an
-/// Error none has changed. Their places must be regular files, or free.
+/// The same for several files that belong together: all are on the disk before the first is renamed, so that an Error
+/// changes none. Each target must be a regular file or free.
 [[nodiscard]] Result<void> writeFilesAtomically(const std::vector<NamedBytes>& files,
                                                 Previous previous = Previous::kKept);
 
-/// The same for what another program has written.
-/// @param made  in the folder of `file`; gone afterwards, also on an Error
+/// The same for a file that another program has written. @param made  in the folder of `file`; removed, even on an
+/// Error
 [[nodiscard]] Result<void> putFileAtomically(const std::filesystem::path& made, const std::filesystem::path& file);
 
 /// Error: it is absent, a folder, unreadable, or larger than `limit` bytes.

@@ -1,4 +1,5 @@
-// core/files/export/baked_points.cpp: the live surface at every frame, in a cache beside an .obj, or in a USD stage.
+// core/files/export/baked_points.cpp: the live surface at every frame, in a cache with an .obj or in a USD stage.
+
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -29,23 +30,21 @@
 namespace sinew::exporting {
 namespace {
 
-// The finished glTF as the files of a USD stage.
-// GlTF in memory, read again, written as USD.
+// USD: the finished glTF, read again from memory.
 
 Result<usd::Stage> stageOf(const Source& source, const PackedGltf& packed, const std::filesystem::path& file,
                            const usd::PointMoments* moments) {
   const Result<std::string> bytes = glbOf(packed);
   if (!bytes) return Error{file.string(), {}, bytes.error().reason};
-  // Images that could not be read are named from the source's folder.
+  // Uris of unread images are relative to the source's folder.
   gltf::File again({bytes->begin(), bytes->end()}, gltf::folderOf(source.path));
   const std::string stem = file.stem().string();
   return moments ? usd::pointStage(again, packed.root, stem, *moments) : usd::skinnedStage(again, packed.root, stem);
 }
 
-/// Writes the .usda and its textures, all or none. Bytes of all of them. Throws gltf::Refusal.
-/// @param file     .usda; the place was free before the work
-/// @param left     what .usda does not hold is added
-/// @param moments  points over time in place of a skeleton; null: skinned
+/// Writes the .usda and its textures, all or none. Returns their bytes. Throws gltf::Refusal.
+/// @param left     receives what .usda cannot hold
+/// @param moments  points over time instead of a skeleton; null: skinned
 Result<std::uint64_t> writeStage(const Source& source, const PackedGltf& packed, const std::filesystem::path& file,
                                  std::vector<std::string>& left, const usd::PointMoments* moments) {
   auto stage = stageOf(source, packed, file, moments);
@@ -59,78 +58,69 @@ Result<std::uint64_t> writeStage(const Source& source, const PackedGltf& packed,
   return writeFiles(source, files);
 }
 
-// Where all vertices are at each frame, as other programs cache it.
-// PC2 is little endian, MDD big.
-
-/// Bytes of a cache, made frame by frame. Every frame has as many points.
-class PointCache {
- public:
-  enum class Format { kPc2, kMdd };
-
-  /// @param times  [frames] seconds  @param points  in each frame
-  PointCache(Format format, std::span<const float> times, std::size_t points);
-
-  /// Bytes of a whole file. @param frames, points  any: nothing is made
-  [[nodiscard]] static double sizeOf(Format format, double frames, double points);
-
-  void add(std::span<const glm::vec3> points);
-  [[nodiscard]] const std::string& bytes() const { return bytes_; }
-
- private:
-  template <class Number>
-  void append(Number number);
-
-  Format format_;
-  std::string bytes_;
-};
+// Point caches: PC2 is little endian, MDD big endian.
 
 constexpr std::string_view kMagic("POINTCACHE2\0", 12);
 constexpr std::int32_t kCacheVersion = 1;
 constexpr double kPc2Header = 32;
 constexpr double kMddHeader = 8;
 
-PointCache::PointCache(Format format, std::span<const float> times, std::size_t points) : format_(format) {
-  const auto frames = static_cast<double>(times.size());
-  bytes_.reserve(static_cast<std::size_t>(sizeOf(format, frames, static_cast<double>(points))));
-  const auto count = static_cast<std::int32_t>(points);
-  const auto samples = static_cast<std::int32_t>(times.size());
-  if (format == Format::kPc2) {
-    bytes_ = kMagic;
-    append(kCacheVersion);
-    append(count);
-    append(0.0f);  // The first sample is at frame 0 ...
-    append(1.0f);  // ... and there is one a frame.
-    append(samples);
-  } else {
-    append(samples);
-    append(count);
-    for (const float time : times) append(time);
+/// Builds a cache frame by frame. Every frame has the same number of points.
+class PointCache {
+ public:
+  enum class Format { kPc2, kMdd };
+
+  /// @param times  [frames] seconds  @param points  in each frame
+  PointCache(Format format, std::span<const float> times, std::size_t points) : format_(format) {
+    const auto frames = static_cast<double>(times.size());
+    bytes_.reserve(static_cast<std::size_t>(sizeOf(format, frames, static_cast<double>(points))));
+    const auto count = static_cast<std::int32_t>(points);
+    const auto samples = static_cast<std::int32_t>(times.size());
+    if (format == Format::kPc2) {
+      bytes_ = kMagic;
+      append(kCacheVersion);
+      append(count);
+      append(0.0f);  // first frame
+      append(1.0f);  // frames per sample
+      append(samples);
+    } else {
+      append(samples);
+      append(count);
+      for (const float time : times) append(time);
+    }
   }
-}
 
-double PointCache::sizeOf(Format format, double frames, double points) {
-  const double header = format == Format::kPc2 ? kPc2Header : kMddHeader + 4 * frames;
-  return header + frames * points * static_cast<double>(sizeof(glm::vec3));
-}
-
-void PointCache::add(std::span<const glm::vec3> points) {
-  for (const glm::vec3& point : points) {
-    for (int axis = 0; axis < 3; ++axis) append(point[axis]);
+  /// Bytes of a whole file.
+  [[nodiscard]] static double sizeOf(Format format, double frames, double points) {
+    const double header = format == Format::kPc2 ? kPc2Header : kMddHeader + 4 * frames;
+    return header + frames * points * static_cast<double>(sizeof(glm::vec3));
   }
-}
 
-template <class Number>
-void PointCache::append(Number number) {
-  static_assert(std::endian::native == std::endian::little);
-  auto bytes = std::bit_cast<std::array<char, sizeof(Number)>>(number);
-  if (format_ == Format::kMdd) std::ranges::reverse(bytes);
-  bytes_.append(bytes.data(), bytes.size());
-}
+  void add(std::span<const glm::vec3> points) {
+    for (const glm::vec3& point : points) {
+      for (int axis = 0; axis < 3; ++axis) append(point[axis]);
+    }
+  }
+
+  [[nodiscard]] const std::string& bytes() const { return bytes_; }
+
+ private:
+  template <class Number>
+  void append(Number number) {
+    static_assert(std::endian::native == std::endian::little);
+    auto bytes = std::bit_cast<std::array<char, sizeof(Number)>>(number);
+    if (format_ == Format::kMdd) std::ranges::reverse(bytes);
+    bytes_.append(bytes.data(), bytes.size());
+  }
+
+  Format format_;
+  std::string bytes_;
+};
 
 constexpr int kMostFrames = 1'000'000;
 constexpr double kMostCacheBytes = 4e9;
 constexpr double kMostStageBytes = 2e9;
-/// Bytes of a point and a normal as text, about.
+/// Approximate bytes of a point and a normal as text.
 constexpr double kTextOfVertex = 96.0;
 
 using SharedCharacter = std::shared_ptr<const Character>;
@@ -183,7 +173,7 @@ Result<BakedExportReport> bakeCache(Source& source, const SharedCharacter& chara
   return report;
 }
 
-/// Meshes, materials and names are those of a skinned file, which has the vertices in its order.
+/// Takes meshes, materials and names from a skinned file with the same vertices.
 Result<BakedExportReport> bakeStage(Source& source, const SharedCharacter& character, const Rig& rig,
                                     const BakedExportSettings& settings, const std::filesystem::path& file,
                                     const ExportProgress& progress) {

@@ -1,4 +1,4 @@
-// core/files/export/baked_targets.cpp: weights for the clip, then targets for what they leave.
+// core/files/export/baked_targets.cpp: weights for the clip, then morph targets for the residual.
 #include <algorithm>
 #include <map>
 #include <sstream>
@@ -22,12 +22,12 @@ namespace {
 
 /// Frames of a clip. The search for targets is cubic in them.
 constexpr int kMostTargetFrames = 4000;
-/// Vertices times frames that are held at once: 3 GB.
+/// Vertices times frames in memory: 3 GB.
 constexpr std::size_t kMostPoints = 100'000'000;
-/// Normals that turn less, about a quarter of a degree, have no entry in a target.
+/// Smaller changes of normals, about a quarter of a degree, have no entry in a target.
 constexpr float kNormalStep = 1.0f / 256.0f;
-constexpr std::size_t kLeastTargetRange = 1024;  ///< Vertices that are worth a thread.
-// Shares of the work.
+constexpr std::size_t kLeastTargetRange = 1024;  ///< Vertices per thread, at least.
+// Fractions of the work.
 constexpr double kFitting = 0.3;
 constexpr double kGathering = 0.2;
 constexpr double kSearching = 0.3;
@@ -45,7 +45,7 @@ struct PrimitiveDeltas {
   std::vector<std::vector<glm::vec3>> normals;    ///< [targets][vertices]
 };
 
-/// Morph targets on the written primitives.
+/// Adds morph targets to the written primitives.
 class TargetMaker {
  public:
   TargetMaker(std::shared_ptr<const Character> character, const Rig& rig, const JointFit& fit,
@@ -56,9 +56,9 @@ class TargetMaker {
         moments_(*character_, settings),
         progress_(progress),
         surfaces_(character_),
-        prepared_(surfaces_.prepare(rig).ok()) {}  // As it was for the weights.
+        prepared_(surfaces_.prepare(rig).ok()) {}
 
-  /// FinishFile. Throws gltf::Refusal.
+  /// A FinishFile. Throws gltf::Refusal.
   void addTo(GltfRewrite& rewrite, const OutSkins& skins, std::span<const OutPrimitive> primitives,
              BakedExportReport& report) {
     if (primitives.empty() || !prepared_) return;
@@ -99,7 +99,7 @@ class TargetMaker {
   }
 
  private:
-  /// Calls use(frame, live surface) for each, the matrices at hand.
+  /// Calls use(frame, live surface) for each, with matrices_ set.
   template <class Use>
   void forEachFrame(Use use) {
     const std::size_t count = moments_.times.size();
@@ -113,7 +113,7 @@ class TargetMaker {
     });
   }
 
-  /// Of figures whose times are frames.
+  /// Figures with times instead of frames, and with names.
   [[nodiscard]] ErrorFigures placed(ErrorFigures figures) const {
     if (figures.farthest.vertex < 0) return figures;
     figures.farthest.clip = settings_.clip;
@@ -122,7 +122,7 @@ class TargetMaker {
     return figures;
   }
 
-  /// Targets of the refined vertices, where the file has them by node and split.
+  /// Targets of the refined vertices; the file has them by node and split.
   [[nodiscard]] PlayedTargets playedTargets(const MorphTargets& targets) const {
     PlayedTargets played{settings_.clip, moments_.times, targets.weights, {}};
     for (const std::vector<glm::vec3>& all : targets.deltas) {
@@ -135,12 +135,12 @@ class TargetMaker {
     return played;
   }
 
-  /// The clip between its baked moments, as a program blends the targets.
+  /// Measures the clip between its samples, as a program blends the targets.
   void measureBetween(PlayedTargets targets, BakedExportReport& report) {
     const auto played = std::make_shared<PlayedSurface>(*fit_.played());
     played->targets = std::move(targets);
     const std::vector<float> times = timesBetween(moments_.clip, momentsPerSecond(settings_));
-    // Those of the file alone: what no primitive shows is not compared.
+    // Compare only vertices that a primitive shows.
     std::vector<bool> isShown(fit_.weights().size(), false);
     for (const int refined : refined_) isShown[toIndex(refined)] = true;
     const auto height = static_cast<double>(character_->height);
@@ -168,7 +168,7 @@ class TargetMaker {
     report.played = played;
   }
 
-  /// Each refined vertex once for every node that shows it.
+  /// Gathers each refined vertex once for every node that shows it.
   MorphFit gatherVertices(const OutSkins& skins, std::span<const OutPrimitive> primitives) {
     std::vector<MorphVertex> vertices;
     std::vector<glm::dmat3> spaces;
@@ -202,7 +202,7 @@ class TargetMaker {
     return morphs;
   }
 
-  /// Normals by least squares over the same weights: what, skinned as normals are, comes nearest to the live ones.
+  /// Normals by least squares over the same weights, nearest to the live ones after skinning.
   std::vector<PrimitiveDeltas> deltasOf(const MorphTargets& targets, const OutSkins& skins,
                                         std::span<const OutPrimitive> primitives) {
     std::vector<PrimitiveDeltas> result;
@@ -257,8 +257,7 @@ class TargetMaker {
   std::vector<int> refined_;               ///< [MorphFit's vertices]
   std::vector<int> spaceOf_;               ///< [MorphFit's vertices] index in spaces_.
   std::vector<glm::dmat3> spaces_;
-  // The frame at hand.
-  std::vector<glm::dmat4> matrices_;
+  std::vector<glm::dmat4> matrices_;  ///< Of the current frame.
 };
 
 }  // namespace
@@ -270,7 +269,7 @@ Result<BakedExportReport> bakeTargets(Source& source, const std::shared_ptr<cons
   SkinnedExportSettings skinning;
   skinning.weights = settings.weights;
   skinning.clips = {settings.clip};
-  skinning.morphs = false;  // What they do is in the live surface, and so in the targets that are made of it.
+  skinning.morphs = false;  // The live surface, and so the new targets, include them.
   ExportProgress ofFit;
   ExportProgress ofTargets;
   if (progress) {

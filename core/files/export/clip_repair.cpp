@@ -1,4 +1,4 @@
-// core/files/export/clip_repair.cpp: samplers read, sorted, begun at 0 and written anew.
+// core/files/export/clip_repair.cpp: reads samplers, sorts them, starts them at 0 and writes them again.
 #include "core/files/export/clip_repair.h"
 
 #include <algorithm>
@@ -10,14 +10,13 @@
 
 #include <glm/gtc/quaternion.hpp>
 
-#include "core/files/export/gltf_rewrite.h"
 #include "core/files/gltf/accessor.h"
 #include "core/geometry/at.h"
 
 namespace sinew::exporting {
 namespace {
 
-/// A rotation whose length differs from 1 by more than that is no unit quaternion for others.
+/// Validators accept rotations whose length differs less from 1.
 constexpr float kToldWithin = 1e-4f;
 
 enum class ClipRepairKeys { kStep, kLinear, kCubic };
@@ -27,7 +26,7 @@ struct KeyTrack {
   ClipRepairKeys kind = ClipRepairKeys::kLinear;
   bool turns = false;      ///< Rotations.
   std::size_t width = 0;   ///< Numbers of a value.
-  std::size_t perKey = 0;  ///< Numbers of a key: cubic ones have a value between two tangents.
+  std::size_t perKey = 0;  ///< Numbers of a key: cubic keys have a value between two tangents.
   std::vector<float> times;
   std::vector<float> values;
 
@@ -35,7 +34,7 @@ struct KeyTrack {
   [[nodiscard]] float* value(std::size_t k) { return key(k) + (kind == ClipRepairKeys::kCubic ? width : 0); }
 };
 
-/// In rising order; of equal times the last counts.
+/// Sorts keys; the last of equal times remains.
 bool sortKeys(KeyTrack& track) {
   if (std::ranges::adjacent_find(track.times, std::ranges::greater_equal()) == track.times.end()) return false;
   std::vector<std::size_t> order(track.times.size());
@@ -55,7 +54,7 @@ bool sortKeys(KeyTrack& track) {
 
 glm::quat quatAt(const float* value) { return glm::quat(value[3], value[0], value[1], value[2]); }
 
-/// The key that stands at `share` of the way from key k to the next, which is `span` seconds later.
+/// The key at the fraction `share` between key k and the next, `span` seconds later.
 std::vector<float> keyBetween(KeyTrack& track, std::size_t k, float share, float span) {
   std::vector<float> made(track.key(k), track.key(k) + track.perKey);
   if (track.kind == ClipRepairKeys::kStep) return made;
@@ -86,7 +85,7 @@ std::vector<float> keyBetween(KeyTrack& track, std::size_t k, float share, float
   return made;
 }
 
-/// What stands before 0 plays only as what it leads to at 0.
+/// Replaces keys before 0 by their value at 0.
 bool beginAtZero(KeyTrack& track) {
   if (!(track.times.front() < 0.0f)) return false;
   const auto before = static_cast<std::size_t>(std::ranges::lower_bound(track.times, 0.0f) - track.times.begin());
@@ -106,7 +105,7 @@ bool beginAtZero(KeyTrack& track) {
   return true;
 }
 
-/// Not of splines, whose values are not what plays.
+/// Normalizes rotations, except in splines, whose values do not play as they are.
 bool makeUnit(KeyTrack& track) {
   bool changed = false;
   for (std::size_t k = 0; track.turns && track.kind != ClipRepairKeys::kCubic && k < track.times.size(); ++k) {
@@ -144,7 +143,7 @@ class ClipRepair {
       const Json& target = channel.at("target");
       const double node = target.at("node").number(-1.0);
       const std::string path = target.at("path").text("");
-      if (node < 0.0) return false;  // An extension's.
+      if (node < 0.0) return false;  // of an extension
       if (isPlacedByMatrix(node, path)) return leave("nodes that a matrix places: such nodes stay still");
       if (!driven.emplace(node, path).second) return leave("a property that another channel moves: the first plays");
       const double sampler = channel.at("sampler").number(-1.0);
@@ -168,7 +167,7 @@ class ClipRepair {
            nodes[static_cast<std::size_t>(node)].find("matrix") != nullptr;
   }
 
-  /// False: they cannot be read.
+  /// False: unreadable.
   bool repairKeys(Json& sampler, double node, const std::string& path, const std::string& place) {
     try {
       std::optional<KeyTrack> track = read(sampler, node, path, place);
@@ -190,7 +189,7 @@ class ClipRepair {
     }
   }
 
-  /// Nothing: there are none, too few values, or some that are not finite.
+  /// nullopt: no keys, too few values, or values that are not finite.
   std::optional<KeyTrack> read(const Json& sampler, double node, const std::string& path, const std::string& place) {
     const gltf::Accessor& input = source_.accessors.open(sampler.at("input"), place, TINYGLTF_TYPE_SCALAR);
     const gltf::Accessor& output =
@@ -242,8 +241,8 @@ class ClipRepair {
   Source& source_;
   GltfRewrite& rewrite_;
   std::set<std::string>& left_;
-  std::string type_;       ///< Of the output at hand ...
-  std::size_t given_ = 0;  ///< ... and how many numbers it has.
+  std::string type_;       ///< Of the current output.
+  std::size_t given_ = 0;  ///< Numbers of the current output.
 };
 
 }  // namespace

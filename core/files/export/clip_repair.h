@@ -1,4 +1,4 @@
-// core/files/export/clip_repair.h: clips as they were read and measured, where the file's are not as glTF wants them.
+// core/files/export/clip_repair.h: repairs clips that do not conform to glTF, as they were read and measured.
 #pragma once
 
 #include <set>
@@ -9,10 +9,9 @@
 
 namespace sinew::exporting {
 
-/// Key times that fall or repeat are sorted, those before 0 end at 0, as they play. Rotations get length 1. Channels
-/// that do not play are left out: a second one for the same property, of a node that a matrix places, with keys that
-/// cannot be read.
-/// @param left  takes what has changed, and why
+/// Sorts key times, cuts keys before 0, normalizes rotations, all as they play. Removes channels that do not play: a
+/// second one for a property, one of a node placed by a matrix, one with unreadable keys. @param left  receives the
+/// changes
 void repairClips(Source& source, GltfRewrite& rewrite, std::set<std::string>& left);
 
 }  // namespace sinew::exporting

@@ -1,4 +1,4 @@
-// core/files/export/formats.h: the table of file formats, one row for each form that a format holds.
+// core/files/export/formats.h: the table of export formats, one row for each format and form.
 #pragma once
 
 #include <array>
@@ -17,12 +17,12 @@
 namespace sinew::exporting {
 
 /// Writes a finished glTF. Returns the bytes of all files. Throws gltf::Refusal.
-/// @param left  what the format does not hold is added
+/// @param left  receives what the format cannot hold
 using WriteSkin = Result<std::uint64_t>(const Source& source, const PackedGltf& packed,
                                         const std::filesystem::path& file, std::vector<std::string>& left);
 WriteSkin writeGlb, writeGltf, writeUsd;
 
-/// As exportBaked() for names of the format. Throws gltf::Refusal, Canceled.
+/// exportBaked() for this format. Throws gltf::Refusal, Canceled.
 using BakeClip = Result<BakedExportReport>(Source& source, const std::shared_ptr<const Character>& character,
                                            const Rig& rig, const BakedExportSettings& settings,
                                            const std::filesystem::path& file, const ExportProgress& progress);
@@ -31,12 +31,12 @@ BakeClip bakeTargets, bakeStage, bakeCache;
 struct ExportFormat {
   std::string_view ending;  ///< Lower case.
   ExportForm form;
-  WriteSkin* writeSkin = nullptr;             ///< ExportForm::kSkin has this,
-  BakeClip* bakeClip = nullptr;               ///< the other forms this.
-  std::array<std::string_view, 2> besides{};  ///< Endings of the files that come with it.
+  WriteSkin* writeSkin = nullptr;             ///< For ExportForm::kSkin.
+  BakeClip* bakeClip = nullptr;               ///< For the other forms.
+  std::array<std::string_view, 2> besides{};  ///< Endings of side files.
 };
 
-/// By the name's ending; null: none of the forms has a format of that ending.
+/// By the name's ending; null: none of the forms has that ending.
 [[nodiscard]] const ExportFormat* findFormat(const std::filesystem::path& file, const std::vector<ExportForm>& forms);
 
 [[nodiscard]] Error unknownEnding(const std::filesystem::path& file, const std::vector<ExportForm>& forms);

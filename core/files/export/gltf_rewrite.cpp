@@ -1,4 +1,4 @@
-// core/files/export/gltf_rewrite.cpp: references counted, views joined into one buffer, containers.
+// core/files/export/gltf_rewrite.cpp: used bytes, references, one buffer, containers, animations.
 #include "core/files/export/gltf_rewrite.h"
 
 #include <algorithm>
@@ -8,18 +8,15 @@
 #include <functional>
 #include <limits>
 #include <set>
-#include <string_view>
-#include <utility>
 
 #include <glm/geometric.hpp>
 
-#include "core/files/gltf/file.h"
-#include "core/files/gltf/image_bytes.h"
+#include "core/files/gltf/material.h"
 #include "core/geometry/at.h"
 
 namespace sinew::exporting {
 
-// Stretches merged; the bytes of accessors by their types.
+// Used bytes.
 
 namespace {
 
@@ -29,14 +26,9 @@ struct Shape {
   std::string_view type;
   std::uint64_t components;
 };
-/// Those whose columns are never padded.
+/// Types without padded columns.
 constexpr std::array kShapes{Shape{"SCALAR", 1}, Shape{"VEC2", 2}, Shape{"VEC3", 3}, Shape{"VEC4", 4},
                              Shape{"MAT4", 16}};
-
-Json* memberIn(Json& object, std::string_view name) {
-  const auto found = std::ranges::find(object.children, name, &Json::key);
-  return found == object.children.end() ? nullptr : &*found;
-}
 
 std::uint64_t wholeAt(const Json& object, std::string_view name) {
   return static_cast<std::uint64_t>(std::max(object.at(name).number(0.0), 0.0));
@@ -58,47 +50,61 @@ std::uint64_t componentBytes(std::uint64_t componentType) {
   }
 }
 
-/// 0: it is not known.
+/// 0: unknown.
 std::uint64_t elementBytes(const Json& accessor, std::uint64_t componentType) {
   const std::string type = accessor.at("type").text("");
   const auto* const shape = std::ranges::find(kShapes, type, &Shape::type);
   return shape == kShapes.end() ? 0 : shape->components * componentBytes(componentType);
 }
 
-}  // namespace
-
-void UsedBytes::add(std::uint64_t begin, std::uint64_t end) {
-  stretches_.emplace_back(begin / kAlignment * kAlignment, (end + kAlignment - 1) / kAlignment * kAlignment);
-}
-
-void UsedBytes::close(std::uint64_t length) {
-  std::ranges::sort(stretches_);
-  std::vector<std::pair<std::uint64_t, std::uint64_t>> merged;
-  for (const auto& [begin, end] : stretches_) {
-    if (!merged.empty() && begin <= merged.back().second) merged.back().second = std::max(merged.back().second, end);
-    else merged.emplace_back(begin, end);
+/// Intervals of a view that accessors use, and their places without the rest. They begin at multiples of 4 and keep
+/// their order, so that numbers stay aligned.
+class UsedBytes {
+ public:
+  void add(std::uint64_t begin, std::uint64_t end) {
+    intervals_.emplace_back(begin / kAlignment * kAlignment, (end + kAlignment - 1) / kAlignment * kAlignment);
   }
-  if (!merged.empty()) merged.back().second = std::min(merged.back().second, length);
-  stretches_ = std::move(merged);
-}
 
-std::uint64_t UsedBytes::length() const {
-  std::uint64_t sum = 0;
-  for (const auto& [begin, end] : stretches_) sum += end - begin;
-  return sum;
-}
-
-std::uint64_t UsedBytes::placeOf(std::uint64_t byte) const {
-  std::uint64_t before = 0;
-  for (const auto& [begin, end] : stretches_) {
-    if (byte < end || end == stretches_.back().second) return before + byte - begin;
-    before += end - begin;
+  /// Merges the intervals, once all are added. @param length  of the view
+  void close(std::uint64_t length) {
+    std::ranges::sort(intervals_);
+    std::vector<std::pair<std::uint64_t, std::uint64_t>> merged;
+    for (const auto& [begin, end] : intervals_) {
+      if (!merged.empty() && begin <= merged.back().second) merged.back().second = std::max(merged.back().second, end);
+      else merged.emplace_back(begin, end);
+    }
+    if (!merged.empty()) merged.back().second = std::min(merged.back().second, length);
+    intervals_ = std::move(merged);
   }
-  return byte;
-}
 
+  /// After close(): in order, with unused bytes between them.
+  [[nodiscard]] const std::vector<std::pair<std::uint64_t, std::uint64_t>>& intervals() const { return intervals_; }
+
+  /// Sum of all lengths.
+  [[nodiscard]] std::uint64_t length() const {
+    std::uint64_t sum = 0;
+    for (const auto& [begin, end] : intervals_) sum += end - begin;
+    return sum;
+  }
+
+  /// New place of a used byte.
+  [[nodiscard]] std::uint64_t placeOf(std::uint64_t byte) const {
+    std::uint64_t before = 0;
+    for (const auto& [begin, end] : intervals_) {
+      if (byte < end || end == intervals_.back().second) return before + byte - begin;
+      before += end - begin;
+    }
+    return byte;
+  }
+
+ private:
+  std::vector<std::pair<std::uint64_t, std::uint64_t>> intervals_;  ///< Begin and end.
+};
+
+/// Calls visit(user of a bufferView, bytes used from its byteOffset on) for all accessors and their sparse parts; 0
+/// bytes: unknown.
 void visitUses(Json& root, const std::function<void(Json& user, std::uint64_t bytes)>& visit) {
-  Json* const accessors = memberIn(root, "accessors");
+  Json* const accessors = memberOf(root, "accessors");
   if (!accessors) return;
   const std::vector<Json>& views = root.at("bufferViews").items();
   const auto visitOne = [&](Json& user, std::uint64_t count, std::uint64_t element) {
@@ -113,23 +119,21 @@ void visitUses(Json& root, const std::function<void(Json& user, std::uint64_t by
   for (Json& accessor : accessors->children) {
     const std::uint64_t element = elementBytes(accessor, wholeAt(accessor, "componentType"));
     visitOne(accessor, wholeAt(accessor, "count"), element);
-    Json* const sparse = memberIn(accessor, "sparse");
+    Json* const sparse = memberOf(accessor, "sparse");
     if (!sparse) continue;
     const std::uint64_t entries = wholeAt(*sparse, "count");
-    if (Json* const indices = memberIn(*sparse, "indices")) {
+    if (Json* const indices = memberOf(*sparse, "indices")) {
       visitOne(*indices, entries, componentBytes(wholeAt(*indices, "componentType")));
     }
-    if (Json* const values = memberIn(*sparse, "values")) visitOne(*values, entries, element);
+    if (Json* const values = memberOf(*sparse, "values")) visitOne(*values, entries, element);
   }
 }
 
-namespace {
-
 constexpr std::uint64_t kMostBytes = std::numeric_limits<std::uint32_t>::max();
-/// Bytes of a view that nothing refers to: fewer are padding and stay.
+/// Fewer unused bytes of a view are padding, and stay.
 constexpr std::uint64_t kLeastUnused = 16;
 
-/// Extensions that name no accessor and no bufferView, by how their names begin.
+/// Beginnings of the names of extensions that use no accessor and no bufferView.
 constexpr std::array<std::string_view, 10> kWithoutData{
     "KHR_materials_", "KHR_texture_", "EXT_texture_", "KHR_lights_",          "KHR_mesh_quantization", "VRM",
     "KHR_xmp",        "KHR_node_",    "MSFT_lod",     "KHR_animation_pointer"};
@@ -138,7 +142,7 @@ bool isWithoutData(const std::string& extension) {
   return std::ranges::any_of(kWithoutData, [&](std::string_view known) { return extension.starts_with(known); });
 }
 
-/// Calls visit(Json& number) for every place that holds the index of an accessor.
+/// Calls visit(Json& number) for every index of an accessor.
 void visitAccessors(Json& root, const std::function<void(Json&)>& visit) {
   const auto visitMember = [&](Json& object, std::string_view name) {
     if (Json* index = memberOf(object, name)) visit(*index);
@@ -166,7 +170,7 @@ void visitAccessors(Json& root, const std::function<void(Json&)>& visit) {
   });
 }
 
-/// The same for bufferViews.
+/// The same for indices of bufferViews.
 void visitViews(Json& root, const std::function<void(Json&)>& visit) {
   const auto visitIn = [&](Json* object) {
     if (Json* index = object ? memberOf(*object, "bufferView") : nullptr) visit(*index);
@@ -185,9 +189,39 @@ void visitViews(Json& root, const std::function<void(Json&)>& visit) {
   }
 }
 
+/// [bufferViews] used intervals of partly used views, such as one with the keys of all clips; moves accessors to their
+/// new places. Empty for views that stay whole.
+std::vector<UsedBytes> findUsedBytes(Json& root) {
+  const std::vector<Json>& views = root.at("bufferViews").items();
+  std::vector<UsedBytes> used(views.size());
+  std::vector<bool> isWhole(views.size(), false);
+  const auto viewOf = [](const Json& user) { return static_cast<std::size_t>(user.at("bufferView").number(0.0)); };
+  for (const Json& image : root.at("images").items()) {
+    if (image.find("bufferView") && viewOf(image) < views.size()) isWhole[viewOf(image)] = true;
+  }
+  visitUses(root, [&](Json& user, std::uint64_t bytes) {
+    const double begin = user.at("byteOffset").number(0.0);
+    const double length = views[viewOf(user)].at("byteLength").number(0.0);
+    if (bytes == 0 || begin + static_cast<double>(bytes) > length) isWhole[viewOf(user)] = true;
+    else used[viewOf(user)].add(static_cast<std::uint64_t>(begin), static_cast<std::uint64_t>(begin) + bytes);
+  });
+  for (std::size_t i = 0; i < views.size(); ++i) {
+    const auto length = static_cast<std::uint64_t>(views[i].at("byteLength").number(0.0));
+    used[i].close(length);
+    if (isWhole[i] || used[i].length() + kLeastUnused > length) used[i] = {};
+  }
+  visitUses(root, [&](Json& user, std::uint64_t) {
+    const UsedBytes& own = used[viewOf(user)];
+    if (own.intervals().empty()) return;
+    const auto begin = static_cast<std::uint64_t>(user.at("byteOffset").number(0.0));
+    if (own.placeOf(begin) != begin) user.set("byteOffset", static_cast<long long>(own.placeOf(begin)));
+  });
+  return used;
+}
+
 using Visit = void (*)(Json&, const std::function<void(Json&)>&);
 
-/// Leaves out the elements of a list that nothing visited refers to, and renumbers the references.
+/// Removes unreferenced elements of a list, and renumbers the references.
 void keepReferenced(Json& root, std::string_view list, Visit visitAll, const std::function<void(std::size_t)>& kept) {
   Json* items = memberOf(root, list);
   if (!items) return;
@@ -216,7 +250,7 @@ void keepReferenced(Json& root, std::string_view list, Visit visitAll, const std
   });
 }
 
-/// "" for a kind that is not known.
+/// "" for an unknown kind.
 std::string mimeTypeOf(gltf::Bytes bytes) {
   if (startsWith(bytes, "\x89PNG")) return "image/png";
   if (startsWith(bytes, "\xff\xd8\xff")) return "image/jpeg";
@@ -289,7 +323,7 @@ int GltfRewrite::addAccessor(const AccessorData& data) {
   return append("accessors", std::move(accessor));
 }
 
-/// Those that cannot be read stay the references they are.
+/// Images that cannot be read stay references.
 void GltfRewrite::takeImages() {
   Json* images = memberOf(root_, "images");
   if (!images) return;
@@ -307,36 +341,6 @@ void GltfRewrite::takeImages() {
   }
 }
 
-/// [bufferViews] stretches that are used, where others are not: accessors refer to their new places. A view often holds
-/// the keys of all clips. Empty for views that stay whole.
-std::vector<UsedBytes> GltfRewrite::findUsedBytes() {
-  const std::vector<Json>& views = root_.at("bufferViews").items();
-  std::vector<UsedBytes> used(views.size());
-  std::vector<bool> isWhole(views.size(), false);
-  const auto viewOf = [](const Json& user) { return static_cast<std::size_t>(user.at("bufferView").number(0.0)); };
-  for (const Json& image : root_.at("images").items()) {
-    if (image.find("bufferView") && viewOf(image) < views.size()) isWhole[viewOf(image)] = true;
-  }
-  visitUses(root_, [&](Json& user, std::uint64_t bytes) {
-    const double begin = user.at("byteOffset").number(0.0);
-    const double length = views[viewOf(user)].at("byteLength").number(0.0);
-    if (bytes == 0 || begin + static_cast<double>(bytes) > length) isWhole[viewOf(user)] = true;
-    else used[viewOf(user)].add(static_cast<std::uint64_t>(begin), static_cast<std::uint64_t>(begin) + bytes);
-  });
-  for (std::size_t i = 0; i < views.size(); ++i) {
-    const auto length = static_cast<std::uint64_t>(views[i].at("byteLength").number(0.0));
-    used[i].close(length);
-    if (isWhole[i] || used[i].length() + kLeastUnused > length) used[i] = {};
-  }
-  visitUses(root_, [&](Json& user, std::uint64_t) {
-    const UsedBytes& own = used[viewOf(user)];
-    if (own.stretches().empty()) return;
-    const auto begin = static_cast<std::uint64_t>(user.at("byteOffset").number(0.0));
-    if (own.placeOf(begin) != begin) user.set("byteOffset", static_cast<long long>(own.placeOf(begin)));
-  });
-  return used;
-}
-
 void GltfRewrite::dropUnused() {
   const std::size_t own = file_.model().bufferViews.size();
   const Json& extensions = root_.at("extensionsUsed");
@@ -349,7 +353,7 @@ void GltfRewrite::dropUnused() {
   } else {
     for (std::size_t view = 0; view < root_.at("bufferViews").items().size(); ++view) views.push_back(view);
   }
-  const std::vector<UsedBytes> used = known ? findUsedBytes() : std::vector<UsedBytes>(views.size());
+  const std::vector<UsedBytes> used = known ? findUsedBytes(root_) : std::vector<UsedBytes>(views.size());
   Json* list = memberOf(root_, "bufferViews");
   for (std::size_t i = 0; i < views.size(); ++i) {
     Json& view = list->children[i];
@@ -360,12 +364,12 @@ void GltfRewrite::dropUnused() {
       bytes = added_[views[i] - own];
     } else {
       const gltf::Bytes all = file_.bufferView(views[i]);
-      const double length = view.at("byteLength").number(0.0);  // Of what nothing refers to, less.
+      const double length = view.at("byteLength").number(0.0);  // shortened for unused views
       bytes = {reinterpret_cast<const char*>(all.data()), std::min(all.size(), static_cast<std::size_t>(length))};
     }
-    if (used[i].stretches().empty()) binary_ += bytes;
-    for (const auto& [begin, end] : used[i].stretches()) binary_ += bytes.substr(begin, end - begin);
-    if (!used[i].stretches().empty()) view.set("byteLength", static_cast<long long>(used[i].length()));
+    if (used[i].intervals().empty()) binary_ += bytes;
+    for (const auto& [begin, end] : used[i].intervals()) binary_ += bytes.substr(begin, end - begin);
+    if (!used[i].intervals().empty()) view.set("byteLength", static_cast<long long>(used[i].length()));
     if (views[i] >= own) added_[views[i] - own] = {};
   }
   align(binary_, '\0');
@@ -410,13 +414,7 @@ std::string gltfOf(const PackedGltf& packed, const std::string& binaryName) {
   return root.dump(true) + '\n';
 }
 
-// Members of glTF's animations.
-
-namespace {
-
-constexpr float kUnitWithin = 1e-5f;
-
-}  // namespace
+// Animations.
 
 std::string clipName(const Json& clip, int index) {
   const std::string name = clip.at("name").text("");
@@ -424,6 +422,8 @@ std::string clipName(const Json& clip, int index) {
 }
 
 namespace {
+
+constexpr float kUnitWithin = 1e-5f;
 
 const char* wordFor(Interpolation interpolation) {
   if (interpolation == Interpolation::kStep) return "STEP";
@@ -444,7 +444,7 @@ int addKeys(int clip, const std::vector<float>& times, Interpolation interpolati
   return sampler;
 }
 
-/// glTF wants unit rotations; tangents are none.
+/// Normalizes rotations, as glTF requires, but not tangents.
 std::vector<float> fileValues(const Channel& channel) {
   const bool turns = channel.path == ChannelPath::kRotation;
   const bool cubic = channel.interpolation == Interpolation::kCubicSpline;

@@ -1,21 +1,19 @@
-// core/files/export/morph_targets.cpp: targets, names and channels as JSON and bytes.
+// core/files/export/morph_targets.cpp: sample times; targets, names and channels as JSON and bytes.
 #include "core/files/export/morph_targets.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <limits>
-#include <set>
 #include <utility>
 
-#include "core/files/export/gltf_rewrite.h"
 #include "core/files/fit/poses.h"
 #include "core/files/gltf/file.h"
 #include "core/geometry/at.h"
 
 namespace sinew::exporting {
 
-// A clip's times.
+// Sample times.
 
 namespace {
 
@@ -46,9 +44,11 @@ void requireFrames(const Character& character, const BakedExportSettings& settin
   }
 }
 
+// Targets.
+
 namespace {
 
-/// What the JSON of a sparse accessor and its two views takes, about.
+/// Approximate size of the JSON of a sparse accessor and its two views.
 constexpr std::size_t kSparseJson = 250;
 
 template <class Number>
@@ -58,7 +58,7 @@ int addIndices(GltfRewrite& rewrite, const std::vector<std::size_t>& indices) {
   return rewrite.addView(bytesOf(numbers), 0);
 }
 
-/// An accessor of which only `moved` of `count` are not 0. @param moved  not empty, rising
+/// @param moved  elements that are not 0; not empty, rising
 int addSparse(GltfRewrite& rewrite, const std::vector<std::size_t>& moved, const std::vector<glm::vec3>& values,
               std::size_t count, const Bounds& bounds) {
   const bool isNarrow = count <= std::numeric_limits<std::uint16_t>::max();
@@ -88,7 +88,7 @@ int addDeltas(GltfRewrite& rewrite, const std::vector<glm::vec3>& deltas) {
     values.push_back(deltas[v]);
   }
   const Bounds bounds = boundsOf(deltas);
-  if (moved.empty()) {  // Some readers know no accessor without any data.
+  if (moved.empty()) {  // Some readers need data.
     moved.push_back(0);
     values.emplace_back(0.0f);
   }
@@ -112,7 +112,7 @@ Json targetsOf(std::size_t primitive, const MeshTargets& mesh, GltfRewrite& rewr
   return targets;
 }
 
-/// Targets of points and lines, which none moves.
+/// Idle targets of points and lines.
 Json idleTargets(const Json& primitive, std::size_t targets, GltfRewrite& rewrite) {
   const auto positions = static_cast<int>(primitive.at("attributes").at("POSITION").number(0.0));
   const double count = rewrite.element("accessors", positions).at("count").number(1.0);
@@ -153,12 +153,10 @@ void addMorphTargets(int node, std::span<const OutPrimitive> primitives, const M
                        : targetsOf(static_cast<std::size_t>(own - primitives.begin()), mesh, rewrite);
     memberOf(rewrite.element("meshes", number), "primitives")->children[place].set("targets", std::move(targets));
   }
-  Json names = Json::array();
-  for (const std::string& name : mesh.names) names.push(name);
   Json& to = rewrite.element("meshes", number);
   to.set("weights", numbersOf(mesh.weights));
   if (to.at("extras").kind != Json::Kind::kObject) to.set("extras", Json::object());
-  memberOf(to, "extras")->set("targetNames", std::move(names));
+  memberOf(to, "extras")->set("targetNames", jsonList(mesh.names));
 }
 
 void addMorphWeights(const std::set<int>& nodes, const std::vector<float>& times, const std::vector<float>& weights,

@@ -1,4 +1,5 @@
-// core/files/export/morph_targets.h: morph targets of the written primitives, and their weights in clips.
+// core/files/export/morph_targets.h: sample times of baked clips; morph targets of written primitives and their
+// weights.
 #pragma once
 
 #include <functional>
@@ -16,26 +17,24 @@
 
 namespace sinew::exporting {
 
-// The moments of a clip that are baked, and how many may be.
-
+/// Sample times of a baked clip.
 struct BakedClip {
-  /// @param settings  of a clip that the character has
   BakedClip(const Character& character, const BakedExportSettings& settings);
 
   const AnimationClip& clip;
   std::vector<float> times;    ///< [frames] seconds.
-  std::vector<double> frames;  ///< [frames] 0, 1 ...; the last is no whole number where the clip ends between two.
+  std::vector<double> frames;  ///< [frames] 0, 1 ...; the last may be fractional.
 };
 
 [[nodiscard]] double momentsPerSecond(const BakedExportSettings& settings);
 
-/// Before the times are made. Throws gltf::Refusal where the clip has more frames than that.
+/// Throws gltf::Refusal if the clip has more than `most` frames.
 void requireFrames(const Character& character, const BakedExportSettings& settings, int most);
 
-/// Throws gltf::Refusal: of the clip, which fewer frames or vertices would do for.
+/// Throws gltf::Refusal about the clip: fewer frames or vertices are needed.
 [[noreturn]] void refuseClip(const BakedExportSettings& settings, const std::string& what);
 
-/// What one target adds to the vertices of one primitive, in its mesh's space.
+/// Deltas of one target for one primitive, in its mesh's space.
 struct TargetDeltas {
   std::vector<glm::vec3> positions;  ///< [vertices]
   std::vector<glm::vec3> normals;    ///< [vertices]
@@ -44,7 +43,7 @@ struct TargetDeltas {
 /// The targets of one mesh.
 struct MeshTargets {
   std::vector<std::string> names;
-  std::vector<float> weights;  ///< [names] where no clip plays.
+  std::vector<float> weights;  ///< [names] without a clip.
   /// @param primitive  index into the written ones  @param target  index into names
   std::function<TargetDeltas(std::size_t primitive, std::size_t target)> deltas;
 };
@@ -52,13 +51,12 @@ struct MeshTargets {
 /// The nodes that show one of the primitives.
 [[nodiscard]] std::set<int> nodesOf(std::span<const OutPrimitive> primitives);
 
-/// Gives the mesh of a node the targets; its other primitives get as many that move nothing, as glTF asks. Sparse
+/// Adds the targets to the mesh of a node; its other primitives get as many idle ones, as glTF requires. Uses sparse
 /// accessors where they are smaller.
 void addMorphTargets(int node, std::span<const OutPrimitive> primitives, const MeshTargets& targets,
                      GltfRewrite& rewrite);
 
-/// A channel for each node, linear between keys, in the file's first clip, which is made where it is gone because all
-/// it had were targets that are gone.
+/// Adds a linear channel for each node to the file's first clip, which is created if it was removed with its targets.
 /// @param times  [keys] seconds, rising  @param weights  [keys * targets]
 void addMorphWeights(const std::set<int>& nodes, const std::vector<float>& times, const std::vector<float>& weights,
                      const std::string& clip, GltfRewrite& rewrite);

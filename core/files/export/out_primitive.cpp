@@ -2,24 +2,20 @@
 #include "core/files/export/out_primitive.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <optional>
-
-#include <glm/geometric.hpp>
-#include <glm/matrix.hpp>
 
 #include "core/geometry/at.h"
 #include "core/geometry/index_table.h"
 
 namespace sinew::exporting {
 
-// Corners, edges and insides of the file's triangles become vertices.
+// Refined primitives.
 
 namespace {
 
-/// Attributes that mean something between the corners.
+/// Attributes that can be interpolated.
 bool isInterpolated(const std::string& name) {
   return name.starts_with("TEXCOORD_") || name.starts_with("COLOR_") || name == "TANGENT";
 }
@@ -27,10 +23,10 @@ bool isInterpolated(const std::string& name) {
 class AttributeReader {
  public:
   AttributeReader(Source& source, const gltf::SoupPart& part) : source_(source), part_(part) {
-    place_ = gltf::placeOf(gltf::placeOf("meshes", toIndex(part.mesh)) + ".primitives", toIndex(part.primitive));
+    place_ = gltf::placeOfPrimitive(toIndex(part.mesh), toIndex(part.primitive));
   }
 
-  /// The values of the part's vertices of the soup.
+  /// Values of the part's soup vertices.
   std::vector<VertexAttribute> read() {
     const Json& primitive =
         at(at(source_.root.at("meshes").items(), part_.mesh).at("primitives").items(), part_.primitive);
@@ -89,12 +85,12 @@ class PrimitiveRefiner {
  private:
   struct Key {
     int drawn = 0;
-    int low = 0;  ///< Corners that it lies between, as their first twins; equal at a corner, -1 inside a triangle.
+    int low = 0;  ///< First twins of the corners around it; equal at a corner, -1 inside a triangle.
     int high = 0;
     friend bool operator==(const Key&, const Key&) = default;
   };
 
-  /// The first vertex of the part with the same attributes: the file also splits at normals and weights.
+  /// Finds the first vertex with the same attributes: the file also splits at normals and weights.
   void findTwins() {
     const std::size_t count = part_.endVertex - part_.firstVertex;
     IndexTable table(count);
@@ -159,7 +155,7 @@ class PrimitiveRefiner {
     while (corner < 3 && place[corner] != 1.0) ++corner;
     for (std::size_t a = 0; a < from_.size(); ++a) {
       std::vector<float>& to = out_.attributes[a].values;
-      if (corner < 3) {  // The file's value to the last bit.
+      if (corner < 3) {  // the file's exact value
         const auto values = valuesOf(from_[a], at(corners, corner));
         to.insert(to.end(), values.begin(), values.end());
         continue;
@@ -185,21 +181,14 @@ class PrimitiveRefiner {
   RefinedPrimitive out_;
 };
 
-}  // namespace
-
-RefinedPrimitive refinedPrimitive(Source& source, const gltf::SoupPart& part, const ControlMesh& mesh,
-                                  const Surface& surface) {
-  return PrimitiveRefiner(source, part, mesh, surface).run();
-}
-
-namespace {
+// Accessors of refined primitives.
 
 const char* vectorType(int components) {
   static constexpr std::array kTypes{"SCALAR", "VEC2", "VEC3", "VEC4"};
   return kTypes[toIndex(components - 1)];
 }
 
-/// glTF has one byte for a joint where that is enough, else two.
+/// Joints as one byte each if possible, else two.
 template <class Number>
 int addJoints(GltfRewrite& rewrite, const std::vector<std::array<int, kMostWeights>>& joints, int componentType) {
   std::vector<Number> numbers;
@@ -223,7 +212,7 @@ int addIndices(GltfRewrite& rewrite, const std::vector<std::array<std::uint32_t,
                               TINYGLTF_TARGET_ELEMENT_ARRAY_BUFFER});
 }
 
-/// Upright on the normals, unit; the fourth number stays.
+/// Makes tangents unit and perpendicular to the normals; keeps the fourth number.
 void straighten(const std::vector<glm::vec3>& normals, std::vector<float>& tangents) {
   for (std::size_t v = 0; v < normals.size(); ++v) {
     const glm::vec3 tangent(tangents[4 * v], tangents[4 * v + 1], tangents[4 * v + 2]);
@@ -235,6 +224,11 @@ void straighten(const std::vector<glm::vec3>& normals, std::vector<float>& tange
 }
 
 }  // namespace
+
+RefinedPrimitive refinedPrimitive(Source& source, const gltf::SoupPart& part, const ControlMesh& mesh,
+                                  const Surface& surface) {
+  return PrimitiveRefiner(source, part, mesh, surface).run();
+}
 
 OutPrimitives::OutPrimitives(Source& source, const ControlMesh& mesh, const Surface& bind,
                              const std::vector<FourWeights>& weights, OutSkins& skins)
@@ -297,14 +291,14 @@ WrittenPrimitive OutPrimitives::writeRefined(const gltf::SoupPart& part, GltfRew
   return {positions.size(), refined.triangles.size(), std::move(refined.refined), std::move(refined.drawn)};
 }
 
-// The file's own vertices, moved by muscles at rest, with other weights.
+// The file's own vertices, moved by muscles at rest, with new weights.
 
 namespace {
 
 std::string notFinite(const std::string& attribute) {
   return attribute + ": values that are not finite, which glTF does not allow; others stand for them";
 }
-/// Turns of normals smaller than this are rounding: the file's normal stays, bit for bit.
+/// Smaller changes of normals are rounding: the file's normal stays exactly.
 constexpr float kSameNormal = 1e-4f;
 
 std::vector<glm::vec3> pointsOf(const std::vector<float>& values) {
@@ -315,13 +309,13 @@ std::vector<glm::vec3> pointsOf(const std::vector<float>& values) {
 
 bool isFinite(const glm::vec3& v) { return std::isfinite(v.x + v.y + v.z); }
 
-/// What stands for an element that is not finite: white, as the import shows it, some unit tangent, or 0.
+/// Replaces a value that is not finite: white as in the import, a unit tangent, or 0.
 float replacement(const std::string& attribute, int component) {
   if (attribute == "TANGENT") return component == 0 || component == 3 ? 1.0f : 0.0f;
   return attribute.starts_with("COLOR_") ? 1.0f : 0.0f;
 }
 
-/// All values of an attribute, those replaced that are not finite; nothing where none is.
+/// All values of an attribute with those replaced that are not finite; nullopt if all are finite.
 std::optional<std::vector<float>> replaceNonFinite(const gltf::Accessor& accessor, const std::string& attribute) {
   std::vector<float> values;
   bool isSound = true;
@@ -341,7 +335,7 @@ std::optional<std::vector<float>> replaceNonFinite(const gltf::Accessor& accesso
 
 }  // namespace
 
-/// Attributes that are still the file's stay what they are there, but for values that are not finite: glTF allows none.
+/// Replaces only values that are not finite, which glTF forbids.
 void OutPrimitives::repair(const std::string& place, GltfRewrite& rewrite, Json& attributes,
                            std::set<std::string>& left) {
   const std::vector<tinygltf::Accessor>& accessors = source_.file.model().accessors;
@@ -364,7 +358,7 @@ void OutPrimitives::repair(const std::string& place, GltfRewrite& rewrite, Json&
   }
 }
 
-/// [file vertices] control vertex, or -1 for what no triangle of the mesh uses.
+/// [file vertices] control vertex, or -1 if unused.
 std::vector<int> OutPrimitives::controlVertices(const gltf::SoupPart& part, std::size_t count) const {
   std::vector<int> result(count, -1);
   for (std::size_t t = part.firstTriangle; t < part.endTriangle; ++t) {
@@ -377,7 +371,7 @@ std::vector<int> OutPrimitives::controlVertices(const gltf::SoupPart& part, std:
   return result;
 }
 
-/// The file's normals; empty where it has none.
+/// The file's normals, or empty.
 std::vector<glm::vec3> OutPrimitives::fileNormals(const gltf::SoupPart& part, const Json& attributes,
                                                   std::size_t count) const {
   const Json* normal = attributes.find("NORMAL");
@@ -388,7 +382,7 @@ std::vector<glm::vec3> OutPrimitives::fileNormals(const gltf::SoupPart& part, co
   return gltf::vectorsOf<glm::vec3>(accessor);
 }
 
-/// What a vertex follows that no triangle uses.
+/// Weights of an unused vertex.
 FourWeights OutPrimitives::anyWeights(int node) const {
   const gltf::MeshBinding& binding = *at(source_.bound.meshes, node);
   const int first = binding.skin < 0 ? binding.rigid : at(source_.bound.jointBindings, binding.skin).front();
@@ -433,8 +427,7 @@ WrittenPrimitive OutPrimitives::writeOriginal(const gltf::SoupPart& part, GltfRe
     return attribute.key.starts_with("JOINTS_") || attribute.key.starts_with("WEIGHTS_");
   });
   setWeights(part.node, weights, rewrite, attributes);
-  const std::string place =
-      gltf::placeOf(gltf::placeOf("meshes", toIndex(part.mesh)) + ".primitives", toIndex(part.primitive));
+  const std::string place = gltf::placeOfPrimitive(toIndex(part.mesh), toIndex(part.primitive));
   repair(place + ".attributes", rewrite, attributes, left);
   if (Json* targets = memberOf(primitive, "targets")) {
     for (Json& target : targets->children) repair(place + ".targets", rewrite, target, left);

@@ -1,4 +1,4 @@
-// core/files/export/out_primitive.h: the primitives of the exported file: accessors made, JSON pointed at them.
+// core/files/export/out_primitive.h: the primitives of the exported file.
 #pragma once
 
 #include <array>
@@ -13,16 +13,14 @@
 #include "core/files/export/gltf_rewrite.h"
 #include "core/files/export/out_skins.h"
 #include "core/files/export/source.h"
-#include "core/files/fit/four_weights.h"
+#include "core/files/fit/weight_fit.h"
 #include "core/files/gltf/node_tree.h"
 #include "sinew/geometry/geometry.h"
 #include "sinew/surface/surface.h"
 
 namespace sinew::exporting {
 
-// From the bind pose into the space that a file's vertices are in.
-
-/// World in the bind pose -> a skin's mesh space.
+/// World in the bind pose -> mesh space of a skin.
 struct IntoMesh {
   explicit IntoMesh(const glm::dmat4& meshToBind)
       : inverse(gltf::affineInverse(meshToBind).value_or(glm::dmat4(1.0))), linear(glm::dmat3(meshToBind)) {}
@@ -40,46 +38,43 @@ struct IntoMesh {
   glm::dmat3 linear;
 };
 
-// One primitive of the file as refined: vertices split where the file splits
-// them.
-
-/// Floats per vertex that are interpolated over the file's triangles.
+/// An interpolated vertex attribute.
 struct VertexAttribute {
   std::string name;  ///< TEXCOORD_n, COLOR_n or TANGENT.
   int components = 0;
   std::vector<float> values;  ///< [vertices * components]
 };
 
+/// A refined primitive, with vertices split as in the file.
 struct RefinedPrimitive {
-  std::vector<int> refined;  ///< [n] refined vertex that each vertex shows.
-  std::vector<int> drawn;    ///< [n] drawn vertex whose shading normal it has.
+  std::vector<int> refined;  ///< [n] refined vertex of each vertex.
+  std::vector<int> drawn;    ///< [n] drawn vertex with its shading normal.
   std::vector<VertexAttribute> attributes;
-  std::vector<std::array<std::uint32_t, 3>> triangles;  ///< As the soup winds them.
+  std::vector<std::array<std::uint32_t, 3>> triangles;  ///< Winding as in the soup.
 };
 
-/// The part's triangles, split as the surface's refinement says. Two vertices are one where they show the same drawn
-/// vertex and the file's texture coordinates, colors and tangents agree at the corners they lie between. Throws
-/// gltf::Refusal where an attribute cannot be read.
+/// Refines the part's triangles. Vertices are joined if they have the same drawn vertex, and the file's texture
+/// coordinates, colors and tangents agree at the corners around them. Throws gltf::Refusal for unreadable attributes.
 [[nodiscard]] RefinedPrimitive refinedPrimitive(Source& source, const gltf::SoupPart& part, const ControlMesh& mesh,
                                                 const Surface& surface);
 
 struct WrittenPrimitive {
   std::size_t vertices = 0;
   std::size_t triangles = 0;
-  std::vector<int> refined{};  ///< As RefinedPrimitive has them; empty for the file's own vertices.
-  std::vector<int> drawn{};
+  std::vector<int> refined{};  ///< [vertices] refined vertex of each; empty for the file's own vertices.
+  std::vector<int> drawn{};    ///< [vertices] drawn vertex with its shading normal.
 };
 
 class OutPrimitives {
  public:
-  /// @param weights  [V'], or [V] where only writeOriginal is asked for
+  /// @param weights  [V'], or [V] for writeOriginal only
   OutPrimitives(Source& source, const ControlMesh& mesh, const Surface& bind, const std::vector<FourWeights>& weights,
                 OutSkins& skins);
 
-  /// Exchanges all attributes and indices of a copy of the part's JSON. Without vertices where no triangle is left.
+  /// Replaces all attributes and indices in a copy of the part's JSON. No vertices if no triangle is left.
   WrittenPrimitive writeRefined(const gltf::SoupPart& part, GltfRewrite& rewrite, Json& primitive,
                                 std::set<std::string>& left);
-  /// Exchanges positions, normals, weights, and what is not finite; all else stays the accessors it is.
+  /// Replaces positions, normals, weights and values that are not finite; keeps the other accessors.
   WrittenPrimitive writeOriginal(const gltf::SoupPart& part, GltfRewrite& rewrite, Json& primitive,
                                  std::set<std::string>& left);
 

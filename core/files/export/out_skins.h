@@ -1,5 +1,4 @@
-// core/files/export/out_skins.h: the skins of the exported file: those of the source, with joints appended where
-// needed.
+// core/files/export/out_skins.h: the skins of the exported file: the source's, with added joints; data of muscle lines.
 #pragma once
 
 #include <map>
@@ -15,19 +14,25 @@
 
 namespace sinew::exporting {
 
-/// A skin keeps its joints, their order and their matrices; a joint that only fitted weights name comes after them.
-/// A node whose mesh had no skin gets one of its own.
+/// Adds data for posing the joints of muscle lines in new poses to `extras.sinew` of the first skin with one of them
+/// (docs/export.md, "Line data"). Settings are the rig's, without keys and drivers. Call after the skins are written.
+/// False: there are such skins, but their extras are not objects. @param nodes  of the file, those of lines.joints()
+/// first
+bool addLineData(const Source& source, const LineJoints& lines, std::span<const int> nodes, GltfRewrite& rewrite);
+
+/// Skins keep their joints, order and matrices; joints that only fitted weights use are appended. A node without a skin
+/// gets one.
 class OutSkins {
  public:
   explicit OutSkins(Source& source);
 
-  /// Joints that bindings beyond the skeleton's mean. @param nodes  [joints] of the file
+  /// Joints of bindings beyond the skeleton's. @param nodes  [joints] of the file
   void addJoints(std::span<const HelperJoint> joints, std::span<const int> nodes);
-  /// Number of a binding among the joints of a node's skin; appended if it is none yet.
+  /// Number of a binding among the joints of a node's skin, appended if absent.
   int jointOf(int node, int binding);
   /// Mesh space of a node's skin -> world in the bind pose.
   [[nodiscard]] const glm::dmat4& meshToBind(int node) const;
-  /// Puts the skins into the file and sets those of the nodes that asked for joints. Once, at the end.
+  /// Writes the skins and assigns them to nodes. Call once, at the end.
   void write(GltfRewrite& rewrite);
   /// Nodes that are joints of the skins written.
   [[nodiscard]] int jointNodes() const { return static_cast<int>(nodes_.size()); }

@@ -1,33 +1,25 @@
-// core/files/export/skinned_file.cpp: every mesh of the scene made anew, all else left as it is.
+// core/files/export/skinned_file.cpp: replaces every mesh of the scene, and keeps everything else.
 #include "core/files/export/skinned_file.h"
 
 #include <algorithm>
 #include <map>
 #include <set>
-#include <span>
-#include <string>
 #include <unordered_map>
-#include <vector>
 
 #include <glm/vec4.hpp>
 
 #include "core/files/export/clip_repair.h"
-#include "core/files/export/gltf_rewrite.h"
-#include "core/files/export/line_data.h"
 #include "core/files/export/morph_targets.h"
 #include "core/files/export/out_primitive.h"
-#include "core/files/export/out_skins.h"
-#include "core/files/export/source.h"
 #include "core/files/fit/helper_motion.h"
-#include "core/files/fit/refined_targets.h"
-#include "core/files/gltf/morph.h"
+#include "core/files/fit/played_surface.h"
+#include "core/files/gltf/animation.h"
 #include "core/geometry/at.h"
 
 namespace sinew::exporting {
 namespace {
 
-// The added joints as nodes of the file, and their keys in its clips.
-// Nodes, samplers and channels as JSON and bytes.
+// Added joints: nodes, and keys in the clips.
 
 /// glTF's order.
 glm::vec4 xyzw(const glm::dquat& q) {
@@ -40,7 +32,7 @@ std::string freeName(std::set<std::string>& taken, const std::string& wanted) {
   return name;
 }
 
-/// One clip of the file, with channels to come.
+/// Adds channels to a clip of the file.
 class ClipKeys {
  public:
   ClipKeys(int clip, const HelperClip& keys, GltfRewrite& rewrite)
@@ -54,7 +46,8 @@ class ClipKeys {
       translations.emplace_back(local.translation);
       scales.emplace_back(local.scale);
       const glm::vec4 turn = xyzw(local.rotation);
-      const bool isFar = !rotations.empty() && glm::dot(rotations.back(), turn) < 0.0f;  // The short way between keys.
+      const bool isFar =
+          !rotations.empty() && glm::dot(rotations.back(), turn) < 0.0f;  // The shorter rotation between keys.
       rotations.push_back(isFar ? -turn : turn);
     }
     addPath(node, "translation", "VEC3", translations, glm::vec3(joint.rest.translation));
@@ -75,7 +68,7 @@ class ClipKeys {
   int input_;
 };
 
-/// A node for each joint, under that of its bone, with a name that no other node has. Returns their numbers.
+/// Adds a node with a unique name for each joint below that of its bone. Returns the nodes.
 std::vector<int> addHelperNodes(const Source& source, std::span<const HelperJoint> joints, GltfRewrite& rewrite) {
   std::set<std::string> taken;
   for (const Json& node : rewrite.root().at("nodes").items()) taken.insert(node.at("name").text(""));
@@ -93,7 +86,7 @@ std::vector<int> addHelperNodes(const Source& source, std::span<const HelperJoin
   return nodes;
 }
 
-/// Channels for the joints in the file's clips, linear between keys; none where a joint stays as it rests.
+/// Adds linear channels for the joints to the file's clips; none where a joint stays at rest.
 /// @param nodes  [joints]  @param clips  in the order of the file's, which may have more
 void addHelperKeys(std::span<const HelperJoint> joints, std::span<const int> nodes, std::span<const HelperClip> clips,
                    GltfRewrite& rewrite) {
@@ -108,15 +101,13 @@ void addHelperKeys(std::span<const HelperJoint> joints, std::span<const int> nod
   }
 }
 
-// The file's morph targets on the written meshes, and keys for what the rig adds to
-// them.
-// Surface differences into each mesh's space; weights of one node out of all.
+// The file's morph targets on the written meshes, and keys for those that the rig changes.
 
 struct FileMorphs {
   const Source& source;
   const PlayedMorphs& played;
-  const Surface& bind;  ///< Without any.
-  bool refined = true;  ///< Else the meshes have their own targets still.
+  const Surface& bind;  ///< Without targets.
+  bool refined = true;  ///< Else the meshes keep their own targets.
 };
 
 std::vector<float> weightsOf(const gltf::NodeTargets& of, std::span<const float> all) {
@@ -140,7 +131,7 @@ std::vector<glm::vec3> spread(const std::vector<int>& of, const std::unordered_m
   return values;
 }
 
-/// World of the bind pose -> the space of the primitive's mesh.
+/// Deltas of a target in the space of the primitive's mesh.
 TargetDeltas deltasOf(const RefinedTarget& target, const OutPrimitive& primitive, const Surface& bind,
                       const IntoMesh& into) {
   TargetDeltas deltas{spread(primitive.refined, byVertex(target.vertices, target.deltas)),
@@ -177,7 +168,7 @@ void dropChannels(int clip, int node, GltfRewrite& rewrite) {
   });
 }
 
-/// What file and rig give together, in place of the file's channels.
+/// Replaces the file's channels by the weights of file and rig together.
 void replaceKeys(int node, const gltf::NodeTargets& of, const PlayedMorphs& played, GltfRewrite& rewrite) {
   const std::size_t all = played.rest.size();
   const auto inFile = static_cast<int>(rewrite.root().at("animations").items().size());
@@ -196,7 +187,7 @@ void replaceKeys(int node, const gltf::NodeTargets& of, const PlayedMorphs& play
   }
 }
 
-/// Targets of refined meshes, under their names; weights and keys of the nodes that the rig changes.
+/// Adds targets to refined meshes, and weights and keys to nodes that the rig changes.
 void addFileMorphs(const FileMorphs& morphs, std::span<const OutPrimitive> primitives, const OutSkins& skins,
                    GltfRewrite& rewrite) {
   const PlayedMorphs& played = morphs.played;
@@ -251,7 +242,7 @@ class FileMaker {
  private:
   [[nodiscard]] bool isRefined() const { return settings_.mesh == ExportMesh::kRefined; }
 
-  /// Those from other files come behind the file's own, which are repaired by their places in it.
+  /// Appends clips from other files, after the repair of the file's own.
   void addClips() {
     for (const AnimationClip& clip : character_.clips) {
       const bool isWanted = settings_.clips.empty() || std::ranges::count(settings_.clips, clip.name) > 0;
@@ -308,14 +299,14 @@ class FileMaker {
     return true;
   }
 
-  /// Points and lines follow their skin as before; where the mesh had none, there is none that fits them.
+  /// Points and lines keep their skin; without one, they are left out.
   void keepOther(int node, const Json& primitive, std::vector<Json>& made) {
     if (primitive.at("mode").number(kFirstTriangleMode) >= kFirstTriangleMode) return;
     if (at(source_.bound.meshes, node)->skin >= 0) made.push_back(primitive);
     else left_.insert("points and lines of meshes without a skin: nothing would move them");
   }
 
-  /// A mesh that only one node shows is exchanged; of one that several show, each gets its own.
+  /// Replaces a mesh that one node shows; several nodes each get their own.
   void place(int node, int number, Json mesh, std::vector<Json> primitives) {
     Json& user = rewrite_.element("nodes", node);
     if (isRefined()) removeMember(user, "weights");
@@ -335,7 +326,7 @@ class FileMaker {
     rewrite_.element("nodes", node).set("mesh", added);
   }
 
-  /// By a node that keeps it.
+  /// Whether a node that keeps the mesh shows it.
   [[nodiscard]] bool isShownElsewhere(int mesh) const {
     const std::vector<Json>& nodes = source_.root.at("nodes").items();
     for (std::size_t node = 0; node < nodes.size(); ++node) {
@@ -348,7 +339,7 @@ class FileMaker {
     return !fit_.morphs().targets.empty() && std::ranges::count(source_.morphTargets, node, &MorphTarget::node) > 0;
   }
 
-  /// Channels of morph weights whose targets are gone, and clips that have no other.
+  /// Removes channels of removed morph targets, and clips without channels.
   void dropEmptyClips() {
     Json* clips = memberOf(rewrite_.root(), "animations");
     if (!clips) return;

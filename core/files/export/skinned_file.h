@@ -1,5 +1,4 @@
-// core/files/export/skinned_file.h: the source file with the bind pose's surface and its weights in place of its
-// meshes.
+// core/files/export/skinned_file.h: the source file with its meshes replaced by the surface of the bind pose.
 #pragma once
 
 #include <functional>
@@ -23,19 +22,18 @@ struct SkinnedFile {
   std::vector<std::string> left;  ///< SkinnedExportReport::left
 };
 
-/// A refined primitive as it stands in the file.
+/// A refined primitive in the file.
 struct OutPrimitive {
-  int node = 0;              ///< The file's node that shows the primitive's mesh.
-  int place = 0;             ///< Among the mesh's primitives.
-  std::vector<int> refined;  ///< [n] refined vertex that each vertex shows.
-  std::vector<int> drawn;    ///< [n] drawn vertex whose shading normal it has.
+  int node = 0;              ///< The file's node that shows the mesh.
+  int place = 0;             ///< Index in the mesh.
+  std::vector<int> refined;  ///< [n] refined vertex of each vertex.
+  std::vector<int> drawn;    ///< [n] drawn vertex with its shading normal.
 };
 
-/// What else is to be done to the file before it is packed.
+/// Further changes before packing.
 using FinishFile = std::function<void(GltfRewrite& rewrite, const OutSkins& skins, std::span<const OutPrimitive>)>;
 
-/// @param fit   after measure()  @param character  as requireSame() has found it; clips added from other files come
-/// after the file's Throws gltf::Refusal.
+/// Clips added from other files come after the file's. Throws gltf::Refusal. @param fit  after measure()
 [[nodiscard]] SkinnedFile skinnedFile(Source& source, const Character& character, const JointFit& fit,
                                       const SkinnedExportSettings& settings, const FinishFile& finish = {});
 

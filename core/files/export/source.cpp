@@ -1,4 +1,4 @@
-// core/files/export/source.cpp: the stages of the import again, as far as they tell where things come from.
+// core/files/export/source.cpp: runs stages of the import again to find the origin of mesh, joints and clips.
 #include "core/files/export/source.h"
 
 #include <algorithm>
@@ -6,24 +6,19 @@
 #include <cstring>
 #include <optional>
 #include <set>
-#include <string>
 #include <system_error>
 #include <utility>
-#include <vector>
 
 #include "core/character/clip_names.h"
 #include "core/files/export/formats.h"
 #include "core/files/export/gltf_rewrite.h"
 #include "core/files/gltf/animation.h"
-#include "core/files/gltf/file.h"
-#include "core/files/json/json.h"
 #include "core/geometry/at.h"
 
 namespace sinew::exporting {
 namespace {
 
-// A compressed file's JSON as that of the plain file it stands for.
-// Extensions taken out, new views named, bounds told anew.
+// Compressed files.
 
 void removeExtension(Json& element, std::string_view name) {
   Json* const extensions = memberOf(element, "extensions");
@@ -32,38 +27,21 @@ void removeExtension(Json& element, std::string_view name) {
   if (extensions->children.empty()) removeMember(element, "extensions");
 }
 
-template <class Number>
-double numberAt(const std::uint8_t* from) {
-  Number number;
-  std::memcpy(&number, from, sizeof(Number));
-  return static_cast<double>(number);
-}
-
 double componentAt(int type, const std::uint8_t* from) {
-  switch (type) {
-    case TINYGLTF_COMPONENT_TYPE_BYTE:
-      return numberAt<std::int8_t>(from);
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE:
-      return numberAt<std::uint8_t>(from);
-    case TINYGLTF_COMPONENT_TYPE_SHORT:
-      return numberAt<std::int16_t>(from);
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT:
-      return numberAt<std::uint16_t>(from);
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT:
-      return numberAt<std::uint32_t>(from);
-    default:
-      return numberAt<float>(from);
-  }
+  return gltf::withComponent(type, [&](auto number) {
+    std::memcpy(&number, from, sizeof(number));
+    return static_cast<double>(number);
+  });
 }
 
-/// Least and greatest of each component as they lie in the view; nothing where they reach beyond it or are not finite.
+/// Minimum and maximum of each component in the view; nullopt if beyond it or not finite.
 std::optional<std::pair<Json, Json>> boundsIn(gltf::Bytes view, const tinygltf::Accessor& accessor,
                                               std::size_t stride) {
   const std::size_t components = toIndex(tinygltf::GetNumComponentsInType(static_cast<std::uint32_t>(accessor.type)));
   const std::size_t size =
       toIndex(tinygltf::GetComponentSizeInBytes(static_cast<std::uint32_t>(accessor.componentType)));
   if (stride == 0) stride = components * size;
-  // Unused accessors have been compared with nothing.
+  // Unused accessors are unchecked.
   if (accessor.count == 0 || accessor.byteOffset > view.size() || stride < components * size ||
       (view.size() - accessor.byteOffset) / stride + 1 < accessor.count ||
       accessor.byteOffset + (accessor.count - 1) * stride + components * size > view.size()) {
@@ -86,6 +64,8 @@ std::optional<std::pair<Json, Json>> boundsIn(gltf::Bytes view, const tinygltf::
   return bounds;
 }
 
+/// Makes views, accessors and primitives plain, as in the file's model; the extensions that compressed them are gone,
+/// and nothing refers to the compressed bytes any more. `root` is all of the file's JSON.
 class PlainMaker {
  public:
   PlainMaker(Json& root, const gltf::File& file) : root_(root), file_(file), model_(file.model()) {}
@@ -114,7 +94,7 @@ class PlainMaker {
         const Json* const extensions = memberOf(primitive, "extensions");
         if (!extensions || !extensions->find(gltf::kDraco)) continue;
         removeExtension(primitive, gltf::kDraco);
-        if (mode == TINYGLTF_MODE_TRIANGLES) removeMember(primitive, "mode");  // Strips have become lists.
+        if (mode == TINYGLTF_MODE_TRIANGLES) removeMember(primitive, "mode");  // strips became lists
       }
     }
   }
@@ -123,7 +103,7 @@ class PlainMaker {
     Json* const views = memberOf(root_, "bufferViews");
     if (!views) return;
     for (Json& view : views->children) removeExtension(view, gltf::kMeshopt);
-    // Where all views must stay, those of compressed meshes are only made as small as may be.
+    // Views must stay, so those of compressed meshes become as small as possible.
     for (const std::size_t spent : file_.unpacked().spent) {
       if (isUsed(spent)) continue;
       Json& view = views->children[spent];
@@ -137,7 +117,7 @@ class PlainMaker {
     }
   }
 
-  /// By anything but the extension that compressed.
+  /// Whether anything except the compression uses a view.
   [[nodiscard]] bool isUsed(std::size_t view) const {
     const auto isIt = [&](int index) { return index == static_cast<int>(view); };
     return std::ranges::any_of(model_.images, isIt, &tinygltf::Image::bufferView) ||
@@ -165,7 +145,7 @@ class PlainMaker {
     }
   }
 
-  /// Those of the file are of the values before they were compressed, where they lost some digits.
+  /// Updates bounds to the decoded values, which lost digits.
   void tellBounds(Json& accessor, const tinygltf::Accessor& from, gltf::Bytes view) const {
     if (!memberOf(accessor, "min") && !memberOf(accessor, "max")) return;
     auto bounds = boundsIn(view, from, at(model_.bufferViews, from.bufferView).byteStride);
@@ -177,11 +157,6 @@ class PlainMaker {
   const gltf::File& file_;
   const tinygltf::Model& model_;
 };
-
-/// Views, accessors and primitives as in the file's model, where those that were compressed are plain; the extensions
-/// that compressed them are gone. What Draco has taken the place of nothing refers to any more.
-/// @param root  all of the file's JSON, as it stands
-void makePlain(Json& root, const gltf::File& file) { PlainMaker(root, file).run(); }
 
 bool sameMesh(const ControlMesh& a, const ControlMesh& b) {
   return a.positions == b.positions &&
@@ -225,8 +200,8 @@ Source::Source(const std::filesystem::path& from, std::vector<std::uint8_t> cont
       root(gltf::parseJson(gltf::openContainer(contents).json, {})),
       file(std::move(contents), gltf::folderOf(from)),
       accessors(file) {
-  makePlain(root, file);
-  gltf::Notes notes;  // The import has told them.
+  PlainMaker(root, file).run();
+  gltf::Notes notes;  // reported by the import
   const gltf::NodeTree tree = gltf::readNodes(file, notes);
   bound = gltf::bindSkeleton(file, tree, accessors, notes);
   gltf::Materials materials = gltf::readMaterials(file, notes, gltf::Images::kLeftOut);
@@ -242,7 +217,7 @@ Source::Source(const std::filesystem::path& from, std::vector<std::uint8_t> cont
 }
 
 bool Source::reads(const std::filesystem::path& other) const {
-  std::error_code absent;  // A file that is not there yet is read by nobody.
+  std::error_code absent;  // a new file
   if (std::filesystem::equivalent(path, other, absent)) return true;
   for (const char* list : {"buffers", "images"}) {
     for (const Json& item : root.at(list).items()) {
@@ -260,7 +235,7 @@ int Source::nodeOfBone(int bone) const { return at(fileNode, at(bound.skeleton.b
 int Source::nodeOf(int binding) const { return nodeOfBone(at(bound.skeleton.bindings, binding).bone); }
 
 void requireSame(const Source& source, const Character& character) {
-  gltf::Notes notes;  // The import has told them.
+  gltf::Notes notes;  // reported by the import
   gltf::Accessors accessors(source.file);
   const auto morphsOf = gltf::targetsOfNodes(source.bound.skeletonNode.size(), source.morphTargets);
   const gltf::ClipTargets targets{source.bound.skeleton, source.bound.skeletonNode, morphsOf};
@@ -275,13 +250,9 @@ void requireSame(const Source& source, const Character& character) {
   gltf::refuse({}, "has changed since it was opened: its mesh, joints or clips are others; open it again");
 }
 
-// Which files an export writes, what stands in the way, and writing them.
-
-namespace {
+// Checks and writing.
 
 constexpr double kMostSeconds = 3600.0;
-
-}  // namespace
 
 Result<void> checkClips(const std::filesystem::path& file, const Character& character,
                         const std::vector<std::string>& asked) {

@@ -1,4 +1,4 @@
-// core/files/export/source.h: the file a character came from, open again, with the way from its triangles to the mesh.
+// core/files/export/source.h: the file of a character, opened again for an export; checks and writing.
 #pragma once
 
 #include <cstdint>
@@ -22,9 +22,7 @@
 
 namespace sinew::exporting {
 
-// What an export throws inside, as the error that it returns.
-
-/// @param file  that is written  @param make  () -> Result<Report>
+/// make(), with what it throws as the Error. @param file  to be written  @param make  () -> Result<Report>
 template <class Make>
 [[nodiscard]] auto catchErrors(const std::filesystem::path& characterFile, const std::filesystem::path& file,
                                const Make& make) -> decltype(make()) {
@@ -42,11 +40,11 @@ template <class Make>
 }
 
 struct Source {
-  /// Reads the file once: what requireSame() compares and what is written again are one version. Throws gltf::Refusal.
+  /// Reads the file once, so that requireSame() compares what is exported. Throws gltf::Refusal.
   explicit Source(const std::filesystem::path& from);
 
   std::filesystem::path path;
-  Json root;  ///< All of the file's JSON, extras too, plain where it was compressed.
+  Json root;  ///< All of the file's JSON, with extras, uncompressed.
   gltf::File file;
   gltf::Accessors accessors;
   gltf::BoundSkeleton bound;
@@ -54,41 +52,39 @@ struct Source {
   gltf::SoupOrigin origin;
   ControlMesh mesh;                       ///< The soup, welded.
   std::vector<MorphTarget> morphTargets;  ///< Of that mesh.
-  std::vector<int> controlTriangle;       ///< [soup triangles] of the character's mesh, corner for corner; -1: dropped.
+  std::vector<int> controlTriangle;       ///< [soup triangles] with the same corners; -1: dropped.
   std::vector<int> fileNode;              ///< [skeleton nodes] node of the file.
 
-  /// Whether a path is the file itself or one that it reads its buffers or images from.
+  /// Whether a path is the file itself or one of its buffers or images.
   [[nodiscard]] bool reads(const std::filesystem::path& other) const;
-  /// Node of the file that a bone is.
+  /// Node of a bone in the file.
   [[nodiscard]] int nodeOfBone(int bone) const;
-  /// That a binding's bone is.
+  /// Node of a binding's bone.
   [[nodiscard]] int nodeOf(int binding) const;
 
  private:
   Source(const std::filesystem::path& from, std::vector<std::uint8_t> contents);
 };
 
-/// Throws gltf::Refusal unless mesh, morph targets, joints and clips of the character are those that the file gives
-/// now: it may have been replaced since it was imported. Clips that were made in memory, or added from other
-/// files, do not count.
+/// Throws gltf::Refusal unless mesh, morph targets, joints and clips of the character are those of the file now: it may
+/// have changed since the import. Ignores clips made in memory or added from other files.
 void requireSame(const Source& source, const Character& character);
 
-// What an export may write, and writing it.
+// Checks and writing.
 
-/// Error: a clip that the character does not have, and those that it has.
+/// Error: no such clip; lists those that exist.
 [[nodiscard]] Result<void> checkClips(const std::filesystem::path& file, const Character& character,
                                       const std::vector<std::string>& asked);
 
-/// Error: clips of more than an hour together. Each second is 30 poses that are smoothed, fitted and measured.
-/// @param asked  names; empty: all
+/// Error: clips of more than an hour together, as each second needs 30 poses. @param asked  names; empty: all
 [[nodiscard]] Result<void> checkSeconds(const std::filesystem::path& file, const Character& character,
                                         const std::vector<std::string>& asked);
 
-/// Before the work. Error: no such folder, a place that is a folder, or one that the character is read from.
-/// @param files  the one that was asked for last
+/// Error: no such folder, a target that is a folder, or one that the character is read from.
+/// @param files  the main one last
 [[nodiscard]] Result<void> checkPlaces(const Source& source, const std::vector<std::filesystem::path>& files);
 
-/// Checks the places and writes all files or none. Returns the bytes of all of them. @param files  as checkPlaces()
+/// checkPlaces(), then writes all files or none. Returns their bytes.
 [[nodiscard]] Result<std::uint64_t> writeFiles(const Source& source, const std::vector<NamedBytes>& files);
 
 }  // namespace sinew::exporting

@@ -1,10 +1,9 @@
 // core/files/fit/fit_kernel.cpp: sums over poses, compiled once per instruction set. Every lane does the same
-// operations in the same order, whatever the set.
-#include "core/files/fit/fit_kernel.h"
+// operations in the same order for all sets.
 
 #include <algorithm>
 
-#include "core/files/fit/four_weights.h"
+#include "core/files/fit/weight_fit.h"
 #include "core/geometry/at.h"
 #include "core/geometry/targets.h"
 
@@ -13,6 +12,10 @@
 #include "hwy/foreach_target.h"
 //
 #include "hwy/highway.h"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "core/files/fit/fit_kernel.cpp"
+//
 
 HWY_BEFORE_NAMESPACE();
 namespace sinew::exporting::HWY_NAMESPACE {
@@ -34,7 +37,7 @@ struct D3 {
 
 HWY_INLINE D dot(const D3& a, const D3& b) { return (a.x * b.x + a.y * b.y) + a.z * b.z; }
 
-/// Coordinates of up to kMostCandidates points.
+/// Up to kMostCandidates vectors.
 struct Ways {
   alignas(64) double x[kMostCandidates] = {};
   alignas(64) double y[kMostCandidates] = {};
@@ -45,7 +48,7 @@ struct Ways {
   }
 };
 
-/// From the live vertex to where each candidate alone has it.
+/// Vectors from the live vertex to its position by each candidate alone.
 HWY_INLINE void findWays(const PoseToFit& pose, std::span<const int> list, const glm::dvec3& rest, std::size_t v,
                          Ways& ways) {
   const glm::dvec3 live(pose.live[v]);
@@ -57,7 +60,7 @@ HWY_INLINE void findWays(const PoseToFit& pose, std::span<const int> list, const
   }
 }
 
-/// Rows of kMostCandidates; what lies beyond the diagonal is not read.
+/// Rows of kMostCandidates; entries beyond the diagonal are not read.
 using Rows = double[kMostCandidates * kMostCandidates];
 
 HWY_INLINE void addPose(const Ways& ways, std::size_t count, Rows& rows) {
@@ -92,7 +95,7 @@ void addGrams(const GramSums& sums, std::size_t first, std::size_t end) {
   }
 }
 
-/// A matrix a lane, of which the first three rows are kept.
+/// The first three rows of a matrix per lane.
 struct Helpers {
   const double* numbers;  ///< [4][3][stride]
   std::size_t stride;

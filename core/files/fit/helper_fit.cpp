@@ -1,4 +1,4 @@
-// core/files/fit/helper_fit.cpp: helpers placed where error is, then weights and motions by turns.
+// core/files/fit/helper_fit.cpp: places helpers where the error is, then alternates between weights and motions.
 #include "core/files/fit/helper_fit.h"
 
 #include <algorithm>
@@ -9,31 +9,28 @@
 
 #include <glm/geometric.hpp>
 
-#include "core/files/fit/helper_motion.h"
-#include "core/files/fit/weight_fit.h"
 #include "core/geometry/at.h"
 #include "core/geometry/parallel.h"
 
 namespace sinew::exporting {
 namespace {
 
-constexpr double kSpare = 0.5;            ///< Rigid helpers beyond what is asked; the least useful joints go again.
-constexpr double kHelperFitReach = 0.08;  ///< Times H: how far around its seed a new helper begins.
-constexpr int kRounds = 4;                ///< In so many goes helpers are placed.
-constexpr int kDrops = 3;                 ///< In so many the least useful ones go.
-constexpr int kTurns = 3;                 ///< Solutions for weights and motions after each.
-constexpr int kLastTurns = 8;             ///< The same once all is chosen.
-constexpr std::size_t kMostSeeds = 400;   ///< Vertices that are looked at as places.
-constexpr std::size_t kMostGains = 4;     ///< Helpers that a vertex may newly follow in a turn.
-constexpr double kTolerance = 1e-5;       ///< Times H: what is as near is not fitted.
-constexpr std::size_t kLeastHelperRange = 64;  ///< Vertices that are worth a thread.
-constexpr float kAlmostAlone = 0.99f;          ///< A weight beside which the others say nothing.
+constexpr double kSpare = 0.5;                 ///< Extra rigid helpers; the least useful joints are dropped.
+constexpr double kHelperFitReach = 0.08;       ///< Times H: initial reach of a helper around its seed.
+constexpr int kRounds = 4;                     ///< Rounds of placing helpers.
+constexpr int kDrops = 3;                      ///< Rounds of dropping the least useful ones.
+constexpr int kTurns = 3;                      ///< Solutions for weights and motions after each round.
+constexpr int kLastTurns = 8;                  ///< After all rounds.
+constexpr std::size_t kMostSeeds = 400;        ///< Vertices to consider as seeds.
+constexpr std::size_t kMostGains = 4;          ///< New helpers that a vertex may use after a turn.
+constexpr double kTolerance = 1e-5;            ///< Times H: vertices this near are not fitted.
+constexpr std::size_t kLeastHelperRange = 64;  ///< Vertices per thread, at least.
+constexpr float kAlmostAlone = 0.99f;          ///< A weight that leaves nothing to the others.
 
-/// Smooth skinning decomposition (Le and Deng, "Smooth Skinning Decomposition with Rigid Bones", 2012) with the
-/// character's own joints given: weights and rigid motions are solved by turns, each by least squares with the other
-/// held. There they begin with clusters of vertices; here a helper begins where the error that the joints leave is
-/// largest, so that it adds what they cannot do. More are placed than asked for, and the least useful go again in
-/// rounds: which ones serve best shows only when all have settled.
+/// Smooth skinning decomposition (Le and Deng, "Smooth Skinning Decomposition with Rigid Bones", 2012) with given
+/// joints: solves weights and rigid motions in turn, each by least squares with the other fixed. The paper starts from
+/// clusters of vertices; here a helper starts where the joints leave the largest error. More are placed than asked for,
+/// and the least useful are dropped in rounds, since the best ones show only after fitting.
 class HelperFit {
  public:
   HelperFit(const HelperTask& task, std::vector<FourWeights> start)
@@ -77,7 +74,7 @@ class HelperFit {
   [[nodiscard]] int inUse() const { return static_cast<int>(std::ranges::count(dropped_, false)); }
   [[nodiscard]] std::size_t helpers() const { return dropped_.size(); }
 
-  /// Calls use(pose, vertex) for all, each vertex's poses in order.
+  /// Calls use(pose, vertex) for all, with the poses of each vertex in order.
   template <class Use>
   void forEachInEachPose(const Use& use) const {
     forRanges(task_.rest.size(), kLeastHelperRange, [&](std::size_t begin, std::size_t end) {
@@ -87,7 +84,7 @@ class HelperFit {
     });
   }
 
-  /// Calls use(poses) for all of them, in order.
+  /// Calls use(poses) for blocks of poses, in order.
   template <class Use>
   void forBlocks(const Use& use) const {
     std::vector<PoseToFit> block;
@@ -99,7 +96,7 @@ class HelperFit {
     }
   }
 
-  /// Helpers' matrices as GainSums has them.
+  /// The helpers' matrices for GainSums.
   [[nodiscard]] std::vector<double> helperNumbers(std::span<const PoseToFit> poses, std::size_t stride) const {
     std::vector<double> numbers(poses.size() * 12 * stride, 0.0);
     double* row = numbers.data();
@@ -114,7 +111,7 @@ class HelperFit {
     return numbers;
   }
 
-  /// The least useful helpers go; what followed them follows what else it did.
+  /// Drops the least useful helpers; their vertices keep their other weights.
   void drop(int many) {
     if (many <= 0) return;
     const std::vector<double> losses = lossesWithout();
@@ -136,7 +133,7 @@ class HelperFit {
     }
   }
 
-  /// [helpers] about how much larger the sum of squared distances would be without each.
+  /// [helpers] approximate increase of the sum of squared distances without each.
   [[nodiscard]] std::vector<double> lossesWithout() const {
     std::vector<double> losses(helpers(), 0.0);
     const std::size_t n = task_.rest.size();
@@ -172,7 +169,7 @@ class HelperFit {
     return losses;
   }
 
-  /// Numbered anew: those in use alone.
+  /// Renumbers the helpers in use.
   [[nodiscard]] HelperResult result() {
     HelperResult result;
     std::vector<int> place(helpers(), -1);
@@ -196,7 +193,7 @@ class HelperFit {
     return result;
   }
 
-  /// [vertices] squared distances to the live surface over all poses but further ones.
+  /// [vertices] squared distances to the live surface over all poses except further ones.
   [[nodiscard]] std::vector<double> energies() const {
     std::vector<double> energies(task_.rest.size(), 0.0);
     forEachInEachPose([&](std::size_t f, std::size_t v) {
@@ -208,14 +205,14 @@ class HelperFit {
     return energies;
   }
 
-  /// How much a vertex counts around a place, 0..1.
+  /// Weight of a vertex around a seed, 0..1.
   [[nodiscard]] double nearness(std::size_t vertex, int place) const {
     const double reach = kHelperFitReach * task_.height;
     const double distance = glm::distance(glm::dvec3(task_.rest[vertex]), glm::dvec3(task_.rest[toIndex(place)]));
     return std::max(0.0, 1.0 - distance / reach);
   }
 
-  /// Up to so many helpers where most error lies, one far enough from the other.
+  /// Places up to `many` helpers where the error is largest, far enough apart.
   void place(int many) {
     std::vector<double> energy = energies();
     for (int i = 0; i < many; ++i) {
@@ -251,7 +248,7 @@ class HelperFit {
     return best;
   }
 
-  /// A helper that moves as the live surface does around a vertex.
+  /// Adds a helper that moves as the live surface around a vertex.
   void begin(int seed, const std::vector<double>& energy) {
     std::vector<std::pair<int, double>> around;
     std::map<int, double> bones;
@@ -294,8 +291,8 @@ class HelperFit {
     }
   }
 
-  /// [vertices] what each may follow: what it did without helpers, what it does now, and the helpers that alone would
-  /// take most of its error away.
+  /// [vertices] candidates: bindings of the initial and the current weights, and the helpers that alone would remove
+  /// most of the error.
   [[nodiscard]] std::vector<std::vector<int>> choices() const {
     const std::size_t n = task_.rest.size();
     const std::size_t helpers = this->helpers();
@@ -352,7 +349,7 @@ class HelperFit {
   std::vector<FourWeights> start_;
   std::vector<FourWeights> weights_;
   int first_ = 0;  ///< Binding of the first helper.
-  int lines_ = 0;  ///< Helpers that are lines' joints; rigid ones come after them.
+  int lines_ = 0;  ///< Joints of lines; rigid helpers come after them.
   std::vector<HelperJoint> rigid_;
   std::vector<bool> dropped_;                      ///< [helpers]
   std::vector<std::vector<Trs>> locals_;           ///< [poses][rigid helpers]

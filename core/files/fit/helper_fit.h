@@ -1,25 +1,25 @@
-// core/files/fit/helper_fit.h: rigid helper joints where joints and weights leave the most error: linear blend
-// skinning decomposed, the character's own joints given (after Le and Deng 2012).
+// core/files/fit/helper_fit.h: rigid helper joints where joints and weights leave the most error: a decomposition of
+// linear blend skinning with given joints (after Le and Deng 2012).
 #pragma once
 
 #include <array>
 #include <span>
 #include <vector>
 
-#include "core/files/fit/four_weights.h"
 #include "core/files/fit/helper_motion.h"
 #include "core/files/fit/poses.h"
+#include "core/files/fit/weight_fit.h"
 
 namespace sinew::exporting {
 
-/// What helpers are fitted to.
+/// Input of a fit of helpers.
 struct HelperTask {
   const Skeleton& skeleton;
-  std::span<const glm::vec3> rest;                ///< [vertices] the bind pose that is exported.
+  std::span<const glm::vec3> rest;                ///< [vertices] the exported bind pose.
   std::span<const std::array<int, 3>> triangles;  ///< Between them.
   std::span<const FitPose> poses;                 ///< All with as many matrices.
-  std::span<const HelperJoint> lines;             ///< Their joints; matrices of poses: bindings, then these.
-  double furtherShare = 1.0;                      ///< What a further pose counts, where any other counts 1.
+  std::span<const HelperJoint> lines;             ///< Joints of lines; matrices of poses: bindings, then these.
+  double furtherShare = 1.0;                      ///< Weight of a further pose; others count 1.
   double height = 1.0;                            ///< H.
 };
 
@@ -29,9 +29,8 @@ struct HelperResult {
   std::vector<FourWeights> weights;  ///< Bindings after the skeleton's are the lines kept, then the rigid helpers.
 };
 
-/// At most `most` joints, of lines and rigid ones, whatever serves best, and weights for all that there is. In further
-/// poses a rigid helper stays at rest on its bone.
-/// @param start  [vertices] weights of bindings alone
+/// The best joints of lines and rigid helpers, at most `most`, and weights for all of them and the bindings. In further
+/// poses rigid helpers stay at rest. @param start  [vertices] weights of bindings only
 [[nodiscard]] HelperResult fitHelpers(const HelperTask& task, std::vector<FourWeights> start, int most,
                                       const StageProgress& progress);
 

@@ -1,8 +1,7 @@
-// core/files/fit/joint_fit.cpp: the live surface pose by pose; weights, then what joints add, then how near it comes.
+// core/files/fit/joint_fit.cpp: candidates, the sample, then weights and added joints.
 #include "core/files/fit/joint_fit.h"
 
 #include <algorithm>
-#include <array>
 #include <cstdint>
 #include <iterator>
 #include <numeric>
@@ -12,20 +11,16 @@
 #include <glm/geometric.hpp>
 
 #include "core/character/bindings.h"
-#include "core/files/fit/four_weights.h"
-#include "core/files/fit/weight_fit.h"
-#include "core/geometry/at.h"
 #include "core/geometry/parallel.h"
 #include "core/rig/attachment.h"
-#include "sinew/character/character_pose.h"
 
 namespace sinew::exporting {
 
-// Joints of a vertex, of the muscles over it and of its surroundings, in that order.
+// Candidates.
 
 namespace {
 
-/// The control mesh with other influences: [V] lists of shares become its weights.
+/// The control mesh with other influences. @param shares  [V]
 ControlMesh following(const ControlMesh& mesh, const std::vector<std::vector<Share>>& shares) {
   ControlMesh result;
   result.positions = mesh.positions;
@@ -39,26 +34,20 @@ ControlMesh following(const ControlMesh& mesh, const std::vector<std::vector<Sha
   return result;
 }
 
-void add(std::vector<Share>& shares, int binding, double weight) {
-  const auto place = std::ranges::lower_bound(shares, binding, {}, &Share::binding);
-  if (place != shares.end() && place->binding == binding) place->weight += weight;
-  else shares.insert(place, {binding, weight});
-}
-
-/// [V] what the neighbors of each control vertex follow.
+/// [V] summed weights of the neighbors of each control vertex.
 std::vector<std::vector<Share>> ringShares(const ControlMesh& mesh) {
   std::vector<std::vector<Share>> result(mesh.positions.size());
   for (const Edge& edge : mesh.edges) {
     for (const int end : {0, 1}) {
       for (const Influence& influence : mesh.influencesOf(edge.vertices[toIndex(1 - end)])) {
-        add(at(result, at(edge.vertices, end)), influence.binding, static_cast<double>(influence.weight));
+        addShare(at(result, at(edge.vertices, end)), influence.binding, static_cast<double>(influence.weight));
       }
     }
   }
   return result;
 }
 
-/// [V] bones of the muscles that reach each control vertex, each with the muscle's nearness in radii.
+/// [V] bones of the muscles that reach each control vertex, weighted by nearness.
 std::vector<std::vector<Share>> muscleShares(const Character& character, const Rig& rig, const Attachment& attachment) {
   const Skeleton& skeleton = character.skeleton;
   std::vector<std::vector<Share>> result(character.mesh.positions.size());
@@ -72,11 +61,11 @@ std::vector<std::vector<Share>> muscleShares(const Character& character, const R
       const float distance = glm::length(character.mesh.positions[v] - center);
       if (!(distance < reach)) continue;
       const double nearness = 1.0 - static_cast<double>(distance / reach);
-      add(result[v], bone, nearness);
+      addShare(result[v], bone, nearness);
       const MuscleLine* line = lineOf(rig, primitive);
       if (!line) continue;
       for (const LineAnchor* anchor : {&line->origin, &line->insertion}) {
-        if (const auto end = skeleton.findBone(anchor->bone)) add(result[v], *end, nearness);
+        if (const auto end = skeleton.findBone(anchor->bone)) addShare(result[v], *end, nearness);
       }
     }
   }
@@ -88,7 +77,7 @@ std::vector<Share> largestFirst(std::vector<Share> shares) {
   return shares;
 }
 
-/// A vertex's list in the making.
+/// Builds the list of a vertex.
 class Candidates {
  public:
   void add(int binding) {
@@ -97,7 +86,7 @@ class Candidates {
   void addAll(const std::vector<Share>& shares, std::size_t most) {
     for (std::size_t i = 0; i < std::min(most, shares.size()); ++i) add(shares[i].binding);
   }
-  /// Bones by their steps from one bone, until the list is full.
+  /// Bones by distance in the skeleton, until the list is full.
   void addNearest(const Skeleton& skeleton, int from, const std::vector<bool>& wanted) {
     std::vector<int> reached{from};
     std::vector<bool> seen(skeleton.bones.size(), false);
@@ -148,14 +137,14 @@ Result<std::vector<std::vector<int>>> weightCandidates(const Character& characte
   return result;
 }
 
-// Every so many vertices of a space-filling curve, and who is nearest to whom.
+// The sample.
 
 namespace {
 
 constexpr int kMortonBits = 20;   ///< Along each axis.
-constexpr double kOwnVote = 2.0;  ///< What a cell's own weights count, where those of a cell beside it count 1.
+constexpr double kOwnVote = 2.0;  ///< Weight of a cell's own weights; those of neighbors count 1.
 
-/// Neighbors along edges, one list after the other.
+/// Neighbors along edges.
 struct Neighbors {
   std::vector<std::size_t> begin;  ///< [count+1]
   std::vector<int> others;         ///< Some twice.
@@ -182,7 +171,7 @@ struct Neighbors {
   }
 };
 
-/// Three numbers bit by bit.
+/// Interleaves the bits of three numbers.
 std::uint64_t interleaved(const std::array<std::uint64_t, 3>& numbers) {
   std::uint64_t code = 0;
   for (int bit = kMortonBits - 1; bit >= 0; --bit) {
@@ -191,7 +180,7 @@ std::uint64_t interleaved(const std::array<std::uint64_t, 3>& numbers) {
   return code;
 }
 
-/// Neighbors in the order are neighbors in space.
+/// Vertices along a Morton curve: neighbors in the order are near in space.
 std::vector<int> mortonOrder(std::span<const glm::vec3> points) {
   glm::dvec3 low(points.front());
   glm::dvec3 high(low);
@@ -216,7 +205,7 @@ std::vector<int> mortonOrder(std::span<const glm::vec3> points) {
   return result;
 }
 
-/// Gives every vertex that can be reached from those in `queue` the cell of the nearest of them.
+/// Assigns every vertex reachable from `queue` the cell of the nearest one in it.
 void flood(const Neighbors& neighbors, std::vector<int> queue, std::vector<int>& cell) {
   for (std::size_t i = 0; i < queue.size(); ++i) {
     for (const int other : neighbors.of(queue[i])) {
@@ -250,10 +239,7 @@ std::vector<int> chosen(std::span<const glm::vec3> rest, const Neighbors& neighb
 
 void vote(const FourWeights& weights, double by, std::vector<Share>& votes) {
   for (std::size_t i = 0; i < kMostWeights && weights.binding[i] >= 0; ++i) {
-    const auto place = std::ranges::lower_bound(votes, weights.binding[i], {}, &Share::binding);
-    const double share = by * static_cast<double>(weights.weight[i]);
-    if (place != votes.end() && place->binding == weights.binding[i]) place->weight += share;
-    else votes.insert(place, {weights.binding[i], share});
+    addShare(votes, weights.binding[i], by * static_cast<double>(weights.weight[i]));
   }
 }
 
@@ -309,29 +295,31 @@ std::vector<std::vector<int>> candidatesNear(const FitSample& sample, std::span<
   return result;
 }
 
+// The fit.
+
 namespace {
 
-/// What the range of motion counts beside all clips together: it holds poses that no clip may ever come near.
+/// Weight of the range of motion relative to all clips: its poses may never occur in clips.
 constexpr double kShareOfFurther = 0.25;
-/// Share of the height: weights that bring a vertex as near as that are not fitted.
+/// Fraction of the height: vertices this near are not fitted.
 constexpr double kNearEnough = 1e-5;
 /// Rounds of moving one helper after the other in a pose.
 constexpr int kRoundsInPose = 6;
-/// Vertices that joints are fitted to; of more, so many stand for all.
+/// Vertices for fitting joints; of more, a sample of this size.
 constexpr std::size_t kMostFitted = 8'000;
-/// Points of live surfaces that are held at once: 240 MB.
+/// Points of live surfaces in memory: 240 MB.
 constexpr std::size_t kMostFitPoints = 20'000'000;
-/// Poses of the range of motion that helpers are fitted beside.
+/// Poses of the range of motion for fitting helpers.
 constexpr std::size_t kMostFurtherPoses = 100;
-/// Poses of clips that all vertices are weighed in where joints were fitted to some.
+/// Poses of clips for fitting all vertices after a sample.
 constexpr std::size_t kMostWeighed = 150;
 
-/// What share of the work each stage is, about.
+/// Approximate fraction of the work for each stage.
 struct StageShares {
   double gathering = 0.2;
   double solving = 0.5;
   double helping = 0.0;
-  double weighing = 0.0;  ///< Poses, and once more so much: weights.
+  double weighing = 0.0;  ///< Twice: poses, then weights.
   double measuring = 0.3;
 };
 
@@ -372,7 +360,7 @@ Result<void> JointFit::findWeights() {
   if (!candidates) return candidates.error();
   fitSample(candidates.value());
   if (sample_.isWhole()) weights_ = sampleWeights_;
-  // Helpers are found on the sample alone; without them all that a vertex may follow is known.
+  // Helpers are known on the sample only; without helpers the candidates are complete.
   else if (settings_.joints == ExportJoints::kOwn) weighAll(std::move(candidates).value());
   else weighAll(candidatesNear(sample_, sampleWeights_, weights_));
   return {};
@@ -404,8 +392,8 @@ void JointFit::layLines() {
   lines_ = LineJoints(rig_, *character_, settings_.jointScale, moments);
 }
 
-/// Whether a pose is among those that are fitted, of too many every second, third ...: asked of each in order.
-/// @param mostOwn  of clips; of the range of motion no more than kMostFurtherPoses
+/// A predicate for all poses in order: fitted poses, thinned to every second, third ... if there are too many.
+/// @param mostOwn  of clips; for the range of motion at most kMostFurtherPoses
 std::function<bool(const ExportPose&)> JointFit::someFitted(std::size_t mostOwn) const {
   std::array<std::size_t, 2> count{};
   for (const ExportPose& pose : poses_) {
@@ -420,7 +408,7 @@ std::function<bool(const ExportPose&)> JointFit::someFitted(std::size_t mostOwn)
   };
 }
 
-/// Joints, and weights of the sample.
+/// Finds joints, and weights of the sample.
 void JointFit::fitSample(const std::vector<std::vector<int>>& candidates) {
   sample_ = sampleVertices(restOfAll(), trianglesOfFit(), kMostFitted);
   std::vector<std::vector<int>> own;
@@ -463,13 +451,13 @@ void JointFit::addHelpers(const std::vector<FitPose>& poses) {
   lines_.keep(result.keptLines);
 }
 
-/// Every vertex follows the best of its candidates, in the poses that the keys will have.
+/// Fits the weights of every vertex in the poses of the keys.
 void JointFit::weighAll(std::vector<std::vector<int>> candidates) {
   const StageShares shares = sharesOf(settings_.joints, false);
   WeightFit fit(restOfAll(), std::move(candidates), weights_);
   const HelperMotion motion(character_->skeleton, sampleRest_, sampleWeights_, rigid_, firstRigid());
   progress_.begin(shares.weighing);
-  // Without helpers weights must not be worse than those of the file, in any of the poses.
+  // Without helpers weights must not be worse than the file's over all poses.
   const auto isMeant = settings_.joints == ExportJoints::kOwn ? std::function<bool(const ExportPose&)>(isFitted)
                                                               : someFitted(kMostWeighed);
   forEachPose(isMeant, [&](const ExportPose& pose, const Pose& moment) {
@@ -483,7 +471,7 @@ void JointFit::weighAll(std::vector<std::vector<int>> candidates) {
   rigidLocals_.clear();
 }
 
-/// Moves the rigid helpers as the live surface asks for, where the pose has keys, and leaves them at rest elsewhere.
+/// Fits the rigid helpers to the live surface where the pose has keys; else they rest.
 void JointFit::moveHelpers(const Pose& moment, bool isKeyed, const HelperMotion& motion) {
   if (!isKeyed || rigidLocals_.size() != rigid_.size()) {
     rigidLocals_.clear();
@@ -509,7 +497,7 @@ int JointFit::firstRigid() const {
   return static_cast<int>(character_->skeleton.bindings.size() + lines_.joints().size());
 }
 
-/// What a further pose counts, where a pose of a clip that is exported counts 1.
+/// Weight of a further pose; a pose of an exported clip counts 1.
 double JointFit::furtherShare() const {
   const auto fitted = [](const ExportPose& pose) { return isFitted(pose); };
   const auto all = std::ranges::count_if(poses_, fitted);

@@ -1,4 +1,4 @@
-// core/files/fit/joint_fit.h: joints and weights that come near the live surface, and how near.
+// core/files/fit/joint_fit.h: joints and weights fitted to the live surface, and their error.
 #pragma once
 
 #include <array>
@@ -10,12 +10,11 @@
 
 #include <glm/vec3.hpp>
 
-#include "core/files/fit/four_weights.h"
 #include "core/files/fit/helper_fit.h"
 #include "core/files/fit/helper_motion.h"
-#include "core/files/fit/line_joints.h"
 #include "core/files/fit/played_surface.h"
 #include "core/files/fit/poses.h"
+#include "core/files/fit/weight_fit.h"
 #include "core/geometry/at.h"
 #include "sinew/character/character.h"
 #include "sinew/character/character_pose.h"
@@ -25,36 +24,30 @@
 
 namespace sinew::exporting {
 
-// Which joints a vertex may follow when its weights are fitted.
-
-/// Up to kMostCandidates (best_weights.h) bindings for each refined vertex: its own as interpolatedWeights() gives
-/// them, the four largest first; then the bones of muscles that reach it; then what the vertices around its control
-/// triangles follow, the most followed first; then the bones of the skin nearest in the skeleton to that of its largest
-/// weight. Every binding once. Error: the rig does not fit the character.
+/// Up to kMostCandidates different bindings for each refined vertex: its own from interpolatedWeights(), the largest
+/// first; then the bones of muscles that reach it; then those of the vertices around its control triangle, the largest
+/// first; then the bones of the skin nearest in the skeleton to that of its largest weight. Error: the rig does not fit
+/// the character.
 [[nodiscard]] Result<std::vector<std::vector<int>>> weightCandidates(const Character& character, const Rig& rig,
                                                                      const Refinement& refinement,
                                                                      const std::vector<std::vector<Share>>& own);
 
-// Some vertices that stand for all while joints are fitted.
-
-/// Vertices spread evenly over all of them: each stands for about as many, so none has to count more than another.
+/// Vertices that represent all while joints are fitted, spread evenly, so that all count alike.
 struct FitSample {
   std::vector<int> vertices;                  ///< Ascending.
-  std::vector<int> cell;                      ///< [all] index in `vertices` of the nearest along edges.
+  std::vector<int> cell;                      ///< [all] index in `vertices` of the nearest one along edges.
   std::vector<std::array<int, 3>> triangles;  ///< Indices in `vertices`: where three cells meet.
 
   [[nodiscard]] bool isWhole() const { return vertices.size() == cell.size(); }
 };
 
-/// About `most` vertices along a Morton curve, at least one of everything that hangs together; all of them where there
-/// are no more, with their own triangles.
-/// @param triangles  between the vertices; those with a corner beyond them are skipped
+/// About `most` vertices along a Morton curve, at least one of each connected part; all vertices, with their own
+/// triangles, if there are no more. @param triangles  between the vertices; those with a corner beyond them are skipped
 [[nodiscard]] FitSample sampleVertices(std::span<const glm::vec3> rest, std::span<const std::array<int, 3>> triangles,
                                        std::size_t most);
 
-/// [all] bindings that each vertex may follow: its own, then what its cell and the cells around that follow, the most
-/// followed first; kMostNear, or its own alone if these are more.
-/// @param weights  [sample.vertices]  @param own  [all]
+/// [all] candidate bindings: the vertex's own, then those of its cell and the cells around it, the largest first; up to
+/// kMostNear, or only its own if these are more. @param weights  [sample.vertices]  @param own  [all]
 [[nodiscard]] std::vector<std::vector<int>> candidatesNear(const FitSample& sample,
                                                            std::span<const FourWeights> weights,
                                                            std::span<const FourWeights> own);
@@ -63,45 +56,44 @@ inline constexpr std::size_t kMostNear = 12;
 
 class ErrorMeter;
 
-/// Joints and weights that play back, by linear blend skinning, what the live surface does.
+/// Joints and weights that reproduce the live surface by linear blend skinning.
 ///
 /// The surface is smoothed in the poses of the exported clips and of a range of motion. Weights are fitted to it by
-/// least squares (weight_fit.h): what muscles do near a joint is nearly linear in the bones' matrices, so most of it
-/// needs no new joint. What is left goes to joints of muscle lines, which move exactly as lines deform (line_joints.h),
-/// and to rigid ones (helper_fit.h). Of many vertices some stand for all until the joints are found (fit_sample.h);
-/// then every vertex is weighed. Morph targets are left out of all that: a program adds them before joints move a
-/// vertex, as the live surface does before muscles. Every fifth pose is kept from the fit: its error tells whether the
-/// fit holds beyond the poses it has seen. docs/export.md.
+/// least squares (WeightFit): muscles near a joint deform nearly linearly in the bones' matrices, so most of it needs
+/// no new joint. The rest goes to joints of muscle lines, which move exactly as lines deform (LineJoints), and to rigid
+/// ones (fitHelpers). For many vertices a sample represents all until the joints are found (FitSample); then every
+/// vertex is fitted. Morph targets are not part of it: programs add them before skinning, as the live surface adds them
+/// before muscles. Every fifth pose is held out: its error shows whether the fit generalizes. docs/export.md.
 class JointFit {
  public:
-  /// As exportSkinned(); all but `progress` must outlive this.
+  /// As exportSkinned(); all except `progress` must outlive this.
   JointFit(std::shared_ptr<const Character> character, const Character& moving, const Rig& rig,
            const SkinnedExportSettings& settings, const ExportProgress& progress);
 
   /// Error: the rig does not fit the character.
   Result<void> findWeights();
-  /// Compares all poses, and finds the keys of the added joints on the way.
+  /// Compares all poses, and finds the keys of the added joints.
   void measure(SkinnedExportReport& report);
-  /// After measure(): the clips between their keys, as a program plays them.
+  /// After measure(): compares the clips between their keys, as a program plays them.
   void measureBetween(SkinnedExportReport& report);
 
   [[nodiscard]] const Surface& bind() const { return bind_; }
-  /// [vertices that are exported]
+  /// [exported vertices]
   [[nodiscard]] const std::vector<FourWeights>& weights() const { return weights_; }
-  /// Those added: lines' first.
+  /// Added joints: those of lines first.
   [[nodiscard]] std::vector<HelperJoint> helpers() const;
   [[nodiscard]] const LineJoints& lines() const { return lines_; }
-  /// After measure(): one for each clip that is exported, in the character's order.
+  /// After measure(): one for each exported clip, in the character's order.
   [[nodiscard]] const std::vector<HelperClip>& helperClips() const { return helperClips_; }
-  /// After measure(): what the file will show, without the distances.
+  /// After measure(): the exported surface, without the distances.
   [[nodiscard]] const std::shared_ptr<PlayedSurface>& played() const { return played_; }
-  /// After findWeights(); empty if none are exported.
+  /// After findWeights(); empty without exported targets.
   [[nodiscard]] const PlayedMorphs& morphs() const { return morphs_; }
 
  private:
   void choosePoses();
   void findMorphs();
-  /// Smooths the poses as the file shows them, shapes too, and calls use(i, distances to what is played).
+  /// Smooths the poses with morph targets and calls use(pose, distances to the played surface).
   template <class Use>
   void forEachPlayed(std::span<const ExportPose> poses, Use use);
   void layLines();
@@ -127,11 +119,11 @@ class JointFit {
   const Character& moving_;
   const Rig& rig_;
   const SkinnedExportSettings& settings_;
-  Rig still_;  ///< Adds no weights to morph targets.
+  Rig still_;  ///< The rig without weights of morph targets.
   StageProgress progress_;
   LiveSurfaces surfaces_;
   Surface bind_;
-  std::size_t count_ = 0;  ///< Refined vertices that are exported: the first so many.
+  std::size_t count_ = 0;  ///< Number of exported vertices, the first refined ones.
   std::vector<int> clips_;
   std::vector<ExportPose> poses_;
   std::vector<FourWeights> weights_;
@@ -143,8 +135,8 @@ class JointFit {
   std::vector<HelperJoint> rigid_;
   std::vector<HelperClip> helperClips_;
   std::shared_ptr<PlayedSurface> played_;
-  std::vector<float> largest_;  ///< [vertices that are exported] percent of the height.
-  // The pose at hand.
+  std::vector<float> largest_;  ///< [exported vertices] percent of the height.
+  // The current pose.
   const Surface* live_ = nullptr;
   std::vector<glm::vec3> sampleLive_;
   std::vector<glm::dmat4> matrices_;  ///< [bindings, lines' joints, rigid helpers]
@@ -152,8 +144,8 @@ class JointFit {
   std::vector<Trs> rigidLocals_;
 };
 
-/// Smooths the poses that are meant, without morph targets, and calls use(pose, moment) after each, the live surface
-/// and the matrices of bindings and lines' joints at hand.
+/// Smooths the poses that `means` selects, without morph targets, and calls use(pose, moment) with live_ and matrices_
+/// of bindings and lines' joints set.
 template <class Means, class Use>
 void JointFit::forEachPose(Means means, Use use) {
   std::vector<const ExportPose*> meant;

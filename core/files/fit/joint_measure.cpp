@@ -1,4 +1,4 @@
-// core/files/fit/joint_measure.cpp: how near joints and weights come, at their keys and between them.
+// core/files/fit/joint_measure.cpp: error of joints and weights at their keys and between them.
 #include <algorithm>
 #include <utility>
 
@@ -13,8 +13,8 @@
 namespace sinew::exporting {
 namespace {
 
-constexpr std::size_t kLeastMeasuredRange = 1024;  ///< Vertices that are worth a thread.
-constexpr double kShareOfKeys = 0.4;               ///< Of the measuring.
+constexpr std::size_t kLeastMeasuredRange = 1024;  ///< Vertices per thread, at least.
+constexpr double kShareOfKeys = 0.4;               ///< Fraction of the measuring.
 
 }  // namespace
 
@@ -31,7 +31,7 @@ void JointFit::keep(const ExportPose& pose) {
   for (const Trs& local : rigidLocals_) clip.locals[joint++].push_back(local);
 }
 
-/// The meter's figures, clip and bone of the largest named.
+/// The meter's figures with names of clip and bone.
 ErrorFigures JointFit::figuresOf(const ErrorMeter& meter) const {
   ErrorFigures figures = meter.figures();
   if (figures.farthest.vertex < 0) return figures;
@@ -69,10 +69,7 @@ void JointFit::measure(SkinnedExportReport& report) {
     if (pose.use == PoseUse::kFitted) meant.push_back(&fitted);
     if (pose.use == PoseUse::kHeldOut) meant.push_back(&heldOut);
     if (isOwn(pose)) noteLargest(distances);
-    for (ErrorMeter* meter : meant) {
-      meter->addPose(pose.clip, pose.time);
-      for (std::size_t v = 0; v < count_; ++v) meter->add(distances[v], static_cast<int>(v));
-    }
+    for (ErrorMeter* meter : meant) meter->addPose(pose.clip, pose.time, distances);
   };
   const bool morphs = !morphs_.targets.empty();
   const double share = kShareOfKeys * measuringShare();
@@ -120,10 +117,8 @@ void JointFit::measureBetween(SkinnedExportReport& report) {
   progress_.begin((1.0 - kShareOfKeys) * measuringShare());
   forEachPlayed(poses, [&](const ExportPose& pose, std::span<const double> distances) {
     noteLargest(distances);
-    for (ErrorMeter* meter : {&at(meters, pose.clip), &all}) {
-      meter->addPose(pose.clip, pose.time);
-      for (std::size_t v = 0; v < count_; ++v) meter->add(distances[v], static_cast<int>(v));
-    }
+    at(meters, pose.clip).addPose(pose.clip, pose.time, distances);
+    all.addPose(pose.clip, pose.time, distances);
   });
   for (std::size_t c = 0; c < clips_.size(); ++c) report.clips[c].between = figuresOf(at(meters, clips_[c]));
   report.allBetween = figuresOf(all);

@@ -1,4 +1,4 @@
-// core/files/fit/morph_fit.cpp: what skinning leaves over, as displacements in the bind pose.
+// core/files/fit/morph_fit.cpp: the residual of skinning as displacements in the bind pose, and the search for targets.
 #include "core/files/fit/morph_fit.h"
 
 #include <algorithm>
@@ -18,17 +18,17 @@
 namespace sinew::exporting {
 namespace {
 
-/// Determinant of a blend, beside that of a rotation as large, below which its inverse is damped ...
+/// Determinant of a blend, relative to a rotation of the same size, below which its inverse is damped ...
 constexpr double kSingular = 0.01;
 /// ... by this, of the mean square of its singular values.
 constexpr double kDamping = 1e-4;
-/// Share of the height that other readers' arithmetic may differ by ...
+/// Fraction of the height that other readers' arithmetic may differ by ...
 constexpr double kReaders = 1e-6;
 /// ... and of the distance from the origin: products of matrices, and a sum for each vertex.
 constexpr double kReadersFar = 4.0 * static_cast<double>(std::numeric_limits<float>::epsilon());
-constexpr std::size_t kLeastMorphRange = 1024;  ///< Vertices that are worth a thread.
+constexpr std::size_t kLeastMorphRange = 1024;  ///< Vertices per thread, at least.
 
-/// What displacement a blend B makes `way` of: B^-1 way, damped where B is nearly singular.
+/// B^-1 way, damped where the blend B is nearly singular.
 glm::dvec3 beforeSkinning(const glm::dmat3& blend, const glm::dvec3& way) {
   const double square =
       (glm::dot(blend[0], blend[0]) + glm::dot(blend[1], blend[1]) + glm::dot(blend[2], blend[2])) / 3;
@@ -88,34 +88,35 @@ ErrorFigures MorphFit::skinnedFigures() const {
   return meter.figures();
 }
 
-// Principal components over time, and how few of them are enough.
+// The search: principal components over time, as few as are enough.
 
 namespace {
 
-/// Rounds of counting those vertices more that are far off.
+/// Rounds of reweighting.
 constexpr int kSearchRounds = 24;
-/// Products that all Gram matrices may take, about: of many vertices and frames there are fewer rounds, one at least.
+/// Approximate limit of products for all Gram matrices: with many vertices and frames there are fewer rounds, at
+/// least 1.
 constexpr double kMostProducts = 3e10;
-/// Rounds without a gain after which the search ends.
+/// Rounds without improvement before the search ends.
 constexpr int kFutile = 6;
-/// A vertex that is on its place still counts as much as that of one at the bound.
+/// Least weight factor of a vertex, relative to one at the bound.
 constexpr double kLeastShare = 0.05;
-/// Shares of the bound: entries below it are dropped; the largest that the bound allows.
+/// Entries below this fraction of the bound are dropped, if the bound allows.
 constexpr double kSparsest = 0.25;
 constexpr double kDensest = 1.0 / 256.0;
-/// Vertices that a thread takes at a time.
+/// Vertices in a block of a thread.
 constexpr std::size_t kBlock = 2048;
-/// Rows that the Gram matrix takes at a time.
+/// Rows in a block of the Gram matrix.
 constexpr Eigen::Index kRows = 768;
 
 }  // namespace
 
 /// The fewest morph targets that keep every vertex in every frame within a bound.
 ///
-/// What skinning leaves over is a matrix of displacements, vertices by frames. Its principal components are the best
+/// The residual of skinning is a matrix of displacements, vertices by frames. Its principal components are the best
 /// targets by least squares; they come from the eigenvectors of its Gram matrix over frames, which is small. The bound
-/// is on the maximum, though, so vertices that are far off are counted more and the components found anew (Lawson's
-/// iteratively reweighted least squares, 1961): fewer targets then do. Distances are measured on what a reader makes of
+/// is on the maximum, though, so vertices that are far off get more weight and the components are computed again
+/// (Lawson's iteratively reweighted least squares, 1961), which needs fewer targets. Distances are those of a reader of
 /// the file's numbers, so that the bound holds there.
 class MorphSearch {
  public:
@@ -147,7 +148,7 @@ class MorphSearch {
   }
 
  private:
-  /// Weights over time, 0..1, and shapes, as the file has them.
+  /// Weights over time, 0..1, and shapes, rounded as in the file.
   struct Shapes {
     Eigen::MatrixXf weights;  ///< [frames, targets]
     Eigen::MatrixXf deltas;   ///< [3 vertices, targets] in the bind pose.
@@ -162,12 +163,12 @@ class MorphSearch {
     Eigen::Ref<const Eigen::MatrixXf> deltas;
   };
 
-  /// A target that stands still, then all components of what moves, the largest first, made as they are asked for.
+  /// A constant target, then the components of the motion, the largest first, computed on demand.
   struct Basis {
     Eigen::MatrixXd over;    ///< [frames, frames - 1] orthonormal columns of sum 0.
     Eigen::MatrixXf exact;   ///< [3 vertices, made ...] in the bind pose; the first: the mean.
-    Shapes shapes;           ///< `exact` as files have it; columns beyond `made` are without meaning.
-    std::vector<float> low;  ///< [made] what is left at a weight of 0, in parts of the shape.
+    Shapes shapes;           ///< `exact` rounded as in files; columns beyond `made` are undefined.
+    std::vector<float> low;  ///< [made] offset at a weight of 0, in units of the shape.
 
     ShapesView first(Eigen::Index targets, const MorphSearch& search) {
       constexpr Eigen::Index kAhead = 16;
@@ -187,7 +188,7 @@ class MorphSearch {
       return {shapes.weights.leftCols(targets), shapes.deltas.leftCols(targets)};
     }
 
-    /// With more or fewer entries dropped.
+    /// Drops entries below a length.
     [[nodiscard]] Shapes dropSmall(Eigen::Index targets, const MorphSearch& search, double below) const {
       Shapes result{shapes.weights.leftCols(targets), exact.leftCols(targets)};
       result.deltas.col(0) = still(targets);
@@ -195,7 +196,7 @@ class MorphSearch {
       return result;
     }
 
-    /// The mean and what the other targets leave at weights of 0.
+    /// The mean and the offsets of the other targets at weights of 0.
     [[nodiscard]] Eigen::VectorXf still(Eigen::Index targets) const {
       const Eigen::Map<const Eigen::VectorXf> parts(low.data(), targets);
       return exact.leftCols(targets) * parts;
@@ -228,7 +229,7 @@ class MorphSearch {
     return {solver.eigenvectors().rowwise().reverse().leftCols(frames - 1), {}, {}, {}};
   }
 
-  /// Weights of 1 in every frame.
+  /// The mean, with weights of 1.
   float makeStill(Eigen::Ref<Eigen::VectorXf> weights, Eigen::Ref<Eigen::VectorXf> mean) const {
     Eigen::VectorXd sum = Eigen::VectorXd::Zero(rows());
     for (Eigen::Index f = 0; f < frameCount(); ++f) sum += wanted(f).cast<double>();
@@ -237,8 +238,8 @@ class MorphSearch {
     return 1.0f;
   }
 
-  /// Weights from 0 to 1: programs clamp others, and a dropped entry of a shape is what is lost at most. Returns what
-  /// part of the shape is left at 0.
+  /// A component with weights from 0 to 1: programs clamp others, and they bound the loss of a dropped entry. Returns
+  /// the offset at 0.
   float makeComponent(const Eigen::VectorXd& over, Eigen::Ref<Eigen::VectorXf> weights,
                       Eigen::Ref<Eigen::VectorXf> deltas) const {
     const double low = over.minCoeff();
@@ -260,7 +261,7 @@ class MorphSearch {
     return glm::vec3(at(fit_.bindToMesh_, fit_.vertices_[vertex].space) * way);
   }
 
-  /// To what a reader makes of the target in its mesh spaces.
+  /// Rounds a target as the file does in its mesh spaces.
   void round(Eigen::Ref<Eigen::VectorXf> target, double drop) const {
     forEachIndex(fit_.vertices_.size(), kBlock, [&](std::size_t v) {
       float* delta = target.data() + 3 * v;
@@ -271,7 +272,7 @@ class MorphSearch {
     });
   }
 
-  /// Calls use(vertex, distance) for vertices of a frame until it returns false; whether it never did.
+  /// Calls use(vertex, distance) for vertices of a frame until it returns false. True if it never does.
   template <class Use>
   bool forEachDistance(const ShapesView& shapes, std::size_t frame, std::size_t begin, std::size_t end, Use use) const {
     const MorphFit::Frame& at = fit_.frames_[frame];
@@ -290,7 +291,7 @@ class MorphSearch {
     return true;
   }
 
-  /// Calls use(begin, end) for blocks of vertices, whose shapes stay in the cache from frame to frame.
+  /// Calls use(begin, end) for blocks of vertices that fit the cache for all frames.
   template <class Use>
   void forEachBlock(Use use) const {
     const std::size_t count = fit_.vertices_.size();
@@ -298,7 +299,7 @@ class MorphSearch {
                  [&](std::size_t block) { use(block * kBlock, std::min(count, (block + 1) * kBlock)); });
   }
 
-  /// How many of the frames after `worst_`, which is the first, are near enough in a row, of so many.
+  /// Number of consecutive frames within the bound, from `worst_` on, of `frames`.
   [[nodiscard]] std::size_t framesWithin(const ShapesView& shapes, std::size_t frames) const {
     std::atomic<std::size_t> within = frames;
     forEachBlock([&](std::size_t begin, std::size_t end) {
@@ -315,7 +316,7 @@ class MorphSearch {
     return within;
   }
 
-  /// The frame that was too far off last is looked at first: most of what does not do is refused by one frame.
+  /// Tests the frame that failed last first: it rejects most candidates.
   [[nodiscard]] bool isWithin(const ShapesView& shapes) {
     progress_.tell(part_);
     const std::size_t frames = fit_.frames_.size();
@@ -326,7 +327,7 @@ class MorphSearch {
     return false;
   }
 
-  /// Lawson's way from least squares to the least maximum.
+  /// Lawson's step from least squares to the minimal maximum.
   void countFarOnesMore(const ShapesView& shapes) {
     Eigen::VectorXd farthest = Eigen::VectorXd::Zero(vertexCount());
     forEachBlock([&](std::size_t begin, std::size_t end) {
@@ -342,7 +343,7 @@ class MorphSearch {
     squares_ *= static_cast<double>(vertexCount()) / squares_.sum();
   }
 
-  /// Entries as large as the bound allows are dropped.
+  /// Drops entries as large as the bound allows.
   Shapes sparsest() {
     for (double share = kSparsest; share > kDensest; share /= 2.0) {
       Shapes shapes = whole_.dropSmall(best_, *this, share * asked_);
@@ -351,7 +352,7 @@ class MorphSearch {
     return whole_.dropSmall(best_, *this, kDensest * asked_);
   }
 
-  /// A target for each frame, nothing dropped.
+  /// One target per frame, nothing dropped.
   std::optional<MorphTargets> exact(const Basis& basis) {
     const Shapes shapes = basis.dropSmall(frameCount(), *this, 0.0);
     if (!isWithin(shapes)) return std::nullopt;
@@ -394,8 +395,8 @@ class MorphSearch {
   const StageProgress& progress_;
   double asked_;
   double bound_;
-  Eigen::VectorXd squares_;  ///< [vertices] what each counts.
-  double part_ = 0.0;        ///< Share of the search that is done.
+  Eigen::VectorXd squares_;  ///< [vertices] weights.
+  double part_ = 0.0;        ///< Fraction of the search that is done.
   Eigen::Index best_ = 0;    ///< Fewest targets so far; 0: none found yet.
   Basis whole_;              ///< Their basis.
   std::size_t worst_ = 0;

@@ -1,4 +1,4 @@
-// core/files/fit/morph_fit.h: what skinning leaves over, frame by frame, as few morph targets times weights.
+// core/files/fit/morph_fit.h: the residual of skinning in all frames as few morph targets times weights.
 #pragma once
 
 #include <optional>
@@ -8,27 +8,27 @@
 #include <glm/mat3x3.hpp>
 #include <glm/vec3.hpp>
 
-#include "core/files/fit/four_weights.h"
 #include "core/files/fit/poses.h"
+#include "core/files/fit/weight_fit.h"
 #include "sinew/files/skinned_export.h"
 
 namespace sinew::exporting {
 
-/// A vertex of the file, with the numbers that the file has.
+/// A vertex with the numbers in the file.
 struct MorphVertex {
   int refined = 0;       ///< Vertex of the live surface.
-  int space = 0;         ///< Mesh space that its targets are written in.
+  int space = 0;         ///< Mesh space of its targets.
   glm::dvec3 rest{0.0};  ///< Bind pose.
   FourWeights weights;
-  double reach = 0.0;  ///< How far it lies from the origin of the mesh space, in lengths of the bind pose.
+  double reach = 0.0;  ///< Distance from the origin of the mesh space, in units of the bind pose.
 };
 
 struct MorphTargets {
   int count = 0;
-  std::vector<float> weights;                  ///< [frames * count] 0..1.
-  std::vector<double> shares;                  ///< [count * frames] what each frame adds to a target: least squares.
-  std::vector<std::vector<glm::vec3>> deltas;  ///< [count][vertices] in their mesh spaces; many are 0.
-  ErrorFigures figures;                        ///< All vertices in all frames, by these numbers; a time is a frame.
+  std::vector<float> weights;  ///< [frames * count] 0..1.
+  std::vector<double> shares;  ///< [count * frames] contribution of each frame to a target by least squares.
+  std::vector<std::vector<glm::vec3>> deltas;  ///< [count][vertices] in their mesh spaces, sparse.
+  ErrorFigures figures;                        ///< Over all vertices and frames; a time is a frame.
 };
 
 /// Blended 3 x 3 matrix of a vertex: bind pose -> pose.
@@ -39,14 +39,14 @@ class MorphFit {
   /// @param meshToBind  of each mesh space: invertible
   MorphFit(std::vector<MorphVertex> vertices, std::vector<glm::dmat3> meshToBind, double height);
 
-  /// Adds a frame: where the live surface has the refined vertices. @param matrices  of all bindings
+  /// Adds a frame. @param matrices  of all bindings  @param live  refined vertices of the live surface
   void add(std::vector<glm::dmat4> matrices, std::span<const glm::vec3> live);
-  /// What other readers may differ by, a distance: they compute in floats. No bound below it can hold.
+  /// A distance that other readers, which compute in floats, may differ by: no smaller bound can hold.
   [[nodiscard]] double coarseness() const;
-  /// How near skinning alone comes.
+  /// Error of skinning alone.
   [[nodiscard]] ErrorFigures skinnedFigures() const;
-  /// As few targets as found with which no vertex in any frame is farther off than `bound`, a distance. Nothing: not
-  /// even one target a frame is enough. Throws Canceled.
+  /// The fewest targets found that keep all vertices in all frames within `bound`, a distance. nullopt: one target per
+  /// frame is not enough. Throws Canceled.
   [[nodiscard]] std::optional<MorphTargets> solve(double bound, const StageProgress& progress) const;
 
  private:
@@ -62,7 +62,7 @@ class MorphFit {
   std::vector<glm::dmat3> bindToMesh_;
   double height_ = 1.0;
   std::vector<Frame> frames_;
-  double reach_ = 0.0;  ///< Largest distance from an origin that a reader computes with.
+  double reach_ = 0.0;  ///< Largest distance from an origin in a reader's arithmetic.
 };
 
 }  // namespace sinew::exporting

@@ -1,8 +1,8 @@
-// core/files/fit/own_eigen.h: Eigen under a name of Sinew's own.
+// core/files/fit/own_eigen.h: Eigen under another name.
 #pragma once
 
-// Eigen is templates alone. A program that links Sinew may have its own, of another version or made for other vectors,
-// and the linker keeps one of each name.
+// A program that links Sinew may use another version of Eigen, or one for other vectors. Eigen is templates, and the
+// linker would keep one of each name.
 #define Eigen sinew_eigen
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>

@@ -1,31 +1,113 @@
-// core/files/fit/played_surface.cpp: keys and targets between two moments, then linear blend skinning.
+// core/files/fit/played_surface.cpp: morph targets, the error meter, and playing: keys, targets, linear blend skinning.
+
 #include "core/files/fit/played_surface.h"
 
 #include <algorithm>
 #include <bit>
 #include <cmath>
 #include <limits>
+#include <set>
 #include <utility>
 
 #include <glm/common.hpp>
+#include <glm/geometric.hpp>
 
 #include "core/character/skinning.h"
-#include "core/files/fit/poses.h"
 #include "core/geometry/at.h"
 #include "core/geometry/parallel.h"
+#include "core/rig/morphs.h"
+#include "core/rig/posed_rig.h"
+#include "sinew/character/character_pose.h"
 
 namespace sinew::exporting {
 
-// Distances by the leading bits of their floats.
+// Morph targets.
 
 namespace {
 
-constexpr unsigned kDroppedBits = 13;
+constexpr float kRefinedTargetsSameNormal = 1e-4f;  ///< Smaller changes are rounding.
+
+RefinedTarget differenceOf(const Surface& with, const Surface& without) {
+  RefinedTarget target;
+  for (std::size_t v = 0; v < without.positions.size(); ++v) {
+    if (with.positions[v] == without.positions[v]) continue;
+    target.vertices.push_back(static_cast<int>(v));
+    target.deltas.push_back(with.positions[v] - without.positions[v]);
+  }
+  for (std::size_t d = 0; d < without.refinement->drawVertex.size(); ++d) {
+    const glm::vec3 turn = shadingNormal(with, d) - shadingNormal(without, d);
+    if (glm::length(turn) <= kRefinedTargetsSameNormal) continue;
+    target.drawn.push_back(static_cast<int>(d));
+    target.normals.push_back(turn);
+  }
+  return target;
+}
+
+/// [targets] whether the rig adds to a target of the same node.
+std::vector<bool> keyedTargets(const Character& character, const Rig& rig) {
+  const auto adds = [&](const std::string& name) {
+    const int index = findMorph(rig, name);
+    return index >= 0 && !isIdle(at(rig.morphs, index));
+  };
+  std::set<int> nodes;
+  for (const MorphTarget& target : character.morphTargets) {
+    if (adds(target.name)) nodes.insert(target.node);
+  }
+  for (const MorphSet& set : character.morphSets) {
+    for (const MorphSet::Share& each : set.shares) {
+      if (adds(set.name)) nodes.insert(at(character.morphTargets, each.target).node);
+    }
+  }
+  std::vector<bool> keyed;
+  for (const MorphTarget& target : character.morphTargets) keyed.push_back(nodes.contains(target.node));
+  return keyed;
+}
 
 }  // namespace
 
+Pose withoutMorphs(const Character& character, Pose pose) {
+  pose.morphWeights.assign(character.morphTargets.size(), 0.0f);
+  return pose;
+}
+
+std::vector<RefinedTarget> refinedTargets(const Character& character, LiveSurfaces& surfaces, const Surface& bind) {
+  std::vector<RefinedTarget> targets;
+  const auto poseOf = [&](std::size_t k) {
+    Pose pose = withoutMorphs(character, bindPose(character.skeleton));
+    pose.morphWeights[k] = 1.0f;
+    return pose;
+  };
+  surfaces.forEach(character.morphTargets.size(), poseOf,
+                   [&](std::size_t, const Pose&, const Surface& live) { targets.push_back(differenceOf(live, bind)); });
+  return targets;
+}
+
+std::vector<RefinedTarget> originalTargets(const Character& character) {
+  std::vector<RefinedTarget> targets;
+  for (const MorphTarget& target : character.morphTargets) targets.push_back({target.vertices, target.deltas, {}, {}});
+  return targets;
+}
+
+void setMorphKeys(const Character& character, const Rig& rig, std::span<const ExportPose> poses, PlayedMorphs& out) {
+  const RigPoser poser(rig, character);
+  out.rest = poser.pose(bindPose(character.skeleton)).morphWeights;
+  out.keyed = keyedTargets(character, rig);
+  int clip = -1;
+  for (const ExportPose& pose : poses) {
+    const AnimationClip& of = at(character.clips, pose.clip);
+    if (std::exchange(clip, pose.clip) != pose.clip) out.clips.push_back({of.name, {}, {}});
+    const std::vector<float> weights = poser.pose(samplePose(character, of, pose.time)).morphWeights;
+    out.clips.back().times.push_back(pose.time);
+    out.clips.back().weights.insert(out.clips.back().weights.end(), weights.begin(), weights.end());
+  }
+}
+
+// The error meter: classes are the leading bits of floats.
+
+constexpr unsigned kDroppedBits = 13;
+
 void ErrorMeter::add(double distance, int vertex) {
-  // A NaN, which may have a sign, has no class.
+  // NaN has no class.
   const double percent = std::isfinite(distance) ? distance * scale_ : std::numeric_limits<double>::infinity();
   squares_ += percent * percent;
   if (percent > largest_ || farthest_.vertex < 0) {
@@ -65,12 +147,14 @@ ErrorFigures ErrorMeter::figures() const {
   return figures;
 }
 
+// Playing.
+
 namespace {
 
-constexpr std::size_t kLeastPlayedRange = 1024;  ///< Vertices that are worth a thread.
+constexpr std::size_t kLeastPlayedRange = 1024;  ///< Vertices per thread, at least.
 constexpr double kBetweenPerKey = 47.0 / 30.0;
 
-/// Two keys and how far from the first.
+/// Two keys and the position between them.
 struct Span {
   std::size_t from = 0;
   std::size_t to = 0;

@@ -1,48 +1,88 @@
-// core/files/fit/played_surface.h: an export as a program plays it, from the numbers that the file holds.
+// core/files/fit/played_surface.h: an export as a program plays it, and its error.
 #pragma once
 
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
-#include "core/files/fit/four_weights.h"
 #include "core/files/fit/helper_motion.h"
-#include "core/files/fit/refined_targets.h"
+#include "core/files/fit/poses.h"
+#include "core/files/fit/weight_fit.h"
 #include "sinew/character/character.h"
 #include "sinew/files/exported_surface.h"
 #include "sinew/files/skinned_export.h"
+#include "sinew/rig/rig.h"
 
 namespace sinew::exporting {
 
-// Root mean square, 99.9 percentile and maximum of many distances, in little memory.
+/// Change of the refined surface by one morph target at weight 1, in the bind pose. Sparse.
+struct RefinedTarget {
+  std::vector<int> vertices;       ///< Refined, ascending.
+  std::vector<glm::vec3> deltas;   ///< [vertices] world.
+  std::vector<int> drawn;          ///< Drawn vertices, ascending.
+  std::vector<glm::vec3> normals;  ///< [drawn] change of their shading normals.
+};
 
-/// Distances are counted in classes 1/1024 of an octave wide, in memory for those octaves alone that have some: there
-/// is a meter for every clip. The order in which distances come does not matter but to the last bits of the sum.
+/// Weights of all targets over one clip, linear between keys.
+struct MorphKeys {
+  std::string clip;
+  std::vector<float> times;    ///< [keys] seconds, rising.
+  std::vector<float> weights;  ///< [keys][targets]
+};
+
+/// Morph targets as a file holds them and a program plays them.
+struct PlayedMorphs {
+  std::vector<RefinedTarget> targets;  ///< [Character::morphTargets]
+  std::vector<float> rest;             ///< [targets] weights without a clip, including the rig's.
+  std::vector<bool> keyed;             ///< [targets] the rig changes weights of the node: new keys replace the file's.
+  std::vector<MorphKeys> clips;        ///< Exported clips.
+};
+
+/// The pose with all weights 0.
+[[nodiscard]] Pose withoutMorphs(const Character& character, Pose pose);
+
+/// The surface with each target at 1, minus `bind`.
+/// @param surfaces  prepared with a rig without weights  @param bind  their surface without targets
+[[nodiscard]] std::vector<RefinedTarget> refinedTargets(const Character& character, LiveSurfaces& surfaces,
+                                                        const Surface& bind);
+/// The targets of the file's own vertices.
+[[nodiscard]] std::vector<RefinedTarget> originalTargets(const Character& character);
+
+/// Fills everything except the targets. @param poses  of exported clips, clip by clip
+void setMorphKeys(const Character& character, const Rig& rig, std::span<const ExportPose> poses, PlayedMorphs& out);
+
+/// Root mean square, 99.9 percentile and maximum of many distances, in little memory: distances are counted in classes
+/// of 1/1024 of an octave, with memory only for octaves in use. Their order affects only the last bits of the sum.
 class ErrorMeter {
  public:
-  /// @param height  H: distances are given in percent of it
+  /// @param height  H: figures are in percent of it
   explicit ErrorMeter(double height) : scale_(100.0 / height) {}
 
-  /// @param vertex  whose distance it is
   void add(double distance, int vertex);
-  /// The distances that follow are of this pose.
+  /// Begins a pose: its distances follow.
   void addPose(int clip, float time) {
     ++poses_;
     clip_ = clip;
     time_ = time;
   }
+  /// A pose with its distances. @param distances  [vertices]
+  void addPose(int clip, float time, std::span<const double> distances) {
+    addPose(clip, time);
+    for (std::size_t v = 0; v < distances.size(); ++v) add(distances[v], static_cast<int>(v));
+  }
   /// Index of the clip of the largest distance; -1: none.
   [[nodiscard]] int farthestClip() const { return farthestClip_; }
-  /// `farthest` without the names of clip and bone.
+  /// Without names of clip and bone.
   [[nodiscard]] ErrorFigures figures() const;
 
  private:
   static constexpr std::size_t kOctaves = 256;  ///< A float's exponents.
   static constexpr std::size_t kClassesOfOctave = 1024;
 
-  /// The float above all but `above` of the distances. There are more.
+  /// Upper bound of all distances except the `above` largest.
   [[nodiscard]] float upperBoundOfAllBut(std::uint64_t above) const;
 
   double scale_ = 1.0;
@@ -50,14 +90,14 @@ class ErrorMeter {
   double largest_ = 0.0;
   std::uint64_t count_ = 0;
   int poses_ = 0;
-  int clip_ = -1;  ///< Of the pose at hand.
+  int clip_ = -1;  ///< Of the current pose.
   float time_ = 0.0f;
   int farthestClip_ = -1;
   ErrorPlace farthest_;
   std::array<std::vector<std::uint64_t>, kOctaves> counts_;  ///< Empty, or [kClassesOfOctave].
 };
 
-/// Morph targets of one clip, added before joints move a vertex.
+/// Morph targets of one clip, added before skinning.
 struct PlayedTargets {
   std::string clip;
   std::vector<float> times;                    ///< [keys] seconds, rising.
@@ -72,7 +112,7 @@ class PlayedSurface : public ExportedSurface {
 
   void place(const Pose& pose, const std::string& clip, float time, std::vector<glm::vec3>& out) const override;
 
-  /// Name of the bone that the vertex follows most; of a joint that was added, the bone it hangs on.
+  /// Name of the bone with the largest weight; for an added joint, its parent.
   [[nodiscard]] const std::string& boneOf(int vertex) const;
 
   PlayedTargets targets;
@@ -89,8 +129,7 @@ class PlayedSurface : public ExportedSurface {
   std::vector<HelperClip> clips_;
 };
 
-/// Moments beside those that have keys: 47 a second where keys are 30, so that they fall into every part of the time
-/// between two keys.
+/// Times between keys: 47 a second for 30 keys, so that they cover all phases between two keys.
 [[nodiscard]] std::vector<float> timesBetween(const AnimationClip& clip, double keysPerSecond);
 
 }  // namespace sinew::exporting

@@ -1,22 +1,19 @@
-// core/files/fit/poses.cpp: times of clips, and which of them are kept from the fit.
+// core/files/fit/poses.cpp: sample times of clips, and their use.
 #include "core/files/fit/poses.h"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
 
-#include "core/files/gltf/refusal.h"
+#include "core/files/gltf/glb.h"
 #include "core/geometry/at.h"
 #include "sinew/character/pose_check.h"
 
 namespace sinew::exporting {
 
-// What no file may hold.
-
 void requireFinite(const Character& character, const Pose& pose, const Surface& surface) {
   const auto isSound = [](const glm::vec3& position) { return isFinite(position); };
-  // Of a pose that is refused the surface is that of another.
+  // The surface of an unsound pose is that of another pose.
   if (isSoundPose(character, pose) && std::ranges::all_of(surface.positions, isSound)) return;
   std::array<char, 32> second{};
   std::snprintf(second.data(), second.size(), "%.3f s", static_cast<double>(pose.time));
@@ -24,12 +21,10 @@ void requireFinite(const Character& character, const Pose& pose, const Surface& 
   gltf::refuse(place, "moves or scales bones so far that places are no longer finite numbers");
 }
 
-namespace {
-
-constexpr int kEnough = 150;  ///< Fitted poses, before every second or third will do.
-constexpr int kMostStep = 3;  ///< 10 poses a second at least.
-
-}  // namespace
+constexpr int kFurtherPerSecond = 10;
+constexpr int kHeldOutEvery = 5;  ///< One of this many poses is held out of the fit.
+constexpr int kEnough = 150;      ///< Fitted poses before thinning.
+constexpr int kMostStep = 3;      ///< 10 poses a second at least.
 
 std::vector<float> clipTimes(const AnimationClip& clip, double perSecond) {
   const double frames = static_cast<double>(clip.duration) * perSecond;

@@ -1,4 +1,4 @@
-// core/files/fit/poses.h: the poses that an export is fitted to and measured in.
+// core/files/fit/poses.h: the poses for fitting and measuring an export, and their live surfaces.
 #pragma once
 
 #include <algorithm>
@@ -14,22 +14,21 @@
 
 namespace sinew::exporting {
 
-// Progress through the stages of one export.
-
-/// Thrown out of an export that its caller canceled.
+/// Thrown when the caller cancels an export.
 struct Canceled {};
 
+/// Progress through the stages of an export.
 class StageProgress {
  public:
   explicit StageProgress(ExportProgress tell) : tell_(std::move(tell)) {}
 
-  /// The next stage, and what share of all the work it is.
+  /// Begins a stage. @param share  its fraction of all work
   void begin(double share) {
     before_ += stage_;
     stage_ = share;
     tell(0.0);
   }
-  /// How much of the stage is done, 0..1. Throws Canceled.
+  /// @param part  fraction of the stage that is done, 0..1. Throws Canceled.
   void tell(double part) const {
     if (tell_ && !tell_(std::min(1.0, before_ + stage_ * part))) throw Canceled{};
   }
@@ -40,12 +39,10 @@ class StageProgress {
   double stage_ = 0.0;
 };
 
-// The live surface at one moment after the other, several computed at once.
-
-/// Throws gltf::Refusal, naming clip and second, unless all bones and positions are finite: joints that scale joints
-/// that scale others lead beyond what floats hold.
+/// Throws gltf::Refusal with clip and time unless all bones and positions are finite: nested scales can exceed floats.
 void requireFinite(const Character& character, const Pose& pose, const Surface& surface);
 
+/// Live surfaces of many poses, several computed at once.
 class LiveSurfaces {
  public:
   explicit LiveSurfaces(std::shared_ptr<const Character> character) : character_(character), smoother_(character) {}
@@ -57,8 +54,7 @@ class LiveSurfaces {
     requireFinite(*character_, pose, out);
   }
 
-  /// Calls use(i, pose, surface) for i = 0..count-1, in order and from this thread. Throws as requireFinite().
-  /// @param poseOf  pose of i
+  /// Calls use(i, poseOf(i), surface) for i = 0..count-1, in order, on this thread. Throws as requireFinite().
   template <class PoseOf, class Use>
   void forEach(std::size_t count, const PoseOf& poseOf, const Use& use) {
     const std::size_t many = kPosesOfThread * static_cast<std::size_t>(threadCount());
@@ -76,7 +72,7 @@ class LiveSurfaces {
   }
 
  private:
-  static constexpr std::size_t kPosesOfThread = 4;  ///< Held at once.
+  static constexpr std::size_t kPosesOfThread = 4;  ///< In memory.
 
   std::shared_ptr<const Character> character_;
   CrowdSmoother smoother_;
@@ -85,26 +81,22 @@ class LiveSurfaces {
 };
 
 inline constexpr int kMeasuredPerSecond = 30;
-inline constexpr int kFurtherPerSecond = 10;
-inline constexpr double kSameTime = 1e-3;  ///< Share of a frame: times no farther apart are one.
-inline constexpr int kHeldOutEvery = 5;    ///< A fifth of what could be fitted is kept from the fit.
+inline constexpr double kSameTime = 1e-3;  ///< Fraction of a frame: closer times are the same.
 
-/// What a pose is for.
 enum class PoseUse { kMeasured, kFitted, kHeldOut };
 
 struct ExportPose {
-  int clip = 0;  ///< Index in the character that has them all.
+  int clip = 0;  ///< Index in the character with all clips.
   float time = 0.0f;
   PoseUse use = PoseUse::kMeasured;
 };
 
-/// Times of a clip, seconds: so many a second from its start on, then its end.
+/// Sample times of a clip in seconds: `perSecond` a second from its start, then its end.
 [[nodiscard]] std::vector<float> clipTimes(const AnimationClip& clip, double perSecond);
 
-/// Clips at 30 poses a second and at their ends. All of them are fitted or held out where the clips are short; where
-/// they are long, every second or third. Further clips at 10 poses a second, all fitted or held out.
-/// @param clips    of the exported file: indices into character.clips
-/// @param further  clips that are fitted to but not exported, likewise
+/// Poses of clips at 30 a second and at their ends. Of short clips all are fitted or held out; of long ones every
+/// second or third. Further clips have 10 poses a second, all fitted or held out.
+/// @param clips    exported: indices into character.clips  @param further  fitted but not exported
 [[nodiscard]] std::vector<ExportPose> exportPoses(const Character& character, const std::vector<int>& clips,
                                                   const std::vector<int>& further);
 

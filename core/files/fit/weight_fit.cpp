@@ -1,8 +1,10 @@
-// core/files/fit/weight_fit.cpp: Gram matrices gathered over poses, solved with a pull towards the neighbors.
+// core/files/fit/weight_fit.cpp: the best weights of one vertex; Gram matrices over poses, solved with smoothing.
 #include "core/files/fit/weight_fit.h"
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
+#include <limits>
 
 #include <glm/geometric.hpp>
 
@@ -10,14 +12,207 @@
 #include "core/geometry/parallel.h"
 
 namespace sinew::exporting {
+
+// One vertex.
+
 namespace {
 
-constexpr int kSweeps = 2;            ///< Rounds of pulling towards the neighbors.
-constexpr double kSmoothness = 1e-4;  ///< mu as a share of the Gram matrix's mean diagonal.
-constexpr double kShareStep = 3.0;    ///< By which further poses are let count more.
+constexpr std::size_t kMost = 4;
+
+/// Cholesky factor of A = G + mu I on the chosen candidates, extended row by row, with the forward substitutions of two
+/// right-hand sides: mu near, and ones.
+class Choice {
+ public:
+  Choice(const Gram& gram, double mu, const CandidateWeights& near) : gram_(gram), mu_(mu), near_(near) {}
+
+  /// Adds a candidate. False where A is not positive definite.
+  bool add(std::size_t size, std::size_t candidate) {
+    chosen_[size] = candidate;
+    std::array<double, kMost>& row = factor_[size];
+    Sums sums = size == 0 ? Sums{} : sums_[size - 1];
+    double diagonal = gram_[candidate][candidate] + mu_;
+    double pull = mu_ * near_[candidate];
+    double one = 1.0;
+    for (std::size_t k = 0; k < size; ++k) {
+      double sum = gram_[candidate][chosen_[k]];
+      for (std::size_t m = 0; m < k; ++m) sum -= row[m] * factor_[k][m];
+      row[k] = sum * inverse_[k];
+      diagonal -= row[k] * row[k];
+      pull -= row[k] * pull_[k];
+      one -= row[k] * ones_[k];
+    }
+    if (!(diagonal > 0.0)) return false;
+    inverse_[size] = 1.0 / std::sqrt(diagonal);
+    pull_[size] = pull * inverse_[size];
+    ones_[size] = one * inverse_[size];
+    sums.pulls += pull_[size] * pull_[size];
+    sums.both += pull_[size] * ones_[size];
+    sums.ones += ones_[size] * ones_[size];
+    sums_[size] = sums;
+    return true;
+  }
+
+  /// Minimum of w^T A w - 2 mu near^T w with sum 1 on the first `size`, whatever the signs.
+  [[nodiscard]] double cost(std::size_t size) const {
+    const Sums& sums = sums_[size - 1];
+    return (1.0 - sums.both) * (1.0 - sums.both) / sums.ones - sums.pulls;
+  }
+
+  /// The weights at that minimum. False if one is below 0.
+  bool weights(std::size_t size, CandidateWeights& out) const {
+    const Sums& sums = sums_[size - 1];
+    const double lambda = (1.0 - sums.both) / sums.ones;
+    std::array<double, kMost> x{};
+    for (std::size_t i = size; i-- > 0;) {
+      x[i] = pull_[i] + lambda * ones_[i];
+      for (std::size_t k = i + 1; k < size; ++k) x[i] -= factor_[k][i] * x[k];
+      x[i] *= inverse_[i];
+      if (!(x[i] >= 0.0)) return false;
+    }
+    out = {};
+    for (std::size_t i = 0; i < size; ++i) out[chosen_[i]] = x[i];
+    return true;
+  }
+
+ private:
+  /// Products of the substituted right-hand sides.
+  struct Sums {
+    double pulls = 0.0;
+    double both = 0.0;
+    double ones = 0.0;
+  };
+
+  const Gram& gram_;
+  double mu_;
+  const CandidateWeights& near_;
+  std::array<std::size_t, kMost> chosen_{};
+  std::array<std::array<double, kMost>, kMost> factor_{};
+  std::array<double, kMost> inverse_{};  ///< 1 / the factor's diagonal.
+  std::array<double, kMost> pull_{};
+  std::array<double, kMost> ones_{};
+  std::array<Sums, kMost> sums_{};
+};
+
+/// Tries all choices that extend the first `size` candidates, from `first` on.
+void extend(Choice& choice, std::size_t count, std::size_t size, std::size_t first, double& least,
+            CandidateWeights& best) {
+  for (std::size_t next = first; next < count; ++next) {
+    if (!choice.add(size, next)) continue;
+    const double cost = choice.cost(size + 1);
+    if (cost < least && choice.weights(size + 1, best)) least = cost;
+    if (size + 1 < kMost) extend(choice, count, size + 1, next + 1, least, best);
+  }
+}
+
+}  // namespace
+
+double energyOf(const Gram& gram, const CandidateWeights& weights, std::size_t count) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < count; ++i) {
+    for (std::size_t k = 0; k < count; ++k) sum += weights[i] * gram[i][k] * weights[k];
+  }
+  return sum;
+}
+
+CandidateWeights bestWeights(const Gram& gram, std::size_t count, double mu, const CandidateWeights& near) {
+  Choice choice(gram, mu, near);
+  double least = std::numeric_limits<double>::infinity();
+  CandidateWeights best{};
+  extend(choice, count, 0, 0, least, best);
+  return best;
+}
+
+namespace {
+
+/// Adds `by` times the weights of a control vertex.
+void addVertex(const ControlMesh& mesh, int vertex, double by, std::vector<Share>& shares) {
+  if (by <= 0.0) return;
+  for (const Influence& influence : mesh.influencesOf(vertex)) {
+    addShare(shares, influence.binding, by * static_cast<double>(influence.weight));
+  }
+}
+
+}  // namespace
+
+void addShare(std::vector<Share>& shares, int binding, double weight) {
+  const auto place = std::ranges::lower_bound(shares, binding, {}, &Share::binding);
+  if (place != shares.end() && place->binding == binding) place->weight += weight;
+  else shares.insert(place, {binding, weight});
+}
+
+FourWeights fourLargest(std::vector<Share> shares) {
+  std::erase_if(shares, [](const Share& share) { return !(share.weight > 0.0); });
+  assert(!shares.empty());
+  std::ranges::sort(shares, [](const Share& a, const Share& b) {
+    return a.weight != b.weight ? a.weight > b.weight : a.binding < b.binding;
+  });
+  if (shares.size() > kMostWeights) shares.resize(kMostWeights);
+  double sum = 0.0;
+  for (const Share& share : shares) sum += share.weight;
+  FourWeights result;
+  float others = 0.0f;
+  for (std::size_t i = 1; i < shares.size(); ++i) {
+    const auto weight = static_cast<float>(shares[i].weight / sum);
+    if (!(weight > 0.0f)) break;
+    result.binding[i] = shares[i].binding;
+    result.weight[i] = weight;
+    others += weight;
+  }
+  result.binding[0] = shares[0].binding;
+  result.weight[0] = 1.0f - others;
+  return result;
+}
+
+std::vector<std::vector<Share>> interpolatedWeights(const ControlMesh& mesh, const Refinement& refinement) {
+  std::vector<std::vector<Share>> shares(toIndex(refinement.vertexCount));
+  for (int v = 0; v < refinement.controlVertices; ++v) addVertex(mesh, v, 1.0, at(shares, v));
+  for (int e = 0; e < refinement.controlEdges; ++e) {
+    const auto& ends = at(mesh.edges, e).vertices;
+    const double n = refinement.edgeLevel(e);
+    for (int step = 1; step <= refinement.edgeVertices(e); ++step) {
+      std::vector<Share>& own = at(shares, refinement.edgeVertex(e, step));
+      addVertex(mesh, ends[0], 1.0 - step / n, own);
+      addVertex(mesh, ends[1], step / n, own);
+    }
+  }
+  for (int t = 0; t < static_cast<int>(mesh.triangles.size()); ++t) {
+    const auto& corners = at(mesh.triangles, t).vertices;
+    for (int v = at(refinement.insideBegin, t); v < at(refinement.insideBegin, t + 1); ++v) {
+      const glm::dvec2& place = refinement.insideAt(v);
+      std::vector<Share>& own = at(shares, v);
+      addVertex(mesh, corners[0], 1.0 - place.x - place.y, own);
+      addVertex(mesh, corners[1], place.x, own);
+      addVertex(mesh, corners[2], place.y, own);
+    }
+  }
+  return shares;
+}
+
+void bindingMatrices(const Skeleton& skeleton, const Pose& pose, std::vector<glm::dmat4>& out) {
+  out.clear();
+  for (const Binding& binding : skeleton.bindings) {
+    out.push_back(glm::dmat4(at(pose.boneInWorld, binding.bone)) * glm::dmat4(binding.inverseBind));
+  }
+}
+
+glm::dvec3 skinPoint(std::span<const glm::dmat4> matrices, const FourWeights& weights, const glm::dvec3& point) {
+  glm::dvec3 sum(0.0);
+  for (std::size_t i = 0; i < kMostWeights && weights.binding[i] >= 0; ++i) {
+    sum += static_cast<double>(weights.weight[i]) * carryPoint(at(matrices, weights.binding[i]), point);
+  }
+  return sum;
+}
+
+// The fit.
+
+namespace {
+
+constexpr int kSweeps = 2;            ///< Smoothing sweeps.
+constexpr double kSmoothness = 1e-4;  ///< mu as a fraction of the Gram matrix's mean diagonal.
+constexpr double kShareStep = 3.0;    ///< Factor for letting further poses count more.
 constexpr double kLeastSmoothness = 1e-12;
 constexpr std::size_t kToldEvery = 1024;       ///< Vertices.
-constexpr std::size_t kLeastWeightRange = 64;  ///< Vertices that are worth a thread.
+constexpr std::size_t kLeastWeightRange = 64;  ///< Vertices per thread, at least.
 
 /// Neighbors of every vertex along edges, ascending.
 std::vector<std::vector<int>> neighborsOf(std::size_t count, std::span<const std::array<int, 3>> triangles) {
@@ -81,13 +276,13 @@ void WeightFit::addKept() {
             [&](std::size_t first, std::size_t end) { kernels.addGrams(sums, first, end); });
 }
 
-/// What a vertex is solved with.
+/// Input for solving one vertex.
 struct WeightFit::Vertex {
   std::size_t count = 0;  ///< Candidates.
   CandidateWeights start{};
-  Gram all{};                        ///< Every pose counted alike.
-  double before = 0.0;               ///< With the weights it starts with.
-  std::vector<std::size_t> choices;  ///< Candidates that are tried.
+  Gram all{};                        ///< All poses counted alike.
+  double before = 0.0;               ///< Energy of `start`.
+  std::vector<std::size_t> choices;  ///< Candidates to try.
 };
 
 Gram WeightFit::gramOf(std::size_t vertex, double ownShare, double furtherShare) const {
@@ -101,10 +296,6 @@ Gram WeightFit::gramOf(std::size_t vertex, double ownShare, double furtherShare)
   return gram;
 }
 
-CandidateWeights WeightFit::startOf(std::size_t vertex) const {
-  return onCandidates(candidates_[vertex], start_[vertex]);
-}
-
 FourWeights WeightFit::fourOf(std::size_t vertex, const CandidateWeights& weights) const {
   std::vector<Share> shares;
   for (std::size_t i = 0; i < candidates_[vertex].size(); ++i) {
@@ -113,7 +304,7 @@ FourWeights WeightFit::fourOf(std::size_t vertex, const CandidateWeights& weight
   return fourLargest(std::move(shares));
 }
 
-/// Among the vertex's choices alone.
+/// Solves with the vertex's choices only.
 CandidateWeights WeightFit::solveAmong(const Vertex& vertex, const Gram& gram, const CandidateWeights& near) const {
   double trace = 0.0;
   for (std::size_t i = 0; i < vertex.count; ++i) trace += gram[i][i];
@@ -140,7 +331,7 @@ CandidateWeights WeightFit::meanOf(std::size_t vertex, const std::vector<int>& n
   return mean;
 }
 
-/// With further poses counting as little as they may without the vertex being farther off over all poses.
+/// Counts further poses as little as possible without the vertex being farther off over all poses.
 CandidateWeights WeightFit::notWorse(std::size_t index, const Vertex& vertex, const CandidateWeights& near,
                                      double furtherShare) const {
   for (double share = furtherShare;; share = std::min(1.0, kShareStep * share)) {
@@ -158,7 +349,7 @@ std::vector<FourWeights> WeightFit::solve(std::span<const std::array<int, 3>> tr
   std::vector<FourWeights> next = start_;
   for (int sweep = 0; sweep <= kSweeps; ++sweep) {
     const auto solveOne = [&](std::size_t v) {
-      Vertex vertex{candidates_[v].size(), startOf(v), gramOf(v, 1.0, 1.0), 0.0, {}};
+      Vertex vertex{candidates_[v].size(), onCandidates(candidates_[v], start_[v]), gramOf(v, 1.0, 1.0), 0.0, {}};
       vertex.before = energyOf(vertex.all, vertex.start, vertex.count);
       if (vertex.before <= poses_ * tolerance * tolerance) return;
       const bool smooths = sweep > 0 && !neighbors[v].empty();
@@ -170,7 +361,7 @@ std::vector<FourWeights> WeightFit::solve(std::span<const std::array<int, 3>> tr
       next[v] = fourOf(v, notWorse(v, vertex, near, furtherShare));
     };
     for (std::size_t first = 0; first < rest_.size(); first += kToldEvery) {
-      // The sweeps after the first choose among fewer and are soon done.
+      // Later sweeps have fewer choices and are fast.
       if (sweep == 0) progress.tell(static_cast<double>(first) / static_cast<double>(rest_.size()));
       const std::size_t count = std::min(kToldEvery, rest_.size() - first);
       forEachIndex(count, kLeastWeightRange, [&](std::size_t i) { solveOne(first + i); });

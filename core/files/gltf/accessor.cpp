@@ -5,32 +5,26 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <limits>
+#include <type_traits>
 
 #include "core/geometry/at.h"
 
 namespace sinew::gltf {
 namespace {
 
-/// Elements one accessor may claim; far above kMaxControlTriangles' three corners.
+/// Elements of one accessor; far above three corners of kMaxControlTriangles.
 constexpr std::uint64_t kMaxElements = 1ULL << 31;
-/// Sparse entries of all accessors of a file together: opening them walks over each once.
+/// Sparse entries of all accessors of a file, each visited once on opening.
 constexpr std::size_t kMaxSparseEntries = 1U << 26;
 
-constexpr int kFewestBits = 8;  ///< That numbers are rounded to.
+constexpr int kFewestBits = 8;  ///< Of rounded numbers.
 
 const char* nameOf(int type) {
-  switch (type) {
-    case TINYGLTF_TYPE_SCALAR:
-      return "SCALAR";
-    case TINYGLTF_TYPE_VEC2:
-      return "VEC2";
-    case TINYGLTF_TYPE_VEC3:
-      return "VEC3";
-    case TINYGLTF_TYPE_VEC4:
-      return "VEC4";
-    default:
-      return "MAT4";
-  }
+  if (type == TINYGLTF_TYPE_SCALAR) return "SCALAR";
+  if (type == TINYGLTF_TYPE_VEC2) return "VEC2";
+  if (type == TINYGLTF_TYPE_VEC3) return "VEC3";
+  return type == TINYGLTF_TYPE_VEC4 ? "VEC4" : "MAT4";
 }
 
 std::size_t sizeOf(int componentType) {
@@ -85,46 +79,25 @@ double Accessor::step() const {
 }
 
 double Accessor::number(std::size_t index, int component) const {
-  const auto scaled = [this](double value, double largest) {
-    return normalized_ ? std::max(value / largest, -1.0) : value;
-  };
-  switch (componentType_) {
-    case TINYGLTF_COMPONENT_TYPE_BYTE:
-      return scaled(load<std::int8_t>(index, component), 127.0);
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE:
-      return scaled(load<std::uint8_t>(index, component), 255.0);
-    case TINYGLTF_COMPONENT_TYPE_SHORT:
-      return scaled(load<std::int16_t>(index, component), 32767.0);
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT:
-      return scaled(load<std::uint16_t>(index, component), 65535.0);
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT:
-      return load<std::uint32_t>(index, component);
-    default:
-      return static_cast<double>(load<float>(index, component));
-  }
+  return withComponent(componentType_, [&]<class T>(T) {
+    const auto value = static_cast<double>(load<T>(index, component));
+    const bool isScaled = normalized_ && sizeof(T) <= 2;  // Larger integers are not scaled.
+    return isScaled ? std::max(value / static_cast<double>(std::numeric_limits<T>::max()), -1.0) : value;
+  });
 }
 
 std::uint32_t Accessor::integer(std::size_t index, int component) const {
-  switch (componentType_) {
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE:
-      return load<std::uint8_t>(index, component);
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT:
-      return load<std::uint16_t>(index, component);
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT:
-      return load<std::uint32_t>(index, component);
-    default:
-      return 0;
-  }
+  return withComponent(componentType_, [&]<class T>(T) -> std::uint32_t {
+    if constexpr (std::is_unsigned_v<T>) return load<T>(index, component);
+    else return 0;
+  });
 }
 
 std::uint32_t Accessor::sparseIndex(std::size_t entry) const {
-  const auto loadAs = [&]<class T>(T value) {
-    std::memcpy(&value, sparseIndices_ + entry * sizeof(T), sizeof(T));
+  return withComponent(sparseType_, [&](auto value) {
+    std::memcpy(&value, sparseIndices_ + entry * sizeof(value), sizeof(value));
     return static_cast<std::uint32_t>(value);
-  };
-  if (sparseType_ == TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE) return loadAs(std::uint8_t{});
-  if (sparseType_ == TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT) return loadAs(std::uint16_t{});
-  return loadAs(std::uint32_t{});
+  });
 }
 
 const std::uint8_t* Accessor::element(std::size_t index) const {

@@ -10,35 +10,34 @@
 
 namespace sinew::gltf {
 
-/// One accessor, checked when it was opened: every element lies within its buffer. Reads need no alignment. Elements
-/// are decoded when asked for, so a file cannot make it allocate. Without a bufferView the elements are zero, as glTF
-/// says.
+/// An accessor, checked when opened: every element lies within its buffer. Elements are decoded on access, so that a
+/// file cannot make it allocate. Without a bufferView they are zero, as in glTF.
 class Accessor {
  public:
   [[nodiscard]] std::size_t count() const { return count_; }
   [[nodiscard]] int components() const { return components_; }
   [[nodiscard]] bool isFloat() const { return componentType_ == TINYGLTF_COMPONENT_TYPE_FLOAT; }
-  /// Floats, or normalized unsigned bytes or shorts: what glTF allows for colors.
+  /// Whether it is of a type that glTF allows for colors: floats, or normalized unsigned bytes or shorts.
   [[nodiscard]] bool holdsColors() const;
   [[nodiscard]] const std::string& place() const { return place_; }
-  /// What compression has rounded the values to; 0: they are as they were.
+  /// Step that compression rounded the values to; 0: not rounded.
   [[nodiscard]] double roundedTo() const { return roundedTo_; }
-  /// The step between values that could have been written, as number() gives them: roundedTo(), or the grid of
-  /// integers; of normalized ones a coarser grid where all have only their highest bits, repeated in the lower ones, as
-  /// programs write numbers of fewer bits that are to reach 1. 0: floats as they were. Walks over all elements.
+  /// Step between representable values of number(): roundedTo() or the grid of integers; 0 for floats. For normalized
+  /// integers a coarser grid if all have only high bits, repeated in the lower ones, as programs write numbers of fewer
+  /// bits. Visits all elements.
   [[nodiscard]] double step() const;
 
-  /// As the accessor says: floats as they are, integers scaled to -1..1 or 0..1 where `normalized`. Element < count().
+  /// A float, or an integer, scaled to -1..1 or 0..1 if `normalized`. Element < count().
   [[nodiscard]] double number(std::size_t element, int component) const;
-  /// The integer itself; 0 for floats and negative numbers.
+  /// The integer; 0 for floats and negative numbers.
   [[nodiscard]] std::uint32_t integer(std::size_t element, int component) const;
 
  private:
   friend class Accessors;
 
-  /// Bits beside the sign of integers that stand for numbers up to 1; 0 for others.
+  /// Bits without the sign of normalized integers; 0 for others.
   [[nodiscard]] int normalizedBits() const;
-  /// Whether every value is a number of so many bits, moved to the top, its highest bits repeated below.
+  /// Whether every value is a number of `bits` bits, shifted to the top, with its highest bits repeated below.
   [[nodiscard]] bool hasBits(int bits, int stored) const;
   [[nodiscard]] const std::uint8_t* element(std::size_t index) const;
   [[nodiscard]] std::uint32_t sparseIndex(std::size_t entry) const;
@@ -60,7 +59,7 @@ class Accessor {
   double roundedTo_ = 0.0;
 };
 
-/// All elements of an accessor with as many components as the vectors have.
+/// All elements. The accessor has the vectors' components.
 template <class Vector>
 [[nodiscard]] std::vector<Vector> vectorsOf(const Accessor& from) {
   std::vector<Vector> values(from.count());
@@ -70,21 +69,21 @@ template <class Vector>
   return values;
 }
 
-/// The accessors of a file, each opened once, when first used.
+/// The accessors of a file, each opened at its first use.
 class Accessors {
  public:
   explicit Accessors(const File& file);
 
-  /// The accessor an index refers to (-1: refused as missing); it must be of the given tinygltf type, or of the other
-  /// one if that is named. Refuses at the accessor's JSON path, or that of the reference.
+  /// The accessor with an index (-1: refused as missing), which must be of one of the tinygltf types. Refuses at the
+  /// JSON path of the accessor or of the reference.
   [[nodiscard]] const Accessor& open(int index, const std::string& reference, int type, int orType = -1);
-  /// The same, of an index in the file's JSON that nothing has checked.
+  /// The same for an unchecked index in the file's JSON.
   [[nodiscard]] const Accessor& open(const Json& index, const std::string& reference, int type, int orType = -1);
 
  private:
   [[nodiscard]] Accessor read(std::size_t index);
   void readSparse(const tinygltf::Accessor& from, std::size_t elementSize, Accessor& accessor);
-  /// First byte of `count` elements inside a view.
+  /// Checks that `count` elements lie inside a view. Returns their first byte.
   [[nodiscard]] const std::uint8_t* locate(const std::string& place, int view, std::uint64_t offset,
                                            std::uint64_t count, std::size_t elementSize, std::size_t stride) const;
 

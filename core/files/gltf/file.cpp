@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <cstdint>
+#include <cmath>
 
 #include "core/files/disk/atomic_file.h"
 #include "core/geometry/at.h"
@@ -12,9 +12,67 @@
 
 namespace sinew::gltf {
 
-// Data: uris and the folder rule.
+// VRM, read tolerantly: the mesh does not need it.
 
 namespace {
+
+constexpr double kPercent = 100.0;  ///< Weights of 0.x.
+constexpr double kMostShare = 100.0;
+
+int indexIn(const Json& value) {
+  const double number = value.number(-1.0);
+  const bool whole = number >= 0.0 && number < 1e9 && number == std::floor(number);
+  return whole ? static_cast<int>(number) : -1;
+}
+
+float shareOf(const Json& value, double unit) {
+  return static_cast<float>(std::clamp(value.number(unit) / unit, -kMostShare, kMostShare));
+}
+
+/// VRM 1.0: objects by name.
+void readNew(const Json& vrm, Vrm& out) {
+  for (const Json& bone : vrm.at("humanoid").at("humanBones").children) {
+    if (bone.kind == Json::Kind::kObject) out.bones.push_back({bone.key, indexIn(bone.at("node"))});
+  }
+  for (const char* list : {"preset", "custom"}) {
+    for (const Json& expression : vrm.at("expressions").at(list).children) {
+      if (expression.kind != Json::Kind::kObject) continue;
+      Vrm::Expression& made = out.expressions.emplace_back();
+      made.name = expression.key;
+      for (const Json& bind : expression.at("morphTargetBinds").items()) {
+        made.binds.push_back(
+            {indexIn(bind.at("node")), -1, indexIn(bind.at("index")), shareOf(bind.at("weight"), 1.0)});
+      }
+    }
+  }
+}
+
+/// VRM 0.x: lists; weights in per cent, of meshes.
+void readOld(const Json& vrm, Vrm& out) {
+  for (const Json& bone : vrm.at("humanoid").at("humanBones").items()) {
+    out.bones.push_back({bone.at("bone").text(""), indexIn(bone.at("node"))});
+  }
+  for (const Json& group : vrm.at("blendShapeMaster").at("blendShapeGroups").items()) {
+    Vrm::Expression& made = out.expressions.emplace_back();
+    made.name = group.at("name").text("");
+    if (made.name.empty()) made.name = group.at("presetName").text("");
+    for (const Json& bind : group.at("binds").items()) {
+      made.binds.push_back(
+          {-1, indexIn(bind.at("mesh")), indexIn(bind.at("index")), shareOf(bind.at("weight"), kPercent)});
+    }
+  }
+}
+
+/// Leaves out invalid parts.
+Vrm readVrm(const Json& root) {
+  Vrm vrm;
+  const Json& extensions = root.at("extensions");
+  if (extensions.at("VRMC_vrm").kind == Json::Kind::kObject) readNew(extensions.at("VRMC_vrm"), vrm);
+  else if (extensions.at("VRM").kind == Json::Kind::kObject) readOld(extensions.at("VRM"), vrm);
+  return vrm;
+}
+
+// Uris and the folder rule.
 
 namespace fs = std::filesystem;
 
@@ -25,7 +83,7 @@ int hexDigit(char c) {
   return -1;
 }
 
-/// nullopt where a % is not followed by two hexadecimal digits.
+/// nullopt: a % without two hexadecimal digits.
 std::optional<std::string> percentDecoded(std::string_view text) {
   std::string result;
   result.reserve(text.size());
@@ -54,7 +112,7 @@ std::array<std::int8_t, 256> base64Values() {
   return values;
 }
 
-/// nullopt for characters outside the alphabet or a length that cannot be; padding may be missing.
+/// nullopt: characters outside the alphabet or an impossible length; padding may be missing.
 std::optional<std::vector<std::uint8_t>> base64Decoded(std::string_view text) {
   static const std::array<std::int8_t, 256> kValues = base64Values();
   while (!text.empty() && text.back() == '=') text.remove_suffix(1);
@@ -84,13 +142,7 @@ bool hasScheme(std::string_view uri) {
   });
 }
 
-}  // namespace
-
-bool isDataUri(std::string_view uri) {
-  constexpr std::string_view kScheme = "data:";
-  return uri.size() >= kScheme.size() && std::ranges::equal(uri.substr(0, kScheme.size()), kScheme, {}, toLower);
-}
-
+/// The bytes of a data: uri, base64 or percent-encoded. Error: reason only.
 Result<std::vector<std::uint8_t>> decodeDataUri(std::string_view uri) {
   const std::size_t comma = uri.find(',');
   if (comma == std::string_view::npos) return errorAt("", "a data: uri without a comma");
@@ -103,6 +155,13 @@ Result<std::vector<std::uint8_t>> decodeDataUri(std::string_view uri) {
   const std::optional<std::string> text = percentDecoded(data);
   if (!text) return errorAt("", "a data: uri with a bad % sequence");
   return std::vector<std::uint8_t>(text->begin(), text->end());
+}
+
+}  // namespace
+
+bool isDataUri(std::string_view uri) {
+  constexpr std::string_view kScheme = "data:";
+  return uri.size() >= kScheme.size() && std::ranges::equal(uri.substr(0, kScheme.size()), kScheme, {}, toLower);
 }
 
 Result<fs::path> relativePathOf(std::string_view uri) {
@@ -135,17 +194,17 @@ std::optional<fs::path> placeInside(const fs::path& folder, const fs::path& rela
   return rootEnd == root.end() ? std::optional(target) : std::nullopt;
 }
 
+// The file.
+
 namespace {
 
-namespace fs = std::filesystem;
-
-/// No character comes near it; it keeps a slip of the hand from filling the memory.
+/// Far above any character; protects the memory from a wrong file.
 constexpr std::uintmax_t kMaxFileBytes = 1ULL << 30;
 constexpr std::uint64_t kMaxStride = 65536;
-/// Real files need about ten levels; extras may have more.
+/// Files need about ten levels; extras may have more.
 constexpr int kMaxNesting = 200;
 
-/// Also those nothing uses: a file that names something outside its folder is not to be trusted.
+/// Checks even unused ones: a file that refers outside its folder is not trusted.
 void checkUris(const Json& root) {
   for (const char* list : {"buffers", "images"}) {
     std::size_t i = 0;
@@ -159,13 +218,13 @@ void checkUris(const Json& root) {
   }
 }
 
-/// An index that the guard has found sound; -1 for absent and faulty ones.
+/// A sound index; -1 for absent and faulty ones.
 int soundIndex(const Json& index, std::size_t size) {
   const double value = index.number(-1.0);
   return value >= 0.0 && value < static_cast<double>(size) ? static_cast<int>(value) : -1;
 }
 
-/// In an error: the whole path in its own letters, but for a name that hardly is one, such as a damaged data: uri.
+/// A path for an error, shortened if it is too long to be one, such as a damaged data: uri.
 std::string readable(const fs::path& folder, const fs::path& relative) {
   constexpr std::size_t kLongestName = 255;
   return relative.native().size() <= kLongestName ? (folder / relative).string() : shortened(relative.string());
@@ -215,7 +274,7 @@ File::File(std::vector<std::uint8_t> contents, fs::path folder) : folder_(std::m
 
 void File::parse(const std::string& text) {
   tinygltf::TinyGLTF reader;
-  // The text names no file and no image; should tinygltf want one all the same, it has no way to get it.
+  // The text names no file and no image; tinygltf could not read one either.
   reader.SetFsCallbacks({});
   reader.SetImageLoader(nullptr, nullptr);
   std::string errors;
@@ -226,8 +285,8 @@ void File::parse(const std::string& text) {
   refuse("JSON", "cannot be read: " + shortened(errors));
 }
 
-/// What the guard has kept aside: tinygltf refuses strides beyond 252 and indices without a bufferView, reads every
-/// image, and keeps no cameras or lights it does not like.
+/// Adds what the guard kept from tinygltf, which refuses strides beyond 252 and indices without a bufferView, reads
+/// every image, and drops some cameras and lights.
 void File::adopt(const Json& root) {
   const std::vector<Json>& views = root.at("bufferViews").items();
   for (std::size_t i = 0; i < model_.bufferViews.size(); ++i) {
@@ -255,8 +314,8 @@ void File::adopt(const Json& root) {
   lights_ = root.at("extensions").at("KHR_lights_punctual").at("lights").items().size();
 }
 
-/// Not by tinygltf: it takes seven kinds of data: uris and base64 with faults, reads "+" as a space, and refuses files
-/// longer than byteLength, empty buffers, and buffers without bytes even if nothing reads from them.
+/// tinygltf accepts only seven kinds of data: uris and faulty base64, reads "+" as a space, and refuses files longer
+/// than byteLength, empty buffers, and unused buffers without bytes.
 void File::openBuffers(const Json& list, std::vector<std::uint8_t> file, const Container& container) {
   const std::size_t binaryAt = container.binary ? static_cast<std::size_t>(container.binary->data() - file.data()) : 0;
   const std::size_t binarySize = container.binary ? container.binary->size() : 0;
@@ -270,12 +329,12 @@ void File::openBuffers(const Json& list, std::vector<std::uint8_t> file, const C
       if (!found) refuse(placeOf("buffers", i) + ".uri", found.error().reason, "needs another file");
       bytes = std::move(found).value();
     } else if (i == 0 && container.binary) {
-      // Moved down within the file's own memory: a second copy of the largest file would be a gigabyte.
+      // In place: a copy of the largest file would be a gigabyte.
       file.resize(binaryAt + binarySize);
       file.erase(file.begin(), file.begin() + static_cast<std::ptrdiff_t>(binaryAt));
       bytes = std::move(file);
     }
-    // One without bytes is allowed (extensions fill such buffers); an error once something reads from it.
+    // A buffer without bytes is allowed, for extensions; reading from it is an error.
     hasBytes_.push_back(uri || (i == 0 && container.binary));
     const std::uint64_t length = wholeOf(buffer.at("byteLength"));
     if (hasBytes_.back() && bytes.size() < length) {

@@ -1,4 +1,4 @@
-// core/files/gltf/file.h: an opened glTF file: guarded JSON, read by tinygltf, and the bytes behind it.
+// core/files/gltf/file.h: an opened glTF file: guarded JSON, read by tinygltf, and its bytes.
 #pragma once
 
 #include <cstdint>
@@ -13,28 +13,44 @@
 #include "core/files/gltf/glb.h"
 #include "core/files/gltf/guard.h"
 #include "core/files/gltf/unpack.h"
-#include "core/files/gltf/vrm.h"
+#include "core/files/json/json.h"
 #include "sinew/geometry/result.h"
 
 namespace sinew::gltf {
 
-// What a glTF uri may name.
+/// Humanoid bones and expressions of a .vrm file, 1.0 (VRMC_vrm) or 0.x (VRM); empty for other files. Unchecked, except
+/// that numbers are indices.
+struct Vrm {
+  struct HumanBone {
+    std::string name;  ///< "leftUpperArm"
+    int node = -1;
+  };
+  struct Bind {
+    int node = -1;  ///< 1.0
+    int mesh = -1;  ///< 0.x: all nodes that show it.
+    int target = 0;
+    float weight = 1.0f;
+  };
+  struct Expression {
+    std::string name;
+    std::vector<Bind> binds;
+  };
+  std::vector<HumanBone> bones;
+  std::vector<Expression> expressions;
+};
 
-/// Whether it starts with "data:", in any case of letters.
+/// Whether it starts with "data:", ignoring case.
 [[nodiscard]] bool isDataUri(std::string_view uri);
 
-/// The bytes of a data: uri, base64 or percent-encoded. Error: reason only.
-[[nodiscard]] Result<std::vector<std::uint8_t>> decodeDataUri(std::string_view uri);
-
-/// The relative path a uri names, percent-decoded once. Error: absolute, with a scheme, with "..", a backslash or a
-/// control character, or empty. Says nothing about the disk.
+/// The relative path of a uri, percent-decoded once; the disk is not checked. Error: absolute, with a scheme, "..", a
+/// backslash or a control character, or empty.
 [[nodiscard]] Result<std::filesystem::path> relativePathOf(std::string_view uri);
 
-/// The real place of folder/relative, symbolic links followed; nullopt if that lies outside the folder or is not there.
+/// The real path of folder/relative, links followed; nullopt if it is outside the folder or does not exist.
 [[nodiscard]] std::optional<std::filesystem::path> placeInside(const std::filesystem::path& folder,
                                                                const std::filesystem::path& relative);
 
-/// An image still encoded: in a buffer of the file, or its own.
+/// An encoded image, in a buffer of the file or in `own`.
 struct EncodedImage {
   Bytes bytes;
   std::vector<std::uint8_t> own;
@@ -42,25 +58,25 @@ struct EncodedImage {
 
 /// A whole file. Throws Refusal.
 [[nodiscard]] std::vector<std::uint8_t> contentsOf(const std::filesystem::path& path);
-/// Where the uris of buffers and images begin.
+/// Base folder for uris of buffers and images.
 [[nodiscard]] std::filesystem::path folderOf(const std::filesystem::path& path);
-/// The JSON of a container, but for members called `leftOut` outside the elements of the list `keptIn`. Throws Refusal.
+/// The JSON of a container, without members named `leftOut` outside elements of the list `keptIn`. Throws Refusal.
 [[nodiscard]] Json parseJson(std::string_view text, std::string_view leftOut, std::string_view keptIn = {});
 
-/// A .glb or .gltf. Every uri of buffers and images is checked when it is opened: data: uris and files inside the
-/// file's own folder, nothing else. Compressed views and meshes are decoded; model() has plain ones in their place.
-/// Refuses with the JSON path or byte.
+/// A .glb or .gltf. Opening checks every uri of buffers and images: only data: uris and files inside the file's own
+/// folder are allowed. Compressed views and meshes are decoded; model() has plain ones. Refuses with the JSON path or
+/// byte.
 class File {
  public:
   explicit File(const std::filesystem::path& path);
-  /// The same, read already. @param folder  as folderOf() gives it
+  /// Parses contents. @param folder  from folderOf()
   File(std::vector<std::uint8_t> contents, std::filesystem::path folder);
 
-  /// Types, ranges and indices in it are sound, except in what expectSound refuses; absent indices are -1.
+  /// Types, ranges and indices are sound except where expectSound refuses; absent indices are -1.
   [[nodiscard]] const tinygltf::Model& model() const { return model_; }
-  /// To be asked for every element of a list, and every value that rules.h calls checkedWhenUsed, before it is used.
+  /// Call before using any element of a list and any value that rules.h calls checkedWhenUsed.
   void expectSound(const std::string& place) const { guarded_.expectSound(place); }
-  /// meshes[mesh].extras.targetNames; "" for what is no string.
+  /// meshes[mesh].extras.targetNames; "" for non-strings.
   [[nodiscard]] const std::vector<std::string>& targetNames(int mesh) const {
     return targetNames_[static_cast<std::size_t>(mesh)];
   }
@@ -68,10 +84,10 @@ class File {
   [[nodiscard]] std::size_t cameras() const { return cameras_; }
   [[nodiscard]] std::size_t lights() const { return lights_; }
 
-  /// Bytes of the model's bufferViews[index], decoded, checked against its buffer. Refuses where the buffer has none.
+  /// Decoded bytes of the model's bufferViews[index]. Refuses a buffer without bytes.
   [[nodiscard]] Bytes bufferView(std::size_t index) const;
   [[nodiscard]] const Unpacked& unpacked() const { return unpacked_; }
-  /// Error: reason only, if it cannot be read.
+  /// Error: cannot be read; reason only.
   [[nodiscard]] Result<EncodedImage> encodedImage(std::size_t index);
 
  private:

@@ -2,10 +2,6 @@
 
 #include "core/files/gltf/glb.h"
 
-#include <string>
-
-#include "core/files/gltf/refusal.h"
-
 namespace sinew::gltf {
 namespace {
 
@@ -41,7 +37,7 @@ Container split(Bytes file) {
     if (type == kBinaryChunk && !result.binary) result.binary = chunk;
     at += 8 + size;
   }
-  // Some exporters fill the last four bytes with zeros instead of spaces.
+  // Some exporters pad with zeros instead of spaces.
   while (!result.json.empty() && result.json.back() == '\0') result.json.remove_suffix(1);
   if (result.json.empty()) refuse("byte 12", "a GLB without a JSON chunk");
   return result;

@@ -6,20 +6,95 @@
 #include <array>
 #include <exception>
 #include <new>
+#include <set>
+#include <span>
+#include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
+#include "core/character/body_slots.h"
 #include "core/files/gltf/animation.h"
+#include "core/files/gltf/file.h"
+#include "core/files/gltf/glb.h"
 #include "core/files/gltf/mesh.h"
 #include "core/files/gltf/node_tree.h"
-#include "core/files/gltf/vrm_character.h"
+#include "core/files/gltf/skin.h"
 #include "core/files/json/json.h"
+#include "core/geometry/at.h"
+#include "core/geometry/nearest_name.h"
+#include "sinew/character/body_part.h"
+
+namespace sinew::gltf {
+namespace {
+
+// Bones and expressions of a .vrm file on the imported character.
+
+constexpr std::size_t kMaxBinds = 65536;  ///< Of all expressions.
+
+/// "leftUpperArm" -> "upperArm.L"
+std::string slotName(const std::string& bone) {
+  for (const auto& [side, ending] : {std::pair{"left", ".L"}, std::pair{"right", ".R"}}) {
+    if (!bone.starts_with(side) || bone.size() == std::string(side).size()) continue;
+    std::string name = bone.substr(std::string(side).size());
+    name[0] = toLower(name[0]);
+    return name + ending;
+  }
+  return bone;
+}
+
+int boneOfNode(const BoundSkeleton& bound, int node) {
+  if (node < 0 || toIndex(node) >= bound.skeletonNode.size()) return -1;
+  const int own = at(bound.skeletonNode, node);
+  const auto bone = std::ranges::find(bound.skeleton.bones, own, &Bone::node);
+  if (own < 0 || bone == bound.skeleton.bones.end()) return -1;
+  return static_cast<int>(bone - bound.skeleton.bones.begin());
+}
+
+std::vector<BodyPart> bodyPartsOf(const Vrm& vrm, const BoundSkeleton& bound, Notes& notes) {
+  std::vector<BodyPart> parts;
+  std::set<std::string> known;
+  for (const Vrm::HumanBone& bone : vrm.bones) {
+    const std::string slot = slotName(bone.name);
+    if (!bodySlotNamed(slot)) continue;
+    const int found = boneOfNode(bound, bone.node);
+    if (found < 0) notes.add("parts of the body that the file gives to nodes without skin are ignored");
+    else if (known.insert(slot).second) parts.push_back({slot, found});
+  }
+  return parts;
+}
+
+std::vector<MorphSet> morphSetsOf(const Vrm& vrm, const NodeTree& tree, std::span<const MorphTarget> targets) {
+  std::set<std::string> taken;
+  for (const MorphTarget& target : targets) taken.insert(target.name);
+  const std::vector<NodeTargets> ofNodes = targetsOfNodes(tree.nodes.size(), targets);
+  std::vector<MorphSet> sets;
+  std::size_t shares = 0;
+  for (const Vrm::Expression& expression : vrm.expressions) {
+    MorphSet set;
+    set.name = taken.contains(expression.name) ? expression.name + " (expression)" : expression.name;
+    for (const Vrm::Bind& bind : expression.binds) {
+      for (std::size_t node = 0; node < ofNodes.size() && bind.target >= 0; ++node) {
+        const bool meant = bind.mesh >= 0 ? tree.nodes[node].mesh == bind.mesh : static_cast<int>(node) == bind.node;
+        if (!meant || bind.target >= ofNodes[node].count || bind.weight == 0.0f) continue;
+        if (++shares <= kMaxBinds) set.shares.push_back({ofNodes[node].first + bind.target, bind.weight});
+      }
+    }
+    const bool usable = !set.shares.empty() && !set.name.empty() && sets.size() < kMaxMorphTargets;
+    if (usable && taken.insert(set.name).second) sets.push_back(std::move(set));
+  }
+  return sets;
+}
+
+}  // namespace
+}  // namespace sinew::gltf
 
 namespace sinew {
 namespace {
 
 using namespace gltf;
 
-/// Used fully, or by what they fall back to.
+/// Used, or with a fallback.
 constexpr std::array<std::string_view, 10> kUnderstood{"KHR_texture_transform",
                                                        "KHR_mesh_quantization",
                                                        kMeshopt,
@@ -53,11 +128,11 @@ void noteUnused(const File& file, Notes& notes) {
     notes.add("lights (" + std::to_string(file.lights()) + ") are ignored: the editor lights the character");
 }
 
-constexpr float kGltfImportLeastHeight = 1e-9f;  ///< Smaller characters leave what sums of squares can tell.
+constexpr float kGltfImportLeastHeight = 1e-9f;  ///< Limit of sums of squares in floats.
 
 enum class ReadFor { kCharacter, kClips };
 
-/// @return [V] the soup vertex that each welded one is
+/// Returns [V] a soup vertex of each welded one.
 std::vector<int> weldMesh(const TriangleSoup& soup, Character& character, ReadFor use) {
   if (use == ReadFor::kClips && soup.triangles.empty()) return {};
   if (soup.triangles.empty()) refuse("meshes", "the scene has no triangles to show", "cannot be opened");

@@ -1,4 +1,4 @@
-// core/files/gltf/guard.cpp: walks a glTF file's JSON along the rules and writes it anew.
+// core/files/gltf/guard.cpp: checks a glTF file's JSON by the rules and writes it again.
 
 #include "core/files/gltf/guard.h"
 
@@ -13,16 +13,16 @@ namespace {
 
 using Kind = Json::Kind;
 
-/// Elements of all lists together: on its way each takes up to about 2 KiB.
+/// Elements of all lists; each takes up to about 2 KiB during the import.
 constexpr std::size_t kMaxJsonElements = 500'000;
-/// A file with more faults than this is refused for the next one, used or not.
+/// One more fault refuses the file, used or not.
 constexpr std::size_t kMaxFaults = 1000;
 constexpr Rule kAttribute = {.type = Type::kIndex, .list = "accessors", .otherwise = "-1", .whenUsed = true};
 constexpr std::array<double, 6> kComponentTypes{5120, 5121, 5122, 5123, 5125, 5126};
-// MAT2 and MAT3 have padded columns and nothing Sinew reads uses them.
+// MAT2 and MAT3 have padded columns; nothing that is read uses them.
 constexpr std::array<std::string_view, 5> kGuardShapes{"SCALAR", "VEC2", "VEC3", "VEC4", "MAT4"};
 
-/// Where the walk is; spelled out only when something is refused.
+/// The current JSON path, built only for a refusal.
 struct GuardPlace {
   const GuardPlace* above = nullptr;
   std::string_view key{};  // "" for an element
@@ -100,7 +100,7 @@ class Guard {
       case Type::kAnything:
         return void(out() += "null");
       case Type::kMarker:
-        return void(out() += R"({"index":0})");  // what tinygltf takes for a texture; other markers may hold it too
+        return void(out() += R"({"index":0})");  // a texture for tinygltf; harmless in other markers
       case Type::kBoolean:
         if (value.kind != Kind::kTrue && value.kind != Kind::kFalse) refuse(place.text(), "expected true or false");
         return void(out() += value.dump());
@@ -156,7 +156,7 @@ class Guard {
     return static_cast<std::uint64_t>(number);
   }
 
-  /// Always with a point or an exponent: tinygltf cuts whole numbers in extensions to an int.
+  /// With a point or an exponent: tinygltf truncates whole numbers in extensions to int.
   void writeNumber(const Json& value, const GuardPlace& place) {
     if (value.kind != Kind::kNumber) refuse(place.text(), "expected a number");
     out() += value.content;
@@ -200,7 +200,7 @@ class Guard {
     out() += std::to_string(type);
   }
 
-  /// Those that are read, with their accessors; those that are noted, without. All have plain names.
+  /// Attributes that are read, with their accessors; those that are noted, without. Names are plain.
   void writeAttributes(const Json& value, const GuardPlace& place) {
     expectObject(value, place);
     out() += '{';

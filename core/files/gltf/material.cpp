@@ -1,47 +1,140 @@
-// core/files/gltf/material.cpp: glTF's metallic-roughness materials (glTF 2.0, 3.9).
+// core/files/gltf/material.cpp: decoding PNG, JPEG and WebP; metallic-roughness materials (glTF 2.0, 3.9).
 #include "core/files/gltf/material.h"
 
-#include <algorithm>
 #include <cmath>
 #include <map>
+#include <memory>
 #include <tuple>
-#include <vector>
+#include <utility>
 
-#include "core/files/gltf/file.h"
-#include "core/files/gltf/image.h"
-#include "core/files/gltf/refusal.h"
+#include <stb_image.h>
+#include <webp/decode.h>
+
 #include "core/geometry/at.h"
-#include "sinew/character/material.h"
 
 namespace sinew::gltf {
+
+// Images.
+
 namespace {
 
-// The textures of a file, each decoded once.
-// Samplers, images, and what all images may take together.
+/// Width and height of a still WebP image; nullopt if damaged or animated.
+std::optional<std::pair<int, int>> webpSize(std::span<const std::uint8_t> bytes) {
+  WebPBitstreamFeatures features;
+  if (WebPGetFeatures(bytes.data(), bytes.size(), &features) != VP8_STATUS_OK || features.has_animation != 0) {
+    return std::nullopt;
+  }
+  return std::pair(features.width, features.height);
+}
 
-/// Reads textures as they are asked for, within one budget for all.
-class TextureReader {
- public:
-  TextureReader(File& file, Notes& notes) : file_(file), notes_(notes) {}
+/// RGBA pixels; empty if damaged. The size has been checked.
+std::vector<std::uint8_t> webpPixels(std::span<const std::uint8_t> bytes) {
+  const auto size = webpSize(bytes);
+  if (!size) return {};
+  std::vector<std::uint8_t> rgba(4 * toIndex(size->first) * toIndex(size->second));
+  const bool whole =
+      WebPDecodeRGBAInto(bytes.data(), bytes.size(), rgba.data(), rgba.size(), 4 * size->first) != nullptr;
+  return whole ? rgba : std::vector<std::uint8_t>();
+}
 
-  /// Index into take(), or -1: one that cannot be read is noted and left out. Refuses an unsound texture, and a uri
-  /// outside the folder.
-  int read(int index);
-  [[nodiscard]] std::vector<Texture> take() && { return std::move(textures_); }
+/// Largest compression ratio of deflate.
+constexpr std::uint64_t kMaxDeflateRatio = 1032;
+/// Compressed pixels that unpack to no more than this need no test.
+constexpr std::uint64_t kHarmlessBytes = 256U << 20;
+/// Each scan of a progressive JPEG visits the whole image; encoders write about ten.
+constexpr int kMaxScans = 200;
 
- private:
-  [[nodiscard]] Texture readSampler(int index) const;
-  int decode(std::size_t image, Texture texture);
+std::uint32_t bigEndian(Bytes bytes, std::size_t at) {
+  return static_cast<std::uint32_t>(bytes[at]) << 24 | static_cast<std::uint32_t>(bytes[at + 1]) << 16 |
+         static_cast<std::uint32_t>(bytes[at + 2]) << 8 | static_cast<std::uint32_t>(bytes[at + 3]);
+}
 
-  File& file_;
-  Notes& notes_;
-  std::map<std::tuple<int, TextureWrap, TextureWrap, bool>, int> known_;
-  std::size_t pixels_ = 0;
-  std::size_t encodedBytes_ = 0;
-  std::vector<Texture> textures_;
-};
+/// All IDAT data of a PNG.
+std::string pngPixelData(Bytes png) {
+  std::string data;
+  for (std::size_t at = 8; at + 12 <= png.size();) {
+    const std::size_t length = bigEndian(png, at);
+    if (length > png.size() - at - 12) break;
+    if (startsWith(png.subspan(at + 4), "IDAT")) data.append(reinterpret_cast<const char*>(&png[at + 8]), length);
+    at += 12 + length;
+  }
+  return data;
+}
 
-constexpr std::size_t kMaxPixels = 96U << 20;         // of all textures: 384 MiB as RGBA
+/// Whether the pixels unpack to no more than the dimensions allow, which stb_image does not check.
+bool unpacksWithin(Bytes png, int width, int height) {
+  const std::string data = pngPixelData(png);
+  if (data.size() * kMaxDeflateRatio <= kHarmlessBytes) return true;
+  constexpr std::size_t kMaxPixelBytes = 8;  // four channels of 16 bits
+  // Interlacing adds a filter byte a row to each of seven passes.
+  const std::size_t most = toIndex(width) * toIndex(height) * kMaxPixelBytes + 16 * toIndex(height) + 1024;
+  const auto room = std::make_unique_for_overwrite<char[]>(most);
+  return stbi_zlib_decode_buffer(room.get(), static_cast<int>(most), data.data(), static_cast<int>(data.size())) >= 0;
+}
+
+int countScans(Bytes jpeg) {
+  int scans = 0;
+  for (std::size_t i = 0; i + 1 < jpeg.size(); ++i) {
+    if (jpeg[i] == 0xff && jpeg[i + 1] == 0xda) ++scans;
+  }
+  return scans;
+}
+
+/// Error: reason only.
+Result<void> checkSize(const Image& image, std::size_t maxPixels) {
+  if (image.width <= 0 || image.height <= 0 || image.width > kMaxImageSide || image.height > kMaxImageSide) {
+    return errorAt("", "the image is " + std::to_string(image.width) + " x " + std::to_string(image.height) +
+                           " pixels; at most 8192 x 8192 are read");
+  }
+  if (toIndex(image.width) * toIndex(image.height) <= maxPixels) return {};
+  return errorAt("", "the file's images have too many pixels together");
+}
+
+Result<Image> decodeWebp(Bytes encoded, std::size_t maxPixels) {
+  const auto size = webpSize(encoded);
+  if (!size) return errorAt("", "damaged image: no WebP, or one that moves");
+  Image image{.width = size->first, .height = size->second, .rgba = {}, .mimeType = "image/webp"};
+  if (auto bearable = checkSize(image, maxPixels); !bearable) return bearable.error();
+  image.rgba = webpPixels(encoded);
+  if (image.rgba.empty()) return errorAt("", "damaged image: its WebP data cannot be decoded");
+  return image;
+}
+
+}  // namespace
+
+Result<Image> decodeImage(Bytes encoded, std::size_t maxPixels) {
+  const bool png = startsWith(encoded, "\x89PNG\r\n\x1a\n");
+  const bool jpeg = startsWith(encoded, "\xff\xd8\xff");
+  if (encoded.size() > 0x40000000) return errorAt("", "the image file is larger than 1 GiB");
+  if (isWebp(encoded)) return decodeWebp(encoded, maxPixels);
+  if (!png && !jpeg) return errorAt("", "not a PNG, JPEG or WebP image");
+  const auto length = static_cast<int>(encoded.size());
+
+  Image image;
+  int channels = 0;
+  if (stbi_info_from_memory(encoded.data(), length, &image.width, &image.height, &channels) == 0) {
+    return errorAt("", std::string("damaged image: ") + stbi_failure_reason());
+  }
+  if (auto bearable = checkSize(image, maxPixels); !bearable) return bearable.error();
+  const std::size_t pixels = toIndex(image.width) * toIndex(image.height);
+  if (png && !unpacksWithin(encoded, image.width, image.height)) {
+    return errorAt("", "damaged image: it unpacks to more than its dimensions");
+  }
+  if (jpeg && countScans(encoded) > kMaxScans) return errorAt("", "a JPEG with more than 200 scans");
+
+  const std::unique_ptr<stbi_uc, void (*)(void*)> decoded(
+      stbi_load_from_memory(encoded.data(), length, &image.width, &image.height, &channels, 4), stbi_image_free);
+  if (!decoded) return errorAt("", std::string("damaged image: ") + stbi_failure_reason());
+  image.rgba.assign(decoded.get(), decoded.get() + 4 * pixels);
+  image.mimeType = png ? "image/png" : "image/jpeg";
+  return image;
+}
+
+// Materials.
+
+namespace {
+
+constexpr std::size_t kMaxPixels = 96U << 20;         // of all textures: 384 MiB of RGBA
 constexpr std::size_t kMaxEncodedBytes = 256U << 20;  // kept for export
 
 TextureWrap wrapOf(int mode) {
@@ -55,72 +148,81 @@ TextureWrap wrapOf(int mode) {
   }
 }
 
-/// The WebP image where there is one: the other is for programs that cannot read it.
+/// Prefers the WebP image: the other is a fallback.
 int sourceOf(const tinygltf::Texture& texture) {
   const auto* webp = findExtension(texture.extensions, "EXT_texture_webp");
   return webp && webp->Has("source") ? webp->Get("source").GetNumberAsInt() : texture.source;
 }
 
-int TextureReader::read(int index) {
-  const std::string place = placeOf("textures", toIndex(index));
-  file_.expectSound(place);
-  const tinygltf::Texture& texture = file_.model().textures[toIndex(index)];
-  const int source = sourceOf(texture);
-  if (source < 0) {
-    notes_.add(place + " has no PNG, JPEG or WebP source and is ignored: the material is drawn without");
-    return -1;
+/// Decodes textures when they are first asked for, within one budget for all.
+class TextureReader {
+ public:
+  TextureReader(File& file, Notes& notes) : file_(file), notes_(notes) {}
+
+  /// Index into take(), or -1 for one that cannot be read, which is noted. Refuses an unsound texture, and a uri
+  /// outside the folder.
+  int read(int index) {
+    const std::string place = placeOf("textures", toIndex(index));
+    file_.expectSound(place);
+    const tinygltf::Texture& texture = file_.model().textures[toIndex(index)];
+    const int source = sourceOf(texture);
+    if (source < 0) {
+      notes_.add(place + " has no PNG, JPEG or WebP source and is ignored: the material is drawn without");
+      return -1;
+    }
+    const Texture settings = readSampler(texture.sampler);
+    const auto key = std::tuple(source, settings.wrapU, settings.wrapV, settings.nearest);
+    const auto known = known_.find(key);
+    return known != known_.end() ? known->second : known_[key] = decode(toIndex(source), settings);
   }
-  const Texture settings = readSampler(texture.sampler);
-  const auto key = std::tuple(source, settings.wrapU, settings.wrapV, settings.nearest);
-  const auto known = known_.find(key);
-  return known != known_.end() ? known->second : known_[key] = decode(toIndex(source), settings);
-}
 
-Texture TextureReader::readSampler(int index) const {
-  Texture settings;
-  if (index < 0) return settings;
-  file_.expectSound(placeOf("samplers", toIndex(index)));
-  const tinygltf::Sampler& sampler = file_.model().samplers[toIndex(index)];
-  settings.wrapU = wrapOf(sampler.wrapS);
-  settings.wrapV = wrapOf(sampler.wrapT);
-  settings.nearest = sampler.magFilter == TINYGLTF_TEXTURE_FILTER_NEAREST;
-  return settings;
-}
+  [[nodiscard]] std::vector<Texture> take() && { return std::move(textures_); }
 
-int TextureReader::decode(std::size_t image, Texture texture) {
-  const auto leaveOut = [&](const std::string& why) {
-    notes_.add(placeOf("images", image) + ": " + why + "; it is ignored: the material is drawn without");
-    return -1;
-  };
-  Result<EncodedImage> encoded = file_.encodedImage(image);
-  if (!encoded) return leaveOut(encoded.error().reason);
-  const Bytes bytes = encoded->bytes;
-  if (bytes.size() > kMaxEncodedBytes - encodedBytes_) return leaveOut("the images are too large together");
-  Result<Image> decoded = decodeImage(bytes, kMaxPixels - pixels_);
-  if (!decoded) return leaveOut(decoded.error().reason);
-  texture.name = file_.model().images[image].name;
-  if (texture.name.empty()) texture.name = "image " + std::to_string(image);
-  texture.width = decoded->width;
-  texture.height = decoded->height;
-  texture.rgba = std::move(decoded.value().rgba);
-  texture.mimeType = decoded->mimeType;
-  texture.encoded.assign(bytes.begin(), bytes.end());
-  pixels_ += texture.rgba.size() / 4;
-  encodedBytes_ += texture.encoded.size();
-  textures_.push_back(std::move(texture));
-  return static_cast<int>(textures_.size()) - 1;
-}
+ private:
+  [[nodiscard]] Texture readSampler(int index) const {
+    Texture settings;
+    if (index < 0) return settings;
+    file_.expectSound(placeOf("samplers", toIndex(index)));
+    const tinygltf::Sampler& sampler = file_.model().samplers[toIndex(index)];
+    settings.wrapU = wrapOf(sampler.wrapS);
+    settings.wrapV = wrapOf(sampler.wrapT);
+    settings.nearest = sampler.magFilter == TINYGLTF_TEXTURE_FILTER_NEAREST;
+    return settings;
+  }
 
-}  // namespace
+  int decode(std::size_t image, Texture texture) {
+    const auto leaveOut = [&](const std::string& why) {
+      notes_.add(placeOf("images", image) + ": " + why + "; it is ignored: the material is drawn without");
+      return -1;
+    };
+    Result<EncodedImage> encoded = file_.encodedImage(image);
+    if (!encoded) return leaveOut(encoded.error().reason);
+    const Bytes bytes = encoded->bytes;
+    if (bytes.size() > kMaxEncodedBytes - encodedBytes_) return leaveOut("the images are too large together");
+    Result<Image> decoded = decodeImage(bytes, kMaxPixels - pixels_);
+    if (!decoded) return leaveOut(decoded.error().reason);
+    texture.name = file_.model().images[image].name;
+    if (texture.name.empty()) texture.name = "image " + std::to_string(image);
+    texture.width = decoded->width;
+    texture.height = decoded->height;
+    texture.rgba = std::move(decoded.value().rgba);
+    texture.mimeType = decoded->mimeType;
+    texture.encoded.assign(bytes.begin(), bytes.end());
+    pixels_ += texture.rgba.size() / 4;
+    encodedBytes_ += texture.encoded.size();
+    textures_.push_back(std::move(texture));
+    return static_cast<int>(textures_.size()) - 1;
+  }
 
-// Transforms of texture coordinates, and from one to another.
+  File& file_;
+  Notes& notes_;
+  std::map<std::tuple<int, TextureWrap, TextureWrap, bool>, int> known_;
+  std::size_t pixels_ = 0;
+  std::size_t encodedBytes_ = 0;
+  std::vector<Texture> textures_;
+};
 
-glm::vec2 UvSource::apply(double u, double v) const {
-  return {static_cast<float>(transform[0] * u + transform[1] * v + transform[2]),
-          static_cast<float>(transform[3] * u + transform[4] * v + transform[5])};
-}
-
-/// Rotation about the origin, counter-clockwise in uv, then offset (KHR_texture_transform).
+/// Rotation about the origin, counter-clockwise in uv, then offset. @param transform  KHR_texture_transform, or null
 UvSource uvSourceOf(int set, const tinygltf::Value* transform) {
   UvSource uv{.set = set};
   if (transform == nullptr) return uv;
@@ -136,6 +238,8 @@ UvSource uvSourceOf(int set, const tinygltf::Value* transform) {
   return uv;
 }
 
+/// Map from the coordinates of `from` to those of `to`, as in TextureMap::place. nullopt: different sets, or a singular
+/// `from`.
 std::optional<std::array<glm::vec3, 2>> placeFrom(const UvSource& from, const UvSource& to) {
   if (from.set != to.set) return std::nullopt;
   if (from.transform == to.transform) return TextureMap{}.place;
@@ -152,13 +256,11 @@ std::optional<std::array<glm::vec3, 2>> placeFrom(const UvSource& from, const Uv
   return place;
 }
 
-namespace {
-
-constexpr double kMaxGlow = 1e4;  // KHR_materials_emissive_strength: beyond, nothing is seen but white
+constexpr double kMaxGlow = 1e4;  // KHR_materials_emissive_strength: more is just white
 
 float unit(double number) { return static_cast<float>(std::clamp(number, 0.0, 1.0)); }
 
-/// A map that a material names, before its image is read.
+/// A map of a material, before its image is read.
 struct NamedMap {
   TextureMap Material::*map = nullptr;
   int texture = -1;
@@ -170,7 +272,7 @@ class MaterialReader {
   MaterialReader(File& file, Notes& notes, Images images)
       : file_(file), notes_(notes), images_(images), textures_(file, notes) {}
 
-  /// Base colors first: where the images are too many, these are what is seen most.
+  /// Reads base colors first: they matter most if there are too many images.
   Materials run() && {
     for (std::size_t i = 0; i < file_.model().materials.size(); ++i) read(i);
     if (images_ == Images::kRead) {
@@ -294,8 +396,7 @@ class MaterialReader {
     material.*named.map = {readTexture(named.texture), *place};
   }
 
-  /// What the factors alone are, where a map that they scale is not to be had: they would turn skin into chrome, and
-  /// all of it into a lamp.
+  /// Resets factors of missing maps: unscaled they would turn skin into chrome or a lamp.
   static void settle(const std::vector<NamedMap>& named, Material& material) {
     for (const NamedMap& each : named) {
       if ((material.*each.map).texture >= 0) continue;
@@ -313,6 +414,11 @@ class MaterialReader {
 };
 
 }  // namespace
+
+glm::vec2 UvSource::apply(double u, double v) const {
+  return {static_cast<float>(transform[0] * u + transform[1] * v + transform[2]),
+          static_cast<float>(transform[3] * u + transform[4] * v + transform[5])};
+}
 
 Materials readMaterials(File& file, Notes& notes, Images images) { return MaterialReader(file, notes, images).run(); }
 

@@ -1,46 +1,78 @@
-// core/files/gltf/material.h: materials and the textures they use.
+// core/files/gltf/material.h: images, textures and materials.
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cstdint>
 #include <optional>
+#include <span>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include <tiny_gltf.h>
 
 #include "core/files/gltf/file.h"
-#include "core/files/gltf/refusal.h"
+#include "core/files/gltf/glb.h"
 #include "sinew/character/character.h"
 #include "sinew/character/material.h"
+#include "sinew/geometry/result.h"
+
+namespace sinew {
+
+[[nodiscard]] inline bool startsWith(std::span<const std::uint8_t> bytes, std::string_view magic) {
+  return bytes.size() >= magic.size() && std::equal(magic.begin(), magic.end(), bytes.begin(),
+                                                    [](char a, auto b) { return static_cast<std::uint8_t>(a) == b; });
+}
+
+[[nodiscard]] inline bool isWebp(std::span<const std::uint8_t> bytes) {
+  return bytes.size() > 8 && startsWith(bytes, "RIFF") && startsWith(bytes.subspan(8), "WEBP");
+}
+
+/// ".png" or ".jpg"; "" for others.
+[[nodiscard]] inline std::string_view imageEnding(std::span<const std::uint8_t> bytes) {
+  return startsWith(bytes, "\x89PNG") ? ".png" : startsWith(bytes, "\xff\xd8\xff") ? ".jpg" : "";
+}
+
+}  // namespace sinew
 
 namespace sinew::gltf {
 
-// Which texture coordinates a map is read with (KHR_texture_transform).
+// Images.
 
-/// A set of texture coordinates, and what is done to them.
+struct Image {
+  int width = 0;
+  int height = 0;
+  std::vector<std::uint8_t> rgba;
+  std::string mimeType;
+};
+
+inline constexpr int kMaxImageSide = 8192;  ///< Pixels.
+
+/// Decodes an image after checking its dimensions and unpacked size. Error: reason only.
+/// @param maxPixels  rest of the budget for all images of the file
+[[nodiscard]] Result<Image> decodeImage(Bytes encoded, std::size_t maxPixels);
+
+// Materials.
+
+/// A set of texture coordinates and its KHR_texture_transform.
 struct UvSource {
   int set = 0;                                                    ///< TEXCOORD_n
-  std::array<double, 6> transform{1.0, 0.0, 0.0, 0.0, 1.0, 0.0};  ///< KHR_texture_transform: two rows of u, v, 1.
+  std::array<double, 6> transform{1.0, 0.0, 0.0, 0.0, 1.0, 0.0};  ///< Two rows for u, v, 1.
 
   [[nodiscard]] glm::vec2 apply(double u, double v) const;
 };
 
-/// @param transform  the extension's object, or null
-[[nodiscard]] UvSource uvSourceOf(int set, const tinygltf::Value* transform);
-
-/// From the coordinates that `from` gives to those of `to`, as in TextureMap::place. nullopt: of another set, or `from`
-/// has collapsed them.
-[[nodiscard]] std::optional<std::array<glm::vec3, 2>> placeFrom(const UvSource& from, const UvSource& to);
-
 struct Materials {
   std::vector<Material> materials;  ///< As numbered in the file.
-  std::vector<UvSource> uvSources;  ///< [materials] of the base color; without one, of the first map that is there.
-  std::vector<Texture> textures;    ///< Those the materials use.
+  std::vector<UvSource> uvSources;  ///< [materials] of the base color, else of the first map.
+  std::vector<Texture> textures;    ///< In use.
 };
 
 enum class Images { kRead, kLeftOut };
 
-/// A texture that cannot be read is noted and left out; a uri outside the folder is refused.
-/// @param images  kLeftOut: the materials have no textures, for callers that want the uv sources alone.
+/// Notes textures that cannot be read; refuses a uri outside the folder.
+/// @param images  kLeftOut: no textures, for callers that need only the uv sources
 [[nodiscard]] Materials readMaterials(File& file, Notes& notes, Images images = Images::kRead);
 
 }  // namespace sinew::gltf

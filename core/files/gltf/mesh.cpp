@@ -17,15 +17,16 @@ namespace sinew::gltf {
 namespace {
 
 constexpr std::size_t kMaxTriangles = static_cast<std::size_t>(kMaxControlTriangles);
-/// Vertices one primitive may choose from; twice what the largest mesh could use unindexed.
+/// Vertices of one primitive; twice those of the largest unindexed mesh.
 constexpr std::size_t kMaxVertices = 6 * kMaxTriangles;
 constexpr std::size_t kMaxInfluences = 32U << 20;
 constexpr std::size_t kMaxJointSets = 16;
 constexpr double kMaxCoordinate = 1e15;
-constexpr double kRoundedPlace = 0.87;  ///< Steps: half of one along each axis.
-constexpr double kRoundedWeight = 2.5;  ///< Steps: half of one, and what four of them do to the sum.
+constexpr double kRoundedPlace = 0.87;  ///< Steps: half a step along each axis.
+constexpr double kRoundedWeight = 2.5;  ///< Steps: half a step, and the effect of four on the sum.
 constexpr double kMostRoundedWeight = 0.02;
-constexpr float kMostRoundedPlace = 2.5e-4f;  ///< Of the height. Coarser pieces stay apart where rounding parted them.
+constexpr float kMostRoundedPlace =
+    2.5e-4f;  ///< Of the height. Coarser pieces stay separate where rounding separated them.
 
 /// The accessors of one primitive.
 struct Attributes {
@@ -172,14 +173,14 @@ class SoupReader {
     return open;
   }
 
-  /// Forgets which vertices of the last primitive were taken over, without touching them all.
+  /// Marks all vertices as not taken, without visiting them.
   void startPrimitive(std::size_t vertices) {
     if (vertices > kMaxVertices) refuse("meshes", "a primitive with more than 12 million vertices");
     ++stamp_;
     if (taken_.size() < vertices) taken_.resize(vertices);
   }
 
-  /// Pieces start with the first primitive that was rounded. Primitives on one grid of integers are one piece.
+  /// Pieces start with the first rounded primitive. Primitives on one grid of integers are one piece.
   void startPiece(const Attributes& open, const MeshBinding& binding) {
     const bool onGrid = !open.position->isFloat();
     const double step = onGrid ? open.position->step() : open.position->roundedTo();
@@ -208,7 +209,7 @@ class SoupReader {
     if (onGrid) grids_.push_back({binding.meshToBind, step, weight, piece_});
   }
 
-  /// Soup vertex for a vertex of the primitive.
+  /// The soup vertex of a vertex of the primitive.
   std::uint32_t vertex(std::uint32_t index, const Attributes& open, const MeshBinding& binding,
                        const UvSource& uvSource) {
     Taken& taken = taken_[index];
@@ -237,7 +238,7 @@ class SoupReader {
     return taken.soupVertex;
   }
 
-  /// Colors start with the first primitive that has them; vertices without are white.
+  /// Colors start with the first colored primitive; other vertices are white.
   void addColor(std::uint32_t index, const Attributes& open) {
     if (!open.color && soup_.colors.empty()) return;
     soup_.colors.resize(soup_.positions.size(), glm::vec4(1.0f));
@@ -306,7 +307,7 @@ class SoupReader {
     std::uint32_t soupVertex = 0;
   };
 
-  /// Of integer places, and what was rounded together on it.
+  /// A grid of integer positions and its piece.
   struct Grid {
     glm::dmat4 meshToBind{1.0};
     double step = 0.0;
@@ -349,7 +350,7 @@ TriangleSoup readTriangles(const File& file, const NodeTree& tree, const BoundSk
 std::vector<MeshPart> partsOf(const File& file, std::span<const MeshMaterial> parts,
                               std::span<const Material> materials) {
   std::vector<MeshPart> out;
-  std::map<int, int> materialsOf;  // Of each mesh.
+  std::map<int, int> materialsOf;  // by mesh
   for (const MeshMaterial& part : parts) ++materialsOf[part.mesh];
   std::unordered_set<std::string> taken;
   std::map<std::string, int> next;

@@ -16,7 +16,7 @@
 
 namespace sinew::gltf {
 
-// Which corners the triangles of a list, strip or fan have.
+// Triangles of lists, strips and fans.
 
 /// @param mode  TINYGLTF_MODE_TRIANGLES, _TRIANGLE_STRIP or _TRIANGLE_FAN
 [[nodiscard]] inline std::size_t triangleCount(int mode, std::size_t corners) {
@@ -24,7 +24,7 @@ namespace sinew::gltf {
   return corners < 3 ? 0 : corners - 2;
 }
 
-/// Corner numbers of a triangle; every second one of a strip is turned so that all face the same way.
+/// Corner numbers of a triangle; every second one of a strip is flipped so that all have the same winding.
 [[nodiscard]] inline std::array<std::uint32_t, 3> triangleCorners(int mode, std::size_t triangle) {
   const auto t = static_cast<std::uint32_t>(triangle);
   if (mode == TINYGLTF_MODE_TRIANGLES) return {3 * t, 3 * t + 1, 3 * t + 2};
@@ -32,7 +32,7 @@ namespace sinew::gltf {
   return {t, t + 1 + t % 2, t + 2 - t % 2};
 }
 
-/// Triangles and vertices of a soup that one primitive of a mesh gave, for one node that shows the mesh.
+/// Triangles and vertices of a soup from one primitive of a node's mesh.
 struct SoupPart {
   int node = 0;
   int mesh = 0;
@@ -43,13 +43,13 @@ struct SoupPart {
   std::size_t endVertex = 0;
 };
 
-/// Where a soup comes from.
+/// Origin of a soup.
 struct SoupOrigin {
-  std::vector<SoupPart> parts;            ///< In the soup's order; without those that have no triangles.
+  std::vector<SoupPart> parts;            ///< In the soup's order; only those with triangles.
   std::vector<std::uint32_t> fileVertex;  ///< [N] number of each vertex in its primitive.
 };
 
-/// A mesh of the file with one of its materials: what TriangleSoup::parts counts.
+/// A mesh of the file with one of its materials: an element of TriangleSoup::parts.
 struct MeshMaterial {
   int mesh = 0;
   int material = 0;
@@ -57,23 +57,23 @@ struct MeshMaterial {
   friend bool operator==(const MeshMaterial&, const MeshMaterial&) = default;
 };
 
-/// What a soup's parts are called: as the mesh, or as the material where the mesh has several; each name once.
+/// Unique names of a soup's parts: of the mesh, or of the material if the mesh has several.
 [[nodiscard]] std::vector<MeshPart> partsOf(const File& file, std::span<const MeshMaterial> parts,
                                             std::span<const Material> materials);
-/// Numbers anew the parts that the welded mesh has, in their order, and leaves the others out.
+/// Renumbers the parts of the welded mesh in order, and removes the others.
 void keepUsedParts(ControlMesh& mesh, std::vector<MeshMaterial>& parts);
 
-/// All triangles of the scene's meshes, node by node in file order. Primitives without a material get one more,
-/// appended to `materials`. Vertices no triangle uses are left out. Refuses more than kMaxControlTriangles, indices and
-/// joints out of range, positions and weights that are not finite; points and lines are noted.
-/// @param origin  filled if not null  @param parts  likewise
+/// All triangles of the scene's meshes, node by node in file order, without unused vertices. Primitives without a
+/// material get a new one at the end of `materials`. Refuses more than kMaxControlTriangles, indices and joints out of
+/// range, and positions and weights that are not finite; notes points and lines. @param origin, parts  filled if not
+/// null
 [[nodiscard]] TriangleSoup readTriangles(const File& file, const NodeTree& tree, const BoundSkeleton& bound,
                                          Materials& materials, Accessors& accessors, Notes& notes,
                                          SoupOrigin* origin = nullptr, std::vector<MeshMaterial>* parts = nullptr);
 
-/// H of docs/design.md: their y extent, or the largest if they are flat.
+/// H of docs/design.md: the y extent, or the largest extent if flat.
 [[nodiscard]] float heightOf(const std::vector<glm::vec3>& positions);
-/// How near vertices of a file's soup are one (mesh/weld.h).
+/// Tolerance for welding a soup (core/geometry/weld.h).
 [[nodiscard]] float weldTolerance(const TriangleSoup& soup);
 
 }  // namespace sinew::gltf

@@ -5,7 +5,6 @@
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <optional>
 
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>
@@ -16,14 +15,14 @@
 
 namespace sinew::gltf {
 
-// The largest alpha of each material, and what is hidden by it.
+// Hidden characters.
 
 namespace {
 
-/// Less than this rounds to nothing in a picture of 8 bits.
+/// Smaller values round to 0 in 8 bits.
 constexpr float kLeastShown = 0.5f / 255.0f;
 
-/// [materials] the largest alpha of the vertex colors; nullopt: no triangle uses the material.
+/// [materials] the largest alpha of the vertex colors; nullopt: unused.
 std::vector<std::optional<float>> vertexAlphas(const Character& character) {
   std::vector<std::optional<float>> largest(character.materials.size());
   for (const ControlTriangle& triangle : character.mesh.triangles) {
@@ -35,8 +34,10 @@ std::vector<std::optional<float>> vertexAlphas(const Character& character) {
   return largest;
 }
 
-/// Largest alpha, 0..1.
-float textureAlpha(const Texture& texture) {
+/// Largest alpha of a material's texture, 0..1.
+float textureAlpha(const Character& character, const Material& material) {
+  if (material.baseColorTexture < 0) return 1.0f;
+  const Texture& texture = at(character.textures, material.baseColorTexture);
   std::uint8_t largest = 0;
   for (std::size_t i = 3; i < texture.rgba.size() && largest < 255; i += 4) {
     largest = std::max(largest, texture.rgba[i]);
@@ -62,35 +63,17 @@ std::string noteOf(const Material& material, float alpha) {
   return note + " would hide the whole character; shown opaque";
 }
 
-/// Looks at each texture once, and only if asked for.
-class TextureAlphas {
- public:
-  explicit TextureAlphas(const std::vector<Texture>& textures) : textures_(textures), known_(textures.size()) {}
-
-  float of(const Material& material) {
-    if (material.baseColorTexture < 0) return 1.0f;
-    std::optional<float>& known = at(known_, material.baseColorTexture);
-    if (!known) known = textureAlpha(at(textures_, material.baseColorTexture));
-    return *known;
-  }
-
- private:
-  const std::vector<Texture>& textures_;
-  std::vector<std::optional<float>> known_;
-};
-
 }  // namespace
 
 void showHiddenCharacter(Character& character, Notes& notes) {
   const std::vector<std::optional<float>> vertexAlpha = vertexAlphas(character);
   std::vector<float> alphas(character.materials.size(), 1.0f);
-  TextureAlphas textureAlphas(character.textures);
   for (std::size_t m = 0; m < alphas.size(); ++m) {
     const Material& material = character.materials[m];
     if (!vertexAlpha[m]) continue;
     if (material.alphaMode == AlphaMode::kOpaque) return;
     alphas[m] = material.baseColor.a * *vertexAlpha[m];
-    if (!hides(material, alphas[m])) alphas[m] *= textureAlphas.of(material);
+    if (!hides(material, alphas[m])) alphas[m] *= textureAlpha(character, material);
     if (!hides(material, alphas[m])) return;
   }
   for (std::size_t m = 0; m < alphas.size(); ++m) {
@@ -100,9 +83,11 @@ void showHiddenCharacter(Character& character, Notes& notes) {
   }
 }
 
+// The node tree.
+
 namespace {
 
-/// A matrix, or translation, rotation and scale; either way kept in float for posing and in double for binding.
+/// A matrix, or translation, rotation and scale; in float for posing and in double for binding.
 void readTransform(const tinygltf::Node& from, TreeNode& node) {
   if (!from.matrix.empty()) {
     node.local = glm::make_mat4(from.matrix.data());
@@ -139,7 +124,7 @@ void linkChildren(const std::vector<tinygltf::Node>& list, NodeTree& tree, std::
   }
 }
 
-/// Breadth first from the roots; what it does not reach lies on a cycle.
+/// Breadth first from the roots; unreached nodes lie on a cycle.
 void orderNodes(const std::vector<std::vector<int>>& children, NodeTree& tree) {
   tree.order.reserve(tree.nodes.size());
   for (std::size_t i = 0; i < tree.nodes.size(); ++i) {

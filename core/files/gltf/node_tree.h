@@ -1,4 +1,4 @@
-// core/files/gltf/node_tree.h: the node tree of a glTF file.
+// core/files/gltf/node_tree.h: the node tree of a glTF file; characters hidden by their alpha.
 #pragma once
 
 #include <optional>
@@ -8,21 +8,18 @@
 #include <glm/mat4x4.hpp>
 
 #include "core/files/gltf/file.h"
-#include "core/files/gltf/refusal.h"
+#include "core/files/gltf/glb.h"
 #include "sinew/character/character.h"
 #include "sinew/character/skeleton.h"
 
 namespace sinew::gltf {
 
-// Characters that would be invisible because of their alpha.
-
-/// Some converters write alpha 0 by mistake. A material is hidden if the largest alpha it can have (base color's *
-/// texture's * vertex colors') is below its cutoff (MASK) or rounds to 0 (BLEND). A hidden part of a visible character
-/// is taken as intended. If every material in use is hidden, all of them become Material::shownOpaque, each with a
-/// note.
+/// Sets Material::shownOpaque with a note if every material in use is hidden, since some converters write alpha 0 by
+/// mistake. A material is hidden if its largest alpha (base color * texture * vertex colors) is below its cutoff (MASK)
+/// or rounds to 0 (BLEND). A hidden part of a visible character is taken as intended.
 void showHiddenCharacter(Character& character, Notes& notes);
 
-/// One node as the file gives it. Matrices in double, so that products of many of them stay exact to a float.
+/// A node of the file. Matrices are doubles, so that products of many are exact to a float.
 struct TreeNode {
   std::string name;
   int parent = -1;
@@ -41,13 +38,13 @@ struct NodeTree {
   [[nodiscard]] const TreeNode& operator[](int node) const { return nodes[static_cast<std::size_t>(node)]; }
 };
 
-/// Refuses cycles, nodes with two parents, and transforms that are not finite. The default scene counts; without any
-/// scene every root does.
+/// The default scene is used; without scenes every root. Refuses cycles, nodes with two parents, and transforms that
+/// are not finite.
 [[nodiscard]] NodeTree readNodes(const File& file, Notes& notes);
 
-/// Inverse of an affine matrix; nullopt where it is singular, or so near to it that floats could not hold it.
+/// Inverse of an affine matrix; nullopt if it is singular or nearly so.
 [[nodiscard]] std::optional<glm::dmat4> affineInverse(const glm::dmat4& matrix);
-/// Whether every entry fits a float with room for a few products.
+/// Whether every entry, and products of a few, fit a float.
 [[nodiscard]] bool isTame(const glm::dmat4& matrix);
 
 }  // namespace sinew::gltf

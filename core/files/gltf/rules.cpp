@@ -1,4 +1,4 @@
-// core/files/gltf/rules.cpp: the table of glTF 2.0's members (its schema, as far as Sinew reads it).
+// core/files/gltf/rules.cpp: the table of glTF 2.0's members (the part of its schema that is read).
 
 #include "core/files/gltf/rules.h"
 
@@ -20,7 +20,7 @@ constexpr Rule numbers(std::string_view key, std::uint64_t size) {
 }
 constexpr Rule text(std::string_view key) { return {.key = key, .type = Type::kText}; }
 constexpr Rule whole(std::string_view key) { return {.key = key, .type = Type::kWhole, .limit = kMaxWhole}; }
-/// One that tinygltf keeps as an int; nothing larger means anything there.
+/// tinygltf keeps it as an int; larger values have no meaning.
 constexpr Rule wholeInt(std::string_view key) { return {.key = key, .type = Type::kWhole, .limit = kMaxInt}; }
 constexpr Rule index(std::string_view key, std::string_view list) {
   return {.key = key, .type = Type::kIndex, .list = list};
@@ -36,12 +36,12 @@ constexpr Rule list(std::string_view key, const Rule& element) {
 constexpr Rule kAnything{};
 constexpr Rule kAnyText = text("");
 constexpr Rule kNodeIndex = index("", "nodes");
-constexpr Rule kWeight = number("");  // Of a morph target.
+constexpr Rule kWeight = number("");  // of a morph target
 
 constexpr std::array kAssetMembers{text("version")};
 constexpr Rule kAsset = object("asset", kAssetMembers);
 
-// Bytes. tinygltf gets no file and no uri to see (File::openBuffers says why), nor strides it would refuse.
+// Bytes. Buffers (see File::openBuffers) and strides that tinygltf would refuse are hidden from it.
 constexpr std::array kBufferMembers{whole("byteLength").required(), text("uri")};
 constexpr Rule kBuffer = object("", kBufferMembers);
 constexpr std::array kViewMembers{index("buffer", "buffers").required(), whole("byteOffset"),
@@ -74,7 +74,7 @@ constexpr std::array kSkinMembers{list("joints", kNodeIndex).orElse("[]"),
                                   index("inverseBindMatrices", "accessors").orElse("-1")};
 constexpr Rule kSkin = object("", kSkinMembers).checkedWhenUsed(R"({"joints":[],"inverseBindMatrices":-1})");
 
-// Meshes. tinygltf refuses a whole file for indices without a bufferView, so it does not see them.
+// Meshes. tinygltf refuses indices without a bufferView, so they are hidden from it.
 constexpr std::array kMorphMembers{index("POSITION", "accessors").checkedWhenUsed("-1")};
 constexpr Rule kTarget = object("", kMorphMembers).checkedWhenUsed(R"({"POSITION":-1})");
 constexpr std::array kPrimitiveMembers{wholeInt("mode"), list("targets", kTarget),
@@ -84,7 +84,7 @@ constexpr Rule kPrimitive = object("", kPrimitiveMembers).checkedWhenUsed(R"({"a
 constexpr std::array kMeshMembers{text("name"), list("primitives", kPrimitive), list("weights", kWeight)};
 constexpr Rule kMesh = object("", kMeshMembers).checkedWhenUsed("{}");
 
-// Materials. tinygltf would read every image, used or not, so it does not see them.
+// Materials. tinygltf would read even unused images, so they are hidden from it.
 constexpr std::array kImageMembers{index("bufferView", "bufferViews"), text("uri"), text("name")};
 constexpr Rule kImage = object("", kImageMembers).checkedWhenUsed("{}");
 constexpr std::array kSamplerMembers{wholeInt("wrapS"), wholeInt("wrapT"), wholeInt("magFilter")};
@@ -124,7 +124,7 @@ constexpr std::array kMaterialMembers{text("name"),
                                       object("occlusionTexture", kOcclusionInfo)};
 constexpr Rule kMaterial = object("", kMaterialMembers).checkedWhenUsed("{}");
 
-// Animations. tinygltf drops channels and refuses files where one of these is absent, so -1 stands for absence.
+// Animations. tinygltf drops channels and refuses files where one of these is absent, so absence becomes -1.
 constexpr std::array kTargetMembers{text("path").orElse("\"\""), index("node", "nodes").checkedWhenUsed("-1")};
 constexpr std::array kChannelMembers{object("target", kTargetMembers), wholeInt("sampler").checkedWhenUsed("-1")};
 constexpr Rule kChannel = object("", kChannelMembers).checkedWhenUsed(R"({"sampler":-1})");

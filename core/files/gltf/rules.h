@@ -1,4 +1,4 @@
-// core/files/gltf/rules.h: which members of a glTF file Sinew reads, and what each may hold.
+// core/files/gltf/rules.h: the members of a glTF file that are read, and their allowed values.
 #pragma once
 
 #include <cstddef>
@@ -8,7 +8,7 @@
 
 namespace sinew::gltf {
 
-inline constexpr std::uint64_t kMaxWhole = 1ULL << 53;  ///< The largest a double holds with all below it.
+inline constexpr std::uint64_t kMaxWhole = 1ULL << 53;  ///< A double is exact up to this.
 
 enum class Type {
   kAnything,
@@ -21,24 +21,24 @@ enum class Type {
   kComponentType,
   kShape,       ///< SCALAR, VEC3, ...
   kAttributes,  ///< A mesh primitive's: names with the indices of accessors.
-  kMarker,      ///< Anything: only its presence counts.
+  kMarker,      ///< Anything: only its presence matters.
   kObject,
   kList,
 };
 
-/// What a member may hold, and what tinygltf gets to see of it.
+/// Allowed values of a member, and what tinygltf sees of it.
 struct Rule {
   std::string_view key{};  ///< "" for the element of a list.
   Type type = Type::kAnything;
   std::string_view list{};          ///< kIndex
-  std::span<const Rule> members{};  ///< kObject. What is not named here is taken out.
+  std::span<const Rule> members{};  ///< kObject. Others are removed.
   const Rule* element = nullptr;    ///< kList
-  std::uint64_t limit = 0;          ///< kNumbers: how many. kWhole: larger ones are cut to it. kList: elements.
-  std::string_view beyond{};        ///< kList: the reason when there are more.
-  std::string_view otherwise{};     ///< JSON written where it is absent, or wrong and not yet refused; "" for none.
-  bool needed = false;              ///< Its absence is refused.
-  bool whenUsed = false;            ///< Wrong ones are refused only when something uses them (Guarded::expectSound).
-  bool aside = false;               ///< Checked, but not shown to tinygltf.
+  std::uint64_t limit = 0;          ///< kNumbers: how many. kWhole: larger ones become this. kList: most elements.
+  std::string_view beyond{};        ///< kList: the reason for refusing more.
+  std::string_view otherwise{};     ///< JSON if it is absent, or wrong and not yet refused; "" for none.
+  bool needed = false;              ///< Refused if absent.
+  bool whenUsed = false;            ///< Refused only when used (Guarded::expectSound).
+  bool aside = false;               ///< Checked, but hidden from tinygltf.
 
   [[nodiscard]] constexpr Rule required() const {
     Rule rule = *this;
@@ -68,7 +68,7 @@ struct Rule {
   }
 };
 
-/// Rules of `asset`, and of all else.
+/// The rules of `asset`, and of everything else.
 [[nodiscard]] const Rule& assetRule();
 [[nodiscard]] std::span<const Rule> fileRules();
 

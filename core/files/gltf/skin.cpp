@@ -11,11 +11,11 @@
 namespace sinew::gltf {
 namespace {
 
-/// A second skin's binding within this of the first one's (relative to the skeleton's size) is the same binding.
+/// Bindings of two skins that differ less (relative to the skeleton's size) are the same.
 constexpr double kSameBinding = 1e-5;
-/// Paths repeat the names of all ancestors: a long chain of long names would fill the memory.
+/// Paths repeat the names of all ancestors: long chains of long names could fill the memory.
 constexpr std::size_t kMaxPathBytes = 64U << 20;
-/// Joints of all skins together, and bindings besides the bones' own.
+/// Joints of all skins, and additional bindings.
 constexpr std::size_t kMaxSkinJoints = 1U << 18;
 constexpr std::size_t kMaxExtraBindings = 4096;
 
@@ -111,7 +111,7 @@ class Binder {
     refuse("skins", "more than " + std::to_string(kMaxJoints) + " joints", "too large");
   }
 
-  /// Bones in the order the skins name them, then mesh nodes of their own; ancestors first.
+  /// Bones in the order of the skins, then mesh nodes; ancestors first.
   void collectBones() {
     std::vector<bool> isBone(tree_.nodes.size(), false);
     std::vector<int> wanted;
@@ -155,7 +155,7 @@ class Binder {
     }
   }
 
-  /// Bones and what lies above them.
+  /// Bones and their ancestors.
   void makeSkeletonNodes(const std::vector<bool>& isBone) {
     std::vector<bool> needed = isBone;
     for (std::size_t i = tree_.order.size(); i-- > 0;) {
@@ -172,7 +172,7 @@ class Binder {
     }
   }
 
-  /// The bone of a node, after those of its ancestors.
+  /// Adds the bone of a node after those of its ancestors.
   void addBone(int node, const std::vector<int>& boneAbove) {
     std::vector<int> chain;
     for (int n = node; n >= 0 && at(boneOfNode_, n) < 0; n = at(boneAbove, n)) chain.push_back(n);
@@ -209,7 +209,7 @@ class Binder {
     return upright;
   }
 
-  /// Chooses M, then places every joint no earlier skin has placed.
+  /// Chooses M, then places joints that no earlier skin has placed.
   void bindSkin(Skin& skin) {
     chooseMeshToBind(skin);
     for (std::size_t j = 0; j < skin.joints.size(); ++j) {
@@ -222,8 +222,8 @@ class Binder {
     }
   }
 
-  /// M of docs/design.md: the root joint's rest x its inverse bind matrix. A skin that shares a joint with an earlier
-  /// one is placed by that joint instead, so that parts of one body stay together where rest and bind pose differ.
+  /// M of docs/design.md: the root joint's rest x its inverse bind matrix. A joint shared with an earlier skin is used
+  /// instead, so that parts of one body stay together if rest and bind pose differ.
   void chooseMeshToBind(Skin& skin) {
     const std::size_t root = rootOf(skin);
     glm::dmat4 anchor = restOf(skin.joints[root]);
@@ -240,11 +240,11 @@ class Binder {
     if (affineInverse(meshToBind)) skin.meshToBind = meshToBind;
   }
 
-  /// First joint that has no ancestor in the same skin.
+  /// First joint without an ancestor in the same skin.
   std::size_t rootOf(const Skin& skin) const {
     std::vector<bool> inSkin(result_.skeleton.bones.size(), false);
     for (const int joint : skin.joints) inSkin[toIndex(at(boneOfNode_, joint))] = true;
-    std::vector<bool> below(inSkin.size(), false);  // some ancestor is in the skin
+    std::vector<bool> below(inSkin.size(), false);  // an ancestor is in the skin
     for (std::size_t b = 0; b < inSkin.size(); ++b) {
       const int parent = result_.skeleton.bones[b].parent;
       below[b] = parent >= 0 && (at(below, parent) || at(inSkin, parent));
@@ -253,7 +253,7 @@ class Binder {
     return static_cast<std::size_t>(std::ranges::find_if(skin.joints, isRoot) - skin.joints.begin());
   }
 
-  /// Bones of unskinned meshes: as they stand.
+  /// Places bones of unskinned meshes at rest.
   void bindRest() {
     for (std::size_t node = 0; node < tree_.nodes.size(); ++node) {
       const int bone = boneOfNode_[node];
@@ -261,7 +261,7 @@ class Binder {
     }
   }
 
-  /// Binding i < bones is bone i's own; more follow where a later skin binds a joint differently.
+  /// Binding i < bones is that of bone i; more follow for skins that bind a joint differently.
   void makeBindings() {
     std::vector<Binding>& bindings = result_.skeleton.bindings;
     double size = 0.0;

@@ -1,17 +1,13 @@
-// core/files/gltf/unpack.cpp: the JSON of the two extensions, checked by hand, and where their decoded bytes go.
+// core/files/gltf/unpack.cpp: meshoptimizer and Draco behind checks, and the JSON of the two extensions.
 #include "core/files/gltf/unpack.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstddef>
-#include <cstdint>
 #include <cstring>
 #include <limits>
 #include <memory>
-#include <span>
 #include <utility>
-#include <vector>
 
 #include <draco/attributes/attribute_quantization_transform.h>
 #include <draco/compression/mesh/mesh_edgebreaker_decoder.h>
@@ -22,19 +18,18 @@
 #include "core/files/gltf/rules.h"
 #include "core/geometry/at.h"
 #include "sinew/files/gltf_import.h"
-#include "sinew/geometry/result.h"
 
 namespace sinew::gltf {
 
-// Meshoptimizer's decoders behind the rules of EXT_meshopt_compression.
+// Meshoptimizer.
 
 namespace {
 
-/// Bytes of vertices shrink at most this much: two bits for sixteen of them.
+/// Largest compression ratio of vertices: two bits for sixteen bytes.
 constexpr std::uint64_t kMostRatio = 64;
 constexpr std::uint64_t kMostStride = 256;
 
-/// The library asserts what it is told; this is all of that, and what EXT_meshopt_compression asks besides.
+/// Checks the library's assertions and the rules of EXT_meshopt_compression. nullptr: no fault.
 const char* faultOf(const MeshoptView& view) {
   if (view.count == 0) return "has no elements";
   if (view.mode != MeshoptMode::kAttributes) {
@@ -53,7 +48,7 @@ const char* faultOf(const MeshoptView& view) {
                                                                        : nullptr;
 }
 
-/// Whether so few bytes can hold so many elements.
+/// Whether the bytes can hold the elements.
 bool holdsElements(std::uint64_t bytes, const MeshoptView& view) {
   if (view.mode == MeshoptMode::kAttributes) return view.count * view.stride / kMostRatio <= bytes;
   return (view.mode == MeshoptMode::kTriangles ? view.count / 3 : view.count) <= bytes;
@@ -100,49 +95,47 @@ Result<std::vector<std::uint8_t>> decodeMeshopt(std::span<const std::uint8_t> by
 
 namespace {
 
-// Triangles and attributes out of Draco's bytes.
-// Draco's decoders, stopped where they would exceed what the file declares.
+// Draco.
 
-/// An attribute of a compressed mesh, as the accessor it is for declares it.
+/// An attribute of a compressed mesh, as declared by its accessor.
 struct DracoAttribute {
-  std::uint64_t id = 0;   ///< Its number in the compressed bytes.
+  std::uint64_t id = 0;   ///< Number in the compressed bytes.
   int components = 1;     ///< 1 to 16.
-  int componentType = 0;  ///< TINYGLTF_COMPONENT_TYPE_*, one that glTF knows.
+  int componentType = 0;  ///< TINYGLTF_COMPONENT_TYPE_* of glTF.
 };
 
-/// What the file says of the mesh. Whatever the bytes say beyond it is refused before memory is taken for it.
+/// The file's declarations. A mesh that exceeds them is refused before allocating.
 struct DracoRequest {
-  std::size_t vertices = 0;       ///< Exactly so many.
-  std::size_t mostTriangles = 0;  ///< At most so many.
-  std::size_t mostBytes = 0;      ///< All attributes in the bytes together, decoded.
+  std::size_t vertices = 0;       ///< Exactly.
+  std::size_t mostTriangles = 0;  ///< At most.
+  std::size_t mostBytes = 0;      ///< Of all decoded attributes.
   std::vector<DracoAttribute> attributes;
 };
 
 struct DracoMesh {
   std::vector<std::uint32_t> indices;                 ///< [triangles * 3], each below DracoRequest::vertices
-  std::vector<std::vector<std::uint8_t>> attributes;  ///< [attributes] tightly packed values of all vertices
-  std::vector<float> steps;                           ///< [attributes] that values were rounded to; 0: not rounded
+  std::vector<std::vector<std::uint8_t>> attributes;  ///< [attributes] packed values of all vertices
+  std::vector<float> steps;                           ///< [attributes] steps of rounding; 0: none
 };
 
 constexpr std::uint16_t kDracoVersion = 0x0202;
 constexpr int kMostComponents = 16;
 constexpr int kMostAttributes = 64;
 
-/// Triangles times tables of connectivity, which Draco keeps for each attribute with seams: about 1 GiB.
+/// Triangles times tables of connectivity, one for each attribute with seams: about 1 GiB.
 constexpr std::uint64_t kMostTableTriangles = 20'000'000;
 
-/// Bytes that Draco keeps for a vertex and attribute beside the value's.
+/// Bytes that Draco needs for a vertex and attribute besides the value.
 constexpr std::uint64_t kBytesBeside = 8;
 
-/// What the bytes say before anything is decoded.
+/// Sizes in the header of the bytes.
 struct DracoSizes {
-  std::uint32_t vertices = 0;  ///< Those that are encoded: no more than there are in the end.
+  std::uint32_t vertices = 0;  ///< Encoded ones, at most the final number.
   std::uint32_t triangles = 0;
   std::uint64_t tables = 1;
 };
 
-/// A decoder of Draco's that compares what the bytes declare with what the file does, once it knows and before it
-/// allocates.
+/// A Draco decoder that compares sizes with the file's declarations before allocating.
 template <class Decoder>
 class GuardedDecoder : public Decoder {
  public:
@@ -174,7 +167,7 @@ class GuardedDecoder : public Decoder {
       const int components = attribute.num_components();
       if (components < 1 || components > kMostComponents) return stop("has an attribute of more than 16 components");
       const auto size = static_cast<std::uint64_t>(draco::DataTypeLength(attribute.data_type()));
-      // Quantized values stand beside those that they become.
+      // Quantized values are kept beside the final ones.
       bytes += static_cast<std::uint64_t>(components) * (size + 4) + kBytesBeside;
     }
     if (bytes * request_.vertices > request_.mostBytes) return stop("needs more memory than a character may");
@@ -224,25 +217,7 @@ bool copyValues(const draco::PointAttribute& from, std::size_t vertices, int com
   return true;
 }
 
-bool copyValues(const draco::PointAttribute& from, std::size_t vertices, const DracoAttribute& as,
-                std::vector<std::uint8_t>& to) {
-  switch (as.componentType) {
-    case 5120:
-      return copyValues<std::int8_t>(from, vertices, as.components, to);
-    case 5121:
-      return copyValues<std::uint8_t>(from, vertices, as.components, to);
-    case 5122:
-      return copyValues<std::int16_t>(from, vertices, as.components, to);
-    case 5123:
-      return copyValues<std::uint16_t>(from, vertices, as.components, to);
-    case 5125:
-      return copyValues<std::uint32_t>(from, vertices, as.components, to);
-    default:
-      return copyValues<float>(from, vertices, as.components, to);
-  }
-}
-
-/// Index of the attribute of that number, or -1.
+/// Index of the attribute with an id, or -1.
 int findAttribute(const draco::Mesh& mesh, std::uint64_t id) {
   for (int i = 0; i < mesh.num_attributes(); ++i) {
     if (mesh.attribute(i)->unique_id() == id) return i;
@@ -250,7 +225,7 @@ int findAttribute(const draco::Mesh& mesh, std::uint64_t id) {
   return -1;
 }
 
-/// What values of an attribute were rounded to. @param rounded  the attribute as it was decoded, or null
+/// Step that an attribute was rounded to. @param rounded  the decoded attribute, or null
 float stepOf(const draco::PointAttribute* rounded) {
   const draco::AttributeTransformData* const data = rounded ? rounded->GetAttributeTransformData() : nullptr;
   if (!data || data->transform_type() != draco::ATTRIBUTE_QUANTIZATION_TRANSFORM) return 0.0f;
@@ -279,7 +254,11 @@ Result<DracoMesh> take(draco::MeshDecoder& decoder, const draco::Mesh& mesh, con
       return errorAt("", name + " has " + std::to_string(from->num_components()) +
                              " components; its accessor declares " + std::to_string(wanted.components));
     }
-    if (!copyValues(*from, request.vertices, wanted, result.attributes.emplace_back())) {
+    std::vector<std::uint8_t>& values = result.attributes.emplace_back();
+    const bool fits = withComponent(wanted.componentType, [&]<class T>(T) {
+      return copyValues<T>(*from, request.vertices, wanted.components, values);
+    });
+    if (!fits) {
       return errorAt("", name + " has values that do not fit its accessor's component type");
     }
     result.steps.push_back(stepOf(decoder.GetPortableAttribute(index)));
@@ -298,7 +277,7 @@ Result<DracoMesh> decodeWith(draco::DecoderBuffer& buffer, const DracoRequest& r
   return take(decoder, mesh, request);
 }
 
-/// Triangle meshes of Draco's version 2.2, the one that glTF allows. Error: reason only.
+/// Decodes triangle meshes of Draco 2.2, as glTF requires. Error: reason only.
 Result<DracoMesh> decodeDraco(std::span<const std::uint8_t> bytes, const DracoRequest& request) {
   draco::DecoderBuffer buffer;
   buffer.Init(reinterpret_cast<const char*>(bytes.data()), bytes.size());
@@ -320,12 +299,14 @@ Result<DracoMesh> decodeDraco(std::span<const std::uint8_t> bytes, const DracoRe
   }
 }
 
-/// Of all compressed parts of a file together, decoded; no more than a file may have in the first place.
+// Both.
+
+/// Decoded bytes of all compressed parts; as many as a file may have.
 constexpr std::uint64_t kMostUnpacked = 1ULL << 30;
 constexpr std::size_t kMostTriangles = static_cast<std::size_t>(kMaxControlTriangles);
-constexpr std::size_t kMostVertices = 6 * kMostTriangles;  // As of plain primitives.
+constexpr std::size_t kMostVertices = 6 * kMostTriangles;  // as for plain primitives
 
-/// The member of an object that must be a whole number; `otherwise` where it is absent.
+/// A whole number; `otherwise` if absent.
 std::uint64_t wholeIn(const Json& object, std::string_view name, const std::string& place,
                       std::optional<std::uint64_t> otherwise = {}) {
   const Json* const member = object.find(name);
@@ -348,7 +329,7 @@ std::size_t indexIn(const Json& object, std::string_view name, const std::string
   return static_cast<std::size_t>(index);
 }
 
-/// The extension of an element, or null.
+/// An extension of an element, or null.
 const Json* extensionOf(const Json& element, std::string_view name) {
   if (element.kind != Json::Kind::kObject) return nullptr;
   const Json& extensions = element.at("extensions");
@@ -395,7 +376,7 @@ class Unpacker {
       for (std::size_t p = 0; p < model_.meshes[mesh].primitives.size(); ++p) {
         const Json& primitive = meshes[mesh].at("primitives").items()[p];
         const Json* const compressed = extensionOf(primitive, kDraco);
-        const std::string place = placeOf(placeOf("meshes", mesh) + ".primitives", p);
+        const std::string place = placeOfPrimitive(mesh, p);
         if (compressed) unpackPrimitive(primitive, *compressed, place, model_.meshes[mesh].primitives[p]);
       }
     }
@@ -412,7 +393,7 @@ class Unpacker {
     return placeOf("bufferViews", view) + ".extensions." + std::string(kMeshopt);
   }
 
-  /// Views may share their bytes, so that sizes are added up before any is decoded.
+  /// Views may share their bytes, so sizes are summed before decoding.
   PackedView checkView(std::size_t view, const Json& compressed) {
     const std::string place = placeOfView(view);
     const std::size_t buffer = indexIn(compressed, "buffer", place, model_.buffers.size());
@@ -436,7 +417,7 @@ class Unpacker {
     unpacked_ += bytes;
   }
 
-  /// Where a member of the compressed mesh goes.
+  /// Destination of a member of the compressed mesh.
   struct Goal {
     std::string place;
     std::size_t accessor = 0;
@@ -478,7 +459,7 @@ class Unpacker {
     const bool strip = plain.mode == TINYGLTF_MODE_TRIANGLE_STRIP;
     if (request.vertices > kMostVertices) refuse(at, "more than 12 million vertices", "too large");
     if (declared / 3 > kMostTriangles) refuse(at, "more than 2 million triangles", "too large");
-    // A strip is written as the list of triangles that it is compressed as.
+    // A compressed strip becomes a list of triangles.
     request.mostTriangles = strip ? std::min(declared, kMostTriangles) : declared / 3;
     request.mostBytes = static_cast<std::size_t>(kMostUnpacked - unpacked_);
     Result<DracoMesh> decoded = decodeDraco(viewBytes(view, place), request);
@@ -498,7 +479,7 @@ class Unpacker {
     return model_.accessors[goal.accessor];
   }
 
-  /// Files for programs that cannot decompress, too, have all values a second time.
+  /// Whether the file has plain values as well, for programs that cannot decompress.
   [[nodiscard]] bool hasPlainCopy(const std::vector<Goal>& goals, const Goal& corners) const {
     const auto isPlain = [&](const Goal& goal) {
       return model_.accessors[goal.accessor].bufferView >= 0 && !result_.accessors.contains(goal.accessor);
@@ -513,7 +494,7 @@ class Unpacker {
     return bytes_(toIndex(from.buffer), from.byteOffset, from.byteLength, place);
   }
 
-  /// Indices as their accessor declares them.
+  /// Indices in their accessor's component type.
   std::vector<std::uint8_t> asComponents(const std::vector<std::uint32_t>& indices, const Goal& corners) const {
     const int type = model_.accessors[corners.accessor].componentType;
     if (type != TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE && type != TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT &&
@@ -531,7 +512,7 @@ class Unpacker {
     return bytes;
   }
 
-  /// An accessor may belong to several primitives if they give it the same.
+  /// Several primitives may share an accessor if their values are the same.
   void give(const Goal& goal, std::vector<std::uint8_t> bytes, std::size_t count, float step) {
     tinygltf::Accessor& accessor = model_.accessors[goal.accessor];
     if (!result_.accessors.try_emplace(goal.accessor, step).second) {

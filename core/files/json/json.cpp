@@ -2,11 +2,9 @@
 #include "core/files/json/json.h"
 
 #include <algorithm>
-#include <array>
 #include <cassert>
 #include <charconv>
 #include <cmath>
-#include <optional>
 #include <unordered_set>
 
 #include <nlohmann/json.hpp>
@@ -19,7 +17,7 @@ namespace {
 using Library = nlohmann::ordered_json;
 using Kind = Json::Kind;
 
-constexpr std::size_t kInlineWidth = 100;  // Lists of plain values up to this long stay on one line.
+constexpr std::size_t kInlineWidth = 100;  // Longest list of plain values on one line.
 
 template <class Number>
 void setShortest(Number value, Json& json) {
@@ -37,7 +35,7 @@ std::string quoted(const std::string& text) {
 
 bool isContainer(const Json& node) { return node.kind == Kind::kArray || node.kind == Kind::kObject; }
 
-/// Appends the node's text. `spaced` puts a space after commas and colons, and inside braces.
+/// @param spaced  with a space after commas and colons, and inside braces
 void writeFlat(const Json& node, bool spaced, std::string& out) {
   switch (node.kind) {
     case Kind::kNull:
@@ -151,7 +149,7 @@ bool Json::boolean(bool fallback) const {
 double Json::number(double fallback) const {
   if (kind != Kind::kNumber) return fallback;
   double value = 0.0;
-  // What is too small for a double is reported as out of range and is 0; too large does not pass the parser.
+  // Numbers too small for a double are out of range and become 0; the parser refuses those too large.
   const auto [end, status] = std::from_chars(content.data(), content.data() + content.size(), value);
   return status == std::errc{} ? value : 0.0;
 }
@@ -167,12 +165,9 @@ std::string Json::dump(bool indented) const {
 
 std::string validUtf8(const std::string& text) { return Library::parse(quoted(text)).get<std::string>(); }
 
-// Nlohmann's lexer drives a small builder that knows the path and the limits.
+// Parsing: nlohmann's lexer drives a builder that knows the path and the limits.
 
 namespace {
-
-using Library = nlohmann::ordered_json;
-using Kind = Json::Kind;
 
 constexpr int kOutOfRangeId = 406;  // nlohmann: a number no double can hold.
 
@@ -186,14 +181,14 @@ std::string positionText(std::string_view text, std::size_t bytesRead) {
   return "byte " + std::to_string(byte) + " (line " + std::to_string(line) + ", column " + std::to_string(column) + ')';
 }
 
-/// What the library says, without its own name and position.
+/// The library's message without its name and position.
 std::string plainReason(const std::string& message) {
   const std::size_t column = message.find("column ");
   const std::size_t colon = column == std::string::npos ? column : message.find(": ", column);
   return colon == std::string::npos ? message : message.substr(colon + 2);
 }
 
-/// Receives the library's events and grows the tree. Returning false ends the parse.
+/// Receives the library's events and builds the tree. Returning false ends the parse.
 class Builder {
  public:
   using number_integer_t = Library::number_integer_t;
@@ -220,7 +215,7 @@ class Builder {
     pendingKey_ = name;
     if (leftOutAt_ == 0 && !limits_.leftOut.empty() && name == limits_.leftOut && !kept()) leftOutAt_ = stack_.size();
     if (stack_.back().keys.insert(name).second) return true;
-    return fail(shortPath(), "this key stands twice in its object");
+    return fail(shortPath(), "this key appears twice in its object");
   }
 
   bool parse_error(std::size_t bytesRead, const std::string& token, const Library::exception& error) {
@@ -247,7 +242,7 @@ class Builder {
     return false;
   }
 
-  /// The path of the value that comes next, "primitives[2].radii[1]".
+  /// Path of the next value, "primitives[2].radii[1]".
   [[nodiscard]] std::string path() const {
     std::string result;
     for (std::size_t i = 0; i < stack_.size(); ++i) {
@@ -273,7 +268,7 @@ class Builder {
     return true;
   }
 
-  /// Whether the object at hand is an element of the list that keeps the member.
+  /// Whether the current object is an element of keptIn.
   [[nodiscard]] bool kept() const {
     return stack_.size() == 3 && !limits_.keptIn.empty() && stack_[1].node.key == limits_.keptIn;
   }
@@ -308,7 +303,7 @@ class Builder {
     return true;
   }
 
-  /// The path of something deep is itself too long to read: its beginning says enough.
+  /// The beginning of a long path.
   [[nodiscard]] std::string shortPath() const {
     constexpr std::size_t kMaxLength = 60;
     const std::string whole = path();
@@ -324,7 +319,7 @@ class Builder {
 
   std::string_view text_;
   JsonLimits limits_;
-  std::size_t leftOutAt_ = 0;  // Depth of the object whose member is being left out; 0 while all is kept.
+  std::size_t leftOutAt_ = 0;  // Depth of the object whose member is being dropped; 0: none.
   std::vector<Frame> stack_;
   std::string pendingKey_;
   int values_ = 0;
@@ -351,6 +346,97 @@ std::string shortened(std::string message) {
     if (static_cast<unsigned char>(c) >= 0x7f) c = '?';  // the cut may have split a character
   }
   return message;
+}
+
+// Reading values out of nodes.
+
+namespace {
+
+std::string describe(const Json& node) {
+  switch (node.kind) {
+    case Kind::kNull:
+      return "null";
+    case Kind::kFalse:
+      return "false";
+    case Kind::kTrue:
+      return "true";
+    case Kind::kNumber:
+      return node.content;
+    case Kind::kString:
+      return node.content.size() <= 40 ? '"' + node.content + '"' : "a text";
+    case Kind::kArray:
+      return "an array of " + std::to_string(node.children.size());
+    case Kind::kObject:
+      break;
+  }
+  return "an object";
+}
+
+}  // namespace
+
+void Reader::expect(const Place& place, const std::string& expected, const Json& node) {
+  refuse(place, "expected " + expected + ", got " + describe(node));
+}
+
+std::string Reader::text(const Json& node, const Place& place) {
+  if (node.kind == Kind::kString) return node.content;
+  expect(place, "a text", node);
+  return {};
+}
+
+float Reader::number(const Json& node, const Place& place) {
+  if (node.kind != Kind::kNumber) {
+    expect(place, "a number", node);
+    return 0.0f;
+  }
+  float value = 0.0f;
+  const char* const end = node.content.data() + node.content.size();
+  if (std::from_chars(node.content.data(), end, value).ec == std::errc{}) return value;
+  // Out of a float's range: small numbers become 0, large ones are refused.
+  double wide = 0.0;
+  if (std::from_chars(node.content.data(), end, wide).ec != std::errc{} || std::abs(wide) < 1.0) return 0.0f;
+  expect(place, "a number of at most 3.4028235e+38", node);
+  return 0.0f;
+}
+
+void Reader::vector(const Json& node, const Place& place, std::span<float> values) {
+  if (node.kind != Kind::kArray || node.children.size() != values.size()) {
+    return expect(place, "an array of " + std::to_string(values.size()) + " numbers", node);
+  }
+  for (std::size_t i = 0; i < values.size(); ++i) values[i] = number(node.children[i], at(place, i));
+}
+
+int Reader::wholeNumber(const Json& node, const Place& place, const std::string& expected) {
+  int value = 0;
+  const char* const end = node.content.data() + node.content.size();
+  const auto [stop, status] = std::from_chars(node.content.data(), end, value);
+  if (node.kind == Kind::kNumber && status == std::errc{} && stop == end) return value;
+  expect(place, expected, node);
+  return 0;
+}
+
+std::string unknownKeys(const Json& object, std::span<const std::string_view> known) {
+  Json rest = Json::object();
+  for (const Json& child : object.children) {
+    if (std::ranges::find(known, child.key) == known.end()) rest.children.push_back(child);
+  }
+  return rest.children.empty() ? std::string() : rest.dump();
+}
+
+void readFloat(Reader& reader, const Json& object, const Place& place, const char* key, float& value) {
+  if (const Json* node = object.find(key)) value = reader.number(*node, Reader::join(place, key));
+}
+
+void readSwitch(Reader& reader, const Json& object, const Place& place, const char* key, bool& value) {
+  const Json* node = object.find(key);
+  if (!node) return;
+  value = node->kind == Kind::kTrue;
+  if (!value && node->kind != Kind::kFalse) reader.expect(Reader::join(place, key), "true or false", *node);
+}
+
+std::string readNeededText(Reader& reader, const Json& object, const Place& place, const char* key) {
+  const Json* node = reader.need(object, place, key, "a text");
+  return node ? reader.text(*node, Reader::join(place, key)) : std::string();
 }
 
 }  // namespace sinew

@@ -6,8 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "core/files/gltf/image.h"
-#include "core/files/gltf/image_bytes.h"
+#include "core/files/gltf/material.h"
 #include "core/geometry/at.h"
 
 namespace sinew::usd {
@@ -16,10 +15,6 @@ namespace {
 constexpr int kClamp = TINYGLTF_TEXTURE_WRAP_CLAMP_TO_EDGE;
 constexpr int kMirror = TINYGLTF_TEXTURE_WRAP_MIRRORED_REPEAT;
 constexpr std::size_t kMostPixels = static_cast<std::size_t>(gltf::kMaxImageSide) * gltf::kMaxImageSide;  // of an image
-
-const Json* memberIn(const Json& object, std::string_view name) {
-  return object.kind == Json::Kind::kObject ? object.find(name) : nullptr;
-}
 
 float numberIn(const Json& object, std::string_view name, double otherwise) {
   return static_cast<float>(object.at(name).number(otherwise));
@@ -35,7 +30,7 @@ glm::vec<N, float> vectorIn(const Json& object, std::string_view name, float oth
   return result;
 }
 
-/// Element of one of the root's lists that an index names, or a null value.
+/// Element of one of the root's lists, or a null value.
 const Json& elementOf(const Json& root, std::string_view list, const Json& index) {
   static const Json kNone;
   const std::vector<Json>& items = root.at(list).items();
@@ -48,19 +43,9 @@ std::string wrapOf(const Json& sampler, const char* axis) {
   return quoted(mode == kClamp ? "clamp" : mode == kMirror ? "mirror" : "repeat");
 }
 
-std::string float4(const glm::vec4& v) {
-  std::string out = "(";
-  for (int i = 0; i < 4; ++i) {
-    if (i > 0) out += ", ";
-    appendNumber(out, v[i]);
-  }
-  return out + ')';
-}
-
-std::string numberOf(float value) {
-  std::string out;
-  appendNumber(out, value);
-  return out;
+void openShader(const std::string& name, const char* id, Text& text) {
+  text.open("def Shader \"" + name + '"');
+  text.line("uniform token info:id = \"" + std::string(id) + '"');
 }
 
 }  // namespace
@@ -68,7 +53,7 @@ std::string numberOf(float value) {
 Materials::Materials(gltf::File& file, const Json& root, std::span<const Mesh> meshes, std::string stem,
                      std::set<std::string>& left)
     : file_(file), root_(root), stem_(std::move(stem)), left_(left) {
-  // Brackets and @ have a meaning in USD's asset paths.
+  // Brackets and @ have a meaning in asset paths of USD.
   for (char& c : stem_) {
     if (static_cast<unsigned char>(c) < ' ' || c == 0x7f || std::string_view("@[]:\\").find(c) != std::string::npos) {
       c = '_';
@@ -121,29 +106,29 @@ std::vector<Materials::Input> Materials::inputsOf(const Json& material) const {
   const bool isGlossy = glossy.kind == Json::Kind::kObject;
   const Json& pbr = isGlossy ? glossy : material.at("pbrMetallicRoughness");
   const auto color = vectorIn<4>(pbr, isGlossy ? "diffuseFactor" : "baseColorFactor", 1.0f);
-  const Json* base = memberIn(pbr, isGlossy ? "diffuseTexture" : "baseColorTexture");
+  const Json* base = pbr.find(isGlossy ? "diffuseTexture" : "baseColorTexture");
   const float metallic = isGlossy ? 0.0f : numberIn(pbr, "metallicFactor", 1.0);
   const float roughness =
       isGlossy ? 1.0f - numberIn(pbr, "glossinessFactor", 1.0) : numberIn(pbr, "roughnessFactor", 1.0);
-  const Json* rough = isGlossy ? nullptr : memberIn(pbr, "metallicRoughnessTexture");
+  const Json* rough = isGlossy ? nullptr : pbr.find("metallicRoughnessTexture");
   const auto glow = vectorIn<3>(material, "emissiveFactor", 0.0f);
-  const Json* normal = memberIn(material, "normalTexture");
-  const Json* dark = memberIn(material, "occlusionTexture");
+  const Json* normal = material.find("normalTexture");
+  const Json* dark = material.find("occlusionTexture");
   const std::string alpha = material.at("alphaMode").text("OPAQUE");
   std::vector<Input> inputs{{"color3f inputs:diffuseColor", tupleText(glm::vec3(color)), "BaseColor",
                              "float3 outputs:rgb", base, true, color, kZero},
-                            {"float inputs:metallic", numberOf(metallic), "MetallicRoughness", "float outputs:b", rough,
-                             false, glm::vec4(1.0f, roughness, metallic, 1.0f), kZero},
-                            {"float inputs:roughness", numberOf(roughness), "MetallicRoughness", "float outputs:g",
+                            {"float inputs:metallic", numberText(metallic), "MetallicRoughness", "float outputs:b",
+                             rough, false, glm::vec4(1.0f, roughness, metallic, 1.0f), kZero},
+                            {"float inputs:roughness", numberText(roughness), "MetallicRoughness", "float outputs:g",
                              rough, false, glm::vec4(1.0f, roughness, metallic, 1.0f), kZero},
                             {"color3f inputs:emissiveColor", tupleText(glow), "Emissive", "float3 outputs:rgb",
-                             memberIn(material, "emissiveTexture"), true, glm::vec4(glow, 1.0f), kZero}};
+                             material.find("emissiveTexture"), true, glm::vec4(glow, 1.0f), kZero}};
   if (alpha == "MASK" || alpha == "BLEND") {
     inputs.push_back(
-        {"float inputs:opacity", numberOf(color.a), "BaseColor", "float outputs:a", base, true, color, kZero});
+        {"float inputs:opacity", numberText(color.a), "BaseColor", "float outputs:a", base, true, color, kZero});
   }
   if (alpha == "MASK") {
-    inputs.push_back({"float inputs:opacityThreshold", numberOf(numberIn(material, "alphaCutoff", 0.5)), "", "",
+    inputs.push_back({"float inputs:opacityThreshold", numberText(numberIn(material, "alphaCutoff", 0.5)), "", "",
                       nullptr, false, kOne, kZero});
   }
   if (normal) {
@@ -182,8 +167,7 @@ void Materials::writeMaterial(int number, const std::string& path, Text& text) {
     std::set<std::string> outputs;
   };
   std::map<std::string, Prim> textures;  // by name of the prim
-  text.open("def Shader \"Surface\"");
-  text.line("uniform token info:id = \"UsdPreviewSurface\"");
+  openShader("Surface", "UsdPreviewSurface", text);
   const std::vector<Input> inputs = inputsOf(from);
   const bool isColored = colored_.contains(number);
   bool readsColors = false;
@@ -207,16 +191,14 @@ void Materials::writeMaterial(int number, const std::string& path, Text& text) {
     left_.insert("vertex colours over textures: UsdPreviewSurface cannot multiply them; they are in displayColor");
   }
   if (readsColors) {
-    text.open("def Shader \"VertexColor\"");
-    text.line("uniform token info:id = \"UsdPrimvarReader_float3\"");
+    openShader("VertexColor", "UsdPrimvarReader_float3", text);
     text.line("string inputs:varname = \"displayColor\"");
     text.line("float3 outputs:result");
     text.close();
   }
   for (const auto& [shader, prim] : textures) {
     const std::string st = writeTransform(prim.input, path, text);
-    text.open("def Shader \"" + shader + '"');
-    text.line("uniform token info:id = \"UsdUVTexture\"");
+    openShader(shader, "UsdUVTexture", text);
     text.attribute("asset inputs:file", '@' + prim.file + '@');
     text.attribute("float2 inputs:st.connect", '<' + st + ".outputs:result>");
     text.attribute("token inputs:sourceColorSpace", quoted(prim.input.color ? "sRGB" : "raw"));
@@ -224,22 +206,21 @@ void Materials::writeMaterial(int number, const std::string& path, Text& text) {
     const Json& sampler = elementOf(root_, "samplers", texture.at("sampler"));
     text.attribute("token inputs:wrapS", wrapOf(sampler, "wrapS"));
     text.attribute("token inputs:wrapT", wrapOf(sampler, "wrapT"));
-    text.attribute("float4 inputs:scale", float4(prim.input.scale));
-    text.attribute("float4 inputs:bias", float4(prim.input.bias));
+    text.attribute("float4 inputs:scale", tupleText(prim.input.scale));
+    text.attribute("float4 inputs:bias", tupleText(prim.input.bias));
     for (const std::string& output : prim.outputs) text.line(output);
     text.close();
   }
   text.close();
 }
 
-/// glTF's transform turns texture coordinates whose v goes down; here it goes up. Returns the path of what gives st.
+/// The transform of glTF is for v downwards; in USD v goes upwards. Returns the path of the prim that outputs st.
 std::string Materials::writeTransform(const Input& input, const std::string& path, Text& text) {
   const std::string shader = std::string(input.shader) + "_st";
   const Json& transform = input.texture->at("extensions").at("KHR_texture_transform");
   const double own = input.texture->at("texCoord").number(0.0);
   const double set = std::clamp(transform.at("texCoord").number(own), 0.0, 255.0);
-  text.open("def Shader \"" + shader + '"');
-  text.line("uniform token info:id = \"UsdPrimvarReader_float2\"");
+  openShader(shader, "UsdPrimvarReader_float2", text);
   text.attribute("string inputs:varname", quoted(uvName(static_cast<std::size_t>(set))));
   text.line("float2 outputs:result");
   text.close();
@@ -247,10 +228,9 @@ std::string Materials::writeTransform(const Input& input, const std::string& pat
   const auto offset = vectorIn<2>(transform, "offset", 0.0f);
   const auto scale = vectorIn<2>(transform, "scale", 1.0f);
   const float angle = numberIn(transform, "rotation", 0.0);
-  text.open("def Shader \"" + shader + "_transform\"");
-  text.line("uniform token info:id = \"UsdTransform2d\"");
+  openShader(shader + "_transform", "UsdTransform2d", text);
   text.attribute("float2 inputs:in.connect", '<' + path + '/' + shader + ".outputs:result>");
-  text.attribute("float inputs:rotation", numberOf(angle * 180.0f / std::numbers::pi_v<float>));
+  text.attribute("float inputs:rotation", numberText(angle * 180.0f / std::numbers::pi_v<float>));
   text.attribute("float2 inputs:scale", tupleText(scale));
   const glm::vec2 translation(offset.x + std::sin(angle) * scale.y, 1.0f - offset.y - std::cos(angle) * scale.y);
   text.attribute("float2 inputs:translation", tupleText(translation));
@@ -280,7 +260,7 @@ std::string Materials::fileOf(const Json& textureInfo) {
   return name;
 }
 
-/// What UsdUVTexture need not know becomes a PNG. Empty where there is no image.
+/// Images other than PNG and JPEG become PNG. Empty without an image.
 ImageFile Materials::imageOf(int image) {
   const Result<gltf::EncodedImage> encoded = file_.encodedImage(toIndex(image));
   if (!encoded) return {};

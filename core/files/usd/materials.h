@@ -1,4 +1,4 @@
-// core/files/usd/materials.h: glTF's materials as UsdPreviewSurface, their images as files beside the .usda.
+// core/files/usd/materials.h: glTF materials as UsdPreviewSurface, with images as files beside the .usda.
 #pragma once
 
 #include <map>
@@ -15,16 +15,16 @@
 
 namespace sinew::usd {
 
-/// Those that meshes have. Images are taken over byte for byte where they are PNG or JPEG; of WebP a PNG is made.
+/// Materials in use. PNG and JPEG images are copied; WebP becomes PNG.
 class Materials {
  public:
-  /// @param root  the file's JSON, of which images are read by `file`  @param stem  images are called STEM_N.png
+  /// @param root  the file's JSON  @param stem  images are named STEM_N.png
   Materials(gltf::File& file, const Json& root, std::span<const Mesh> meshes, std::string stem,
             std::set<std::string>& left);
 
-  /// A scope of them below the prim of that path; nothing where no mesh has one.
+  /// Writes a scope of materials below the prim `above`, if there are any.
   void write(const std::string& above, Text& text);
-  /// Lines that bind a mesh to its material.
+  /// Binds a mesh to its material.
   void bind(const Mesh& mesh, const std::string& above, Text& text) const;
 
   [[nodiscard]] glm::vec4 factorOf(const Mesh& mesh) const;
@@ -32,11 +32,11 @@ class Materials {
   [[nodiscard]] std::vector<SideFile> takeTextures() && { return std::move(textures_); }
 
  private:
-  /// A value, or a texture's channels where the material has one.
+  /// An input: a value, or channels of a texture.
   struct Input {
     std::string declaration;  ///< "color3f inputs:diffuseColor"
     std::string value;
-    const char* shader;   ///< Name of the texture's prim.
+    const char* shader;   ///< Prim of the texture.
     const char* output;   ///< "float3 outputs:rgb"
     const Json* texture;  ///< glTF's textureInfo, or null.
     bool color;           ///< sRGB.
@@ -49,7 +49,7 @@ class Materials {
   void writeMaterial(int number, const std::string& path, Text& text);
   [[nodiscard]] std::vector<Input> inputsOf(const Json& material) const;
   std::string writeTransform(const Input& input, const std::string& path, Text& text);
-  /// Name of the file beside, "" for none that can be shown.
+  /// Name of the image file; "" if unreadable.
   std::string fileOf(const Json& textureInfo);
   ImageFile imageOf(int image);
 
@@ -57,8 +57,8 @@ class Materials {
   const Json& root_;
   std::string stem_;
   std::set<std::string>& left_;
-  std::map<int, std::string> names_;  // of materials in use: identifiers
-  std::set<int> colored_;             // of which every mesh has vertex colors
+  std::map<int, std::string> names_;  // identifiers of materials in use
+  std::set<int> colored_;             // materials with vertex colors on every mesh
   std::map<int, std::string> files_;  // by image
   std::vector<SideFile> textures_;
 };

@@ -2,7 +2,6 @@
 #include "core/files/usd/meshes.h"
 
 #include <algorithm>
-#include <array>
 #include <utility>
 
 #include <glm/common.hpp>
@@ -14,7 +13,7 @@
 namespace sinew::usd {
 namespace {
 
-/// Vertices of a primitive, as the import allows them.
+/// Limit of vertices of a primitive.
 constexpr std::size_t kMeshesMostVertices = 200'000'000;
 constexpr std::size_t kFour = 4;
 
@@ -22,8 +21,7 @@ class MeshReader {
  public:
   MeshReader(const gltf::BoundSkeleton& bound, gltf::Accessors& accessors) : bound_(bound), accessors_(accessors) {}
 
-  /// Without triangles where there are none.
-  /// @param attributes  as the file's JSON has them: the import knows no normals
+  /// May have no triangles. @param attributes  in the file's JSON, since the import reads no normals
   Mesh read(const tinygltf::Primitive& primitive, const Json& attributes, const std::string& place,
             const gltf::MeshBinding& binding) {
     Mesh mesh;
@@ -95,7 +93,7 @@ class MeshReader {
   void readTriangles(const tinygltf::Primitive& primitive, const std::string& place, Mesh& mesh) {
     const gltf::Accessor* indices =
         primitive.indices < 0 ? nullptr : &accessors_.open(primitive.indices, place + ".indices", TINYGLTF_TYPE_SCALAR);
-    // Skinned, a mirrored mesh is turned inside out: USD looks at the points as they lie in the mesh.
+    // A mirrored skinned mesh would be inside out: USD uses the points in mesh space.
     const bool mirrored = glm::determinant(glm::dmat3(mesh.meshToBind)) < 0.0;
     const std::size_t corners = indices ? indices->count() : mesh.points.size();
     const std::size_t count = gltf::triangleCount(primitive.mode, corners);
@@ -148,7 +146,7 @@ class MeshReader {
   }
 
   static void setSum(double sum, std::span<float> weights) {
-    constexpr double kRounded = 2e-6;  // Sums that floats cannot better stay as they are.
+    constexpr double kRounded = 2e-6;  // Rounding of floats.
     if (!(sum > 0.0)) weights.front() = 1.0f;
     else if (std::abs(sum - 1.0) > kRounded) {
       for (float& weight : weights) weight = static_cast<float>(static_cast<double>(weight) / sum);

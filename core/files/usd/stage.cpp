@@ -1,14 +1,11 @@
-// core/files/usd/stage.cpp: prims in their order; what both kinds of stage share.
+// core/files/usd/stage.cpp: joints and clips, blend shapes, and the prims of both kinds of stage.
 #include "core/files/usd/stage.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <map>
-#include <span>
-#include <string>
 #include <utility>
-#include <vector>
 
 #include <glm/gtc/packing.hpp>
 #include <glm/matrix.hpp>
@@ -22,14 +19,16 @@
 
 namespace sinew::usd {
 
-// Nodes folded into joints, clips sampled, constant scales taken out.
+// Joints and clips.
 
 namespace {
 
 using exporting::Trs;
 using exporting::trsOf;
 
-/// Relative; what keys of a scale that stands still differ by.
+constexpr double kFramesPerSecond = 30.0;
+constexpr double kMostSamples = 4e7;  ///< Joints times frames of all clips.
+/// Relative difference of keys of a constant scale.
 constexpr double kSameScale = 1e-6;
 
 bool isEven(const glm::dvec3& scale) {
@@ -49,7 +48,7 @@ Trs trsOf(const LocalTransform& local) {
   return result;
 }
 
-/// What stands in a space that scales evenly, in the space above.
+/// A transform in an evenly scaled space, in the space above it.
 Trs fold(const Trs& above, const Trs& below) {
   const double size = above.scale.x;
   return {above.translation + above.rotation * (size * below.translation), above.rotation * below.rotation,
@@ -86,7 +85,7 @@ class JointMaker {
       }
     }
     for (const Bone& bone : skeleton_.bones) wanted[toIndex(bone.node)] = true;
-    std::vector<bool> below(wanted.size(), false);  // Whether a node above is a joint.
+    std::vector<bool> below(wanted.size(), false);  // a node above is a joint
     int roots = 0;
     for (std::size_t node = 0; node < wanted.size(); ++node) {
       const int parent = skeleton_.nodes[node].parent;
@@ -94,7 +93,7 @@ class JointMaker {
       roots += wanted[node] && !below[node] ? 1 : 0;
       if (wanted[node]) nodes_.push_back(static_cast<int>(node));
     }
-    // Readers want one root.
+    // Readers need one root.
     if (roots != 1) result_.joints.push_back({.name = "root"});
   }
 
@@ -158,7 +157,7 @@ class JointMaker {
       }
       locals.push_back(local);
     }
-    locals.resize(result_.joints.size());  // Those of further bindings stand in their bones.
+    locals.resize(result_.joints.size());  // additional bindings: identity
     return locals;
   }
 
@@ -182,7 +181,7 @@ class JointMaker {
     }
   }
 
-  /// Calls visit(Trs&) for the rest pose and all moments.
+  /// Calls visit(Trs&) for the rest pose and all frames.
   template <class Visit>
   void eachLocal(std::size_t joint, const Visit& visit) {
     visit(result_.joints[joint].rest);
@@ -191,7 +190,7 @@ class JointMaker {
     }
   }
 
-  /// The joint's space becomes `size` times as large; what hangs on it counts in the new lengths.
+  /// Scales the joints' spaces by constant scales, and the transforms of their children accordingly.
   void takeOutScales() {
     std::vector<double> sizes(result_.joints.size(), 1.0);
     for (std::size_t j = 0; j < sizes.size(); ++j) {
@@ -247,101 +246,98 @@ Joints jointsOf(const gltf::BoundSkeleton& bound, std::span<const AnimationClip>
 
 namespace {
 
-// The morph targets of a glTF file's nodes as one list of names and weights.
-// Tokens, prims and sampled weights.
+// Blend shapes.
+
+/// One value where nothing moves, else one a frame.
+void putSamples(const std::string& declaration, std::span<const double> frames, const std::vector<std::string>& values,
+                Text& text) {
+  if (std::ranges::all_of(values, [&](const std::string& value) { return value == values.front(); })) {
+    text.attribute(declaration, values.front());
+    return;
+  }
+  text.openSamples(declaration);
+  for (std::size_t f = 0; f < values.size(); ++f) text.line(numberText(frames[f]) + ": " + values[f] + ',');
+  text.close();
+}
 
 /// USD animates blend shapes by name, all meshes together; glTF node by node. So each target of each node has a name of
-/// its own. At rest USD knows no weights but 0.
+/// its own. At rest USD has no weights but 0.
 class BlendShapes {
  public:
-  BlendShapes(const gltf::File& file, const gltf::NodeTree& tree, std::span<const Mesh> meshes);
+  BlendShapes(const gltf::File& file, const gltf::NodeTree& tree, std::span<const Mesh> meshes) {
+    ofNodes_.resize(tree.nodes.size());
+    Siblings siblings;
+    for (const Mesh& mesh : meshes) {
+      gltf::NodeTargets& of = at(ofNodes_, mesh.node);
+      if (of.count == 0) of.first = static_cast<int>(tokens_.size());
+      const int number = tree[mesh.node].mesh;
+      const std::vector<std::string>& named = file.targetNames(number);
+      const std::vector<double>& own = at(file.model().nodes, mesh.node).weights;
+      const std::vector<double>& weights = own.empty() ? at(file.model().meshes, number).weights : own;
+      for (auto k = toIndex(of.count); k < mesh.shapes.size(); ++k) {
+        names_.push_back(k < named.size() ? named[k] : std::string());
+        tokens_.push_back(siblings.fresh(identifierOf(names_.back(), "Shape")));
+        rest_.push_back(k < weights.size() ? static_cast<float>(weights[k]) : 0.0f);
+        ++of.count;
+      }
+    }
+  }
 
-  /// What clips number.
+  /// Targets of nodes, as clips number them.
   [[nodiscard]] const std::vector<gltf::NodeTargets>& ofNodes() const { return ofNodes_; }
-  [[nodiscard]] bool isEmpty() const { return tokens_.empty(); }
-  /// Whether all weigh nothing where no clip plays.
-  [[nodiscard]] bool restsAtZero() const;
-  /// Of a mesh prim that is open: its list, and a prim for each. @param path  of the mesh
-  void writeMesh(const Mesh& mesh, const std::string& path, Text& text) const;
-  /// Of a SkelAnimation that is open. @param frames  of kFramesPerSecond
-  void writeClip(const AnimationClip& clip, std::span<const double> frames, Text& text) const;
+
+  /// Whether all weights are 0 without a clip.
+  [[nodiscard]] bool restsAtZero() const {
+    return std::ranges::all_of(rest_, [](float weight) { return weight == 0.0f; });
+  }
+
+  /// The list of an open mesh prim, and a prim for each shape. @param path  of the mesh
+  void writeMesh(const Mesh& mesh, const std::string& path, Text& text) const {
+    if (mesh.shapes.empty()) return;
+    const auto first = toIndex(at(ofNodes_, mesh.node).first);
+    const std::span<const std::string> tokens = std::span(tokens_).subspan(first, mesh.shapes.size());
+    std::string targets;
+    for (const std::string& token : tokens) targets += (targets.empty() ? "[<" : ", <") + path + '/' + token + '>';
+    text.attribute("uniform token[] skel:blendShapes", quotedList(tokens));
+    text.attribute("rel skel:blendShapeTargets", targets + ']');
+    for (std::size_t k = 0; k < mesh.shapes.size(); ++k) {
+      const BlendShape& shape = mesh.shapes[k];
+      text.open("def BlendShape \"" + tokens[k] + '"', displayName(names_[first + k], tokens[k]));
+      if (!shape.normalOffsets.empty())
+        text.attribute("uniform vector3f[] normalOffsets", arrayText(shape.normalOffsets));
+      text.attribute("uniform vector3f[] offsets", arrayText(shape.offsets));
+      text.attribute("uniform int[] pointIndices", arrayText(shape.points));
+      text.close();
+    }
+  }
+
+  /// For an open SkelAnimation. @param frames  of kFramesPerSecond
+  void writeClip(const AnimationClip& clip, std::span<const double> frames, Text& text) const {
+    if (tokens_.empty()) return;
+    text.attribute("uniform token[] blendShapes", quotedList(tokens_));
+    std::vector<std::string> values;
+    std::vector<float> weights = rest_;
+    for (const double frame : frames) {
+      const float time = std::min(static_cast<float>(frame / kFramesPerSecond), clip.duration);
+      for (const MorphChannel& channel : clip.morphChannels) {
+        sampleMorphs(channel, time, std::span(weights).subspan(toIndex(channel.firstTarget), toIndex(channel.targets)));
+      }
+      values.push_back(arrayText(weights));
+    }
+    putSamples("float[] blendShapeWeights", frames, values, text);
+  }
 
  private:
   std::vector<gltf::NodeTargets> ofNodes_;
   std::vector<std::string> tokens_;  ///< [targets of all nodes]
   std::vector<std::string> names_;   ///< As in the file.
-  std::vector<float> rest_;          ///< Weights where no clip sets them.
+  std::vector<float> rest_;          ///< Weights without a clip.
 };
-
-BlendShapes::BlendShapes(const gltf::File& file, const gltf::NodeTree& tree, std::span<const Mesh> meshes) {
-  ofNodes_.resize(tree.nodes.size());
-  Siblings siblings;
-  for (const Mesh& mesh : meshes) {
-    gltf::NodeTargets& of = at(ofNodes_, mesh.node);
-    if (of.count == 0) of.first = static_cast<int>(tokens_.size());
-    const int number = tree[mesh.node].mesh;
-    const std::vector<std::string>& named = file.targetNames(number);
-    const std::vector<double>& own = at(file.model().nodes, mesh.node).weights;
-    const std::vector<double>& weights = own.empty() ? at(file.model().meshes, number).weights : own;
-    for (auto k = toIndex(of.count); k < mesh.shapes.size(); ++k) {
-      names_.push_back(k < named.size() ? named[k] : std::string());
-      tokens_.push_back(siblings.fresh(identifierOf(names_.back(), "Shape")));
-      rest_.push_back(k < weights.size() ? static_cast<float>(weights[k]) : 0.0f);
-      ++of.count;
-    }
-  }
-}
-
-bool BlendShapes::restsAtZero() const {
-  return std::ranges::all_of(rest_, [](float weight) { return weight == 0.0f; });
-}
-
-void BlendShapes::writeMesh(const Mesh& mesh, const std::string& path, Text& text) const {
-  if (mesh.shapes.empty()) return;
-  const auto first = toIndex(at(ofNodes_, mesh.node).first);
-  const std::span<const std::string> tokens = std::span(tokens_).subspan(first, mesh.shapes.size());
-  std::string targets;
-  for (const std::string& token : tokens) targets += (targets.empty() ? "[<" : ", <") + path + '/' + token + '>';
-  text.attribute("uniform token[] skel:blendShapes", quotedList(tokens));
-  text.attribute("rel skel:blendShapeTargets", targets + ']');
-  for (std::size_t k = 0; k < mesh.shapes.size(); ++k) {
-    const BlendShape& shape = mesh.shapes[k];
-    text.open("def BlendShape \"" + tokens[k] + '"', displayName(names_[first + k], tokens[k]));
-    if (!shape.normalOffsets.empty())
-      text.attribute("uniform vector3f[] normalOffsets", arrayText(shape.normalOffsets));
-    text.attribute("uniform vector3f[] offsets", arrayText(shape.offsets));
-    text.attribute("uniform int[] pointIndices", arrayText(shape.points));
-    text.close();
-  }
-}
-
-void BlendShapes::writeClip(const AnimationClip& clip, std::span<const double> frames, Text& text) const {
-  if (isEmpty()) return;
-  text.attribute("uniform token[] blendShapes", quotedList(tokens_));
-  std::vector<std::string> values;
-  std::vector<float> weights = rest_;
-  for (const double frame : frames) {
-    const float time = std::min(static_cast<float>(frame / kFramesPerSecond), clip.duration);
-    for (const MorphChannel& channel : clip.morphChannels) {
-      sampleMorphs(channel, time, std::span(weights).subspan(toIndex(channel.firstTarget), toIndex(channel.targets)));
-    }
-    values.push_back(arrayText(weights));
-  }
-  if (std::ranges::all_of(values, [&](const std::string& value) { return value == values.front(); })) {
-    text.attribute("float[] blendShapeWeights", values.front());
-    return;
-  }
-  text.openSamples("float[] blendShapeWeights");
-  for (std::size_t f = 0; f < values.size(); ++f) text.line(numberText(frames[f]) + ": " + values[f] + ',');
-  text.close();
-}
-
-using exporting::Trs;
 
 constexpr std::size_t kSampleIndent = 12;
 constexpr double kLargestHalf = 65504.0;
 
-/// What USD reads where it keeps 16 bits.
+/// Rounds to 16 bits, as USD stores scales.
 float asHalf(double value) {
   const auto number = static_cast<float>(std::clamp(value, -kLargestHalf, kLargestHalf));
   return glm::unpackHalf1x16(glm::packHalf1x16(number));
@@ -526,19 +522,11 @@ class StageMaker {
     text_.close();
   }
 
-  /// One value where nothing moves.
   template <class Read>
   void writeSamples(const std::string& declaration, const SampledClip& clip, const Read& read) {
     std::vector<std::string> values;
     for (const std::vector<Trs>& locals : clip.locals) values.push_back(samplesText(locals, read));
-    const bool stays = std::ranges::all_of(values, [&](const std::string& value) { return value == values.front(); });
-    if (stays) {
-      text_.attribute(declaration, values.front());
-      return;
-    }
-    text_.openSamples(declaration);
-    for (std::size_t f = 0; f < values.size(); ++f) text_.line(numberText(clip.frames[f]) + ": " + values[f] + ',');
-    text_.close();
+    putSamples(declaration, clip.frames, values, text_);
   }
 
   void checkMoment(const std::vector<MeshPoints>& now) const {
@@ -547,21 +535,21 @@ class StageMaker {
       const std::size_t count = meshes_[m].points.size();
       fits = now[m].points.size() == count && (now[m].normals.empty() || now[m].normals.size() == count);
     }
-    if (!fits) gltf::refuse("meshes", "a moment has not the file's points");
+    if (!fits) gltf::refuse("meshes", "a frame has other points than the file");
   }
 
   gltf::File& file_;
   std::string stem_;
   std::string name_;
   Stage stage_;
-  gltf::Notes notes_;  // The import of the source has told them.
+  gltf::Notes notes_;  // reported by the import
   gltf::Accessors accessors_;
   gltf::NodeTree tree_;
   gltf::BoundSkeleton bound_;
   std::vector<Mesh> meshes_;
   BlendShapes shapes_;
   Materials materials_;
-  Siblings names_;  // of what stands below the root prim
+  Siblings names_;  // below the root prim
   std::vector<std::string> paths_;
   Joints joints_;
   Text text_;

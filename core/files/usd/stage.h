@@ -1,4 +1,4 @@
-// core/files/usd/stage.h: a glTF file as a USD stage: skinned, or points over time.
+// core/files/usd/stage.h: a glTF file as a USD stage: skinned, or as points over time.
 #pragma once
 
 #include <functional>
@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "core/files/fit/trs.h"
+#include "core/files/fit/helper_motion.h"
 #include "core/files/gltf/file.h"
 #include "core/files/gltf/skin.h"
 #include "core/files/json/json.h"
@@ -17,10 +17,10 @@
 
 namespace sinew::usd {
 
-// A glTF file's bones and clips as a Skeleton and its animations.
+// Joints and clips.
 
 struct Joint {
-  std::string name{};     ///< As in the file; each once.
+  std::string name{};     ///< As in the file; unique.
   std::string path{};     ///< Identifiers from the root joint, "/" between.
   int parent = -1;        ///< Index < own index, or -1.
   glm::dmat4 bind{1.0};   ///< Joint -> world in the bind pose.
@@ -35,52 +35,49 @@ struct SampledClip {
 
 struct Joints {
   std::vector<Joint> joints;   ///< Parents before children; one root.
-  std::vector<int> ofBinding;  ///< [bindings of the skeleton] whose bind matrix is that binding's.
+  std::vector<int> ofBinding;  ///< [bindings of the skeleton] joint with its bind matrix.
   std::vector<SampledClip> clips;
 };
 
-inline constexpr double kFramesPerSecond = 30.0;
-/// Joints times frames of all clips together.
-inline constexpr double kMostSamples = 4e7;
-
-/// Frames of a clip that are written: the whole ones, and its end.
+/// Frames of a clip: whole ones, and its end.
 [[nodiscard]] std::vector<double> framesOf(const AnimationClip& clip);
 
-/// Joints are the bones, and those nodes above bones that ever scale unevenly: folded into the joints below they would
-/// shear them. Other nodes above a joint are folded into it. A bone that two skins bind differently has a joint for
-/// each. A scale that never changes and is the same along all axes is taken out of the joint's space: USD keeps scales
-/// in 11 bits. Throws gltf::Refusal where the clips have too many frames.
+/// Joints are the bones, and nodes above them that ever scale unevenly, which would shear joints below if folded. Other
+/// nodes above a joint are folded into it. A bone that two skins bind differently has a joint for each. Constant
+/// uniform scales are removed from a joint's space, since USD stores scales in 11 bits. Throws gltf::Refusal for too
+/// many frames.
 [[nodiscard]] Joints jointsOf(const gltf::BoundSkeleton& bound, std::span<const AnimationClip> clips);
+
+// Stages.
 
 struct Stage {
   std::string text;                ///< The .usda.
   std::vector<SideFile> textures;  ///< Beside it.
-  std::set<std::string> left;      ///< What of the file is not in them, each with the reason.
+  std::set<std::string> left;      ///< Parts of the file that are left out, with reasons.
 };
 
-/// A SkelRoot with one Skeleton, a SkelAnimation for each clip (the first is bound), meshes and materials. Same inputs
-/// give the same bytes. Throws gltf::Refusal.
-/// @param file  @param root  the same file's JSON  @param stem  of the name of the .usda, whose root prim and textures
-///              are called after it
+/// A SkelRoot with one Skeleton, a SkelAnimation for each clip (the first is bound), meshes and materials.
+/// Deterministic. Throws gltf::Refusal. @param root  the file's JSON  @param stem  of the .usda, for names of the root
+/// prim and textures
 [[nodiscard]] Stage skinnedStage(gltf::File& file, const Json& root, const std::string& stem);
 
-/// One mesh at one moment.
+/// A mesh at one time.
 struct MeshPoints {
   std::vector<glm::vec3> points;   ///< [vertices] world, in the file's order.
-  std::vector<glm::vec3> normals;  ///< Likewise, unit; or none.
+  std::vector<glm::vec3> normals;  ///< [vertices] unit, or none.
 };
 
-/// Where meshes are, moment by moment.
+/// Meshes over time.
 struct PointMoments {
   double framesPerSecond = 30.0;
   std::vector<double> frames;  ///< Rising; at least one.
-  /// Fills `meshes`: one for each primitive of triangles that each node of the scene shows, in the order of nodes.
-  /// Called once for every moment, in order.
+  /// Fills `meshes`, one for each triangle primitive of each node of the scene, in the order of nodes. Called once for
+  /// every frame, in order.
   std::function<void(std::size_t moment, std::vector<MeshPoints>& meshes)> at;
 };
 
-/// The same meshes and materials without a skeleton, their points, normals and extents sampled in time. Throws
-/// gltf::Refusal, also where a moment has not as many meshes or points as the file.
+/// The same meshes and materials without a skeleton: points, normals and extents are sampled over time. Throws
+/// gltf::Refusal, also if a frame has other numbers of meshes or points than the file.
 [[nodiscard]] Stage pointStage(gltf::File& file, const Json& root, const std::string& stem,
                                const PointMoments& moments);
 

@@ -1,4 +1,4 @@
-// core/files/usd/text.cpp: characters of .usda files.
+// core/files/usd/text.cpp: .usda text.
 #include "core/files/usd/text.h"
 
 #include <array>
@@ -35,6 +35,12 @@ bool isPlain(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') |
 void appendNumber(std::string& out, float value) { appendShortest(out, value); }
 void appendNumber(std::string& out, double value) { appendShortest(out, value); }
 
+std::string numberText(float value) {
+  std::string out;
+  appendNumber(out, value);
+  return out;
+}
+
 std::string numberText(double value) {
   std::string out;
   appendNumber(out, value);
@@ -59,11 +65,12 @@ void appendNumbers(std::string& out, std::initializer_list<Number> values) {
 
 }  // namespace
 
-void appendTuple(std::string& out, const glm::vec2& value) { appendNumbers(out, {value.x, value.y}); }
-void appendTuple(std::string& out, const glm::vec3& value) { appendNumbers(out, {value.x, value.y, value.z}); }
-void appendTuple(std::string& out, const glm::quat& value) { appendNumbers(out, {value.w, value.x, value.y, value.z}); }
+void appendItem(std::string& out, const glm::vec2& value) { appendNumbers(out, {value.x, value.y}); }
+void appendItem(std::string& out, const glm::vec3& value) { appendNumbers(out, {value.x, value.y, value.z}); }
+void appendItem(std::string& out, const glm::vec4& value) { appendNumbers(out, {value.x, value.y, value.z, value.w}); }
+void appendItem(std::string& out, const glm::quat& value) { appendNumbers(out, {value.w, value.x, value.y, value.z}); }
 
-void appendTuple(std::string& out, const glm::dmat4& value) {
+void appendItem(std::string& out, const glm::dmat4& value) {
   out += "( ";
   for (int column = 0; column < 4; ++column) {
     const glm::dvec4& row = value[column];
@@ -90,7 +97,7 @@ std::string identifierOf(const std::string& text, const std::string& otherwise) 
   std::string name;
   bool says = false;
   for (const char c : text) {
-    const bool goesOn = (static_cast<unsigned char>(c) & 0xc0U) == 0x80U;  // A character of several bytes.
+    const bool goesOn = (static_cast<unsigned char>(c) & 0xc0U) == 0x80U;  // inside UTF-8
     says = says || isPlain(c);
     if (isPlain(c)) name += c;
     else if (!goesOn) name += '_';

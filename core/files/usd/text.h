@@ -1,4 +1,4 @@
-// core/files/usd/text.h: USD's text form: names, numbers, strings, nested blocks.
+// core/files/usd/text.h: .usda text: names, numbers, strings, nested blocks.
 #pragma once
 
 #include <cstdint>
@@ -14,46 +14,37 @@
 
 namespace sinew::usd {
 
-/// The shortest text that reads back bit-equal; 0 for what is not finite.
+/// The shortest exact text; 0 if not finite.
 void appendNumber(std::string& out, float value);
 void appendNumber(std::string& out, double value);
+[[nodiscard]] std::string numberText(float value);
 [[nodiscard]] std::string numberText(double value);
 
 /// "(1, 2, 3)"; a rotation with its real part first.
-void appendTuple(std::string& out, const glm::vec2& value);
-void appendTuple(std::string& out, const glm::vec3& value);
-void appendTuple(std::string& out, const glm::quat& value);
-/// As rows that vectors are multiplied with from the left, as USD has them: the transpose of how it is written here.
-void appendTuple(std::string& out, const glm::dmat4& value);
+void appendItem(std::string& out, const glm::vec2& value);
+void appendItem(std::string& out, const glm::vec3& value);
+void appendItem(std::string& out, const glm::vec4& value);
+void appendItem(std::string& out, const glm::quat& value);
+/// In the order of USD, which multiplies row vectors from the left.
+void appendItem(std::string& out, const glm::dmat4& value);
 
 void appendItem(std::string& out, float value);
 void appendItem(std::string& out, int value);
-template <class Value>
-void appendItem(std::string& out, const Value& value) {
-  appendTuple(out, value);
-}
+
 /// "[1, 2, 3]"
 template <class Values>
-void appendArray(std::string& out, const Values& values) {
-  out += '[';
-  const char* between = "";
-  for (const auto& value : values) {
-    out += between;
-    appendItem(out, value);
-    between = ", ";
-  }
-  out += ']';
-}
-template <class Values>
 [[nodiscard]] std::string arrayText(const Values& values) {
-  std::string out;
-  appendArray(out, values);
-  return out;
+  std::string out = "[";
+  for (const auto& value : values) {
+    if (out.size() > 1) out += ", ";
+    appendItem(out, value);
+  }
+  return out + ']';
 }
 template <class Value>
 [[nodiscard]] std::string tupleText(const Value& value) {
   std::string out;
-  appendTuple(out, value);
+  appendItem(out, value);
   return out;
 }
 
@@ -62,14 +53,14 @@ template <class Value>
 /// `["a", "b"]`
 [[nodiscard]] std::string quotedList(std::span<const std::string> texts);
 
-/// Letters, digits and underscores, no digit first; all else becomes underscores.
-/// @param otherwise  stands for a text without any letter or digit
+/// Letters, digits and underscores, no digit first; other characters become underscores.
+/// @param otherwise  for a text without any letter or digit
 [[nodiscard]] std::string identifierOf(const std::string& text, const std::string& otherwise);
 
-/// Names that stand side by side.
+/// Unique names of sibling prims.
 class Siblings {
  public:
-  /// A name that was not given yet: as it is, or with a number.
+  /// A new name: as wanted, or with a number.
   std::string fresh(const std::string& wanted, std::string_view between = "_");
 
  private:
@@ -80,16 +71,16 @@ class Siblings {
 class Text {
  public:
   void line(std::string_view text);
-  /// head ( metadata ) { ; without the parentheses where there is none.
+  /// head ( metadata ) {
   void open(std::string_view head, const std::vector<std::string>& metadata = {});
   /// "type name.timeSamples = {"
   void openSamples(std::string_view declaration);
   void close();
-  /// `type name = value`, with `( metadata )` where there is some.
+  /// type name = value ( metadata )
   void attribute(std::string_view declaration, std::string_view value, const std::vector<std::string>& metadata = {});
-  /// Lines that are indented already.
+  /// Indented lines.
   void append(std::string_view lines) { out_ += lines; }
-  /// Without a value, for one whose samples follow.
+  /// Without a value; samples follow.
   void declare(std::string_view declaration, const std::vector<std::string>& metadata);
 
   [[nodiscard]] std::string take() && { return std::move(out_); }
@@ -102,7 +93,7 @@ class Text {
   std::size_t depth_ = 0;
 };
 
-/// Metadata of a prim: what it was called before its name became an identifier.
+/// Metadata of a prim: its name before it became an identifier.
 [[nodiscard]] std::vector<std::string> displayName(const std::string& name, const std::string& identifier);
 
 }  // namespace sinew::usd

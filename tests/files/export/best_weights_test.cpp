@@ -1,5 +1,5 @@
 // tests/files/export/best_weights_test.cpp: no other legal weights are better.
-#include "core/files/fit/four_weights.h"
+#include "core/files/fit/weight_fit.h"
 
 #include <random>
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <set>
 
-#include "core/files/fit/four_weights.h"
+#include "core/files/fit/weight_fit.h"
 #include "sinew/surface/refinement.h"
 #include "tests/files/export/export_scenes.h"
 

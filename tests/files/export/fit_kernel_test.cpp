@@ -1,12 +1,10 @@
 // tests/files/export/fit_kernel_test.cpp: the sums of every instruction set are those of plain loops, to the bit.
-#include "core/files/fit/fit_kernel.h"
+#include "core/files/fit/weight_fit.h"
 
 #include <random>
 
 #include <gtest/gtest.h>
 #include <glm/geometric.hpp>
-
-#include "core/files/fit/four_weights.h"
 
 namespace sinew::exporting {
 namespace {

@@ -1,6 +1,6 @@
 // tests/files/export/line_data_test.cpp: the numbers for runtimes, beside the bind pose they describe.
 // tests/export/runtime_test.py poses by them.
-#include "core/files/export/line_data.h"
+#include "core/files/export/out_skins.h"
 
 #include <algorithm>
 #include <fstream>

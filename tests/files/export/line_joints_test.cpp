@@ -1,5 +1,5 @@
 // tests/files/export/line_joints_test.cpp: a line's joint does what the line does to the bind pose, in every pose.
-#include "core/files/fit/line_joints.h"
+#include "core/files/fit/helper_motion.h"
 
 #include <gtest/gtest.h>
 #include <glm/geometric.hpp>

@@ -8,8 +8,6 @@
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
-#include "core/files/fit/trs.h"
-
 namespace sinew::exporting {
 namespace {
 

@@ -1,8 +1,13 @@
-// app/command/farm_check.cpp: every input is opened here once, rather than fail on each machine.
-#include "app/command/farm_check.h"
+// app/command/verb.cpp: inputs checked for a farm, path options, refusals of the parser.
+#include "app/command/verb.h"
 
+#include <algorithm>
 #include <set>
 #include <system_error>
+
+#include <CLI/CLI.hpp>
+
+#include "core/geometry/nearest_name.h"
 
 namespace sinew::app {
 namespace {
@@ -18,6 +23,14 @@ Result<void> checkFolders(const BatchInput& input, std::set<std::filesystem::pat
     known.insert(folder);
   }
   return {};
+}
+
+std::vector<std::string> optionNames(const CLI::App& parser) {
+  std::vector<std::string> names;
+  for (const CLI::Option* option : parser.get_options()) {
+    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+  }
+  return names;
 }
 
 }  // namespace
@@ -40,6 +53,22 @@ Result<FarmCheck> checkForFarm(const std::string& verb, const Batch& batch, cons
       line.show(static_cast<double>(&input - batch.inputs.data() + 1) / static_cast<double>(batch.inputs.size()));
   }
   return check;
+}
+
+CLI::Option* addPath(CLI::App& verb, const char* name, std::filesystem::path& path, const std::string& help) {
+  return verb.add_option_function<std::string>(
+      name, [&path](const std::string& text) { path = text; }, help);
+}
+
+std::string parseRefusal(const CLI::App& parser, const CLI::ParseError& error) {
+  // A required option may be there, misspelled.
+  const bool isMissing = dynamic_cast<const CLI::RequiredError*>(&error) && !parser.get_allow_extras();
+  if (!isMissing && dynamic_cast<const CLI::ExtrasError*>(&error) == nullptr) return error.what();
+  const std::vector<std::string> extras = parser.remaining(true);
+  const auto unknown = std::ranges::find_if(extras, [](const std::string& word) { return word.starts_with("--"); });
+  if (unknown == extras.end()) return error.what();
+  const std::string option = unknown->substr(0, unknown->find('='));
+  return "there is no option " + option + didYouMean(option, optionNames(parser));
 }
 
 }  // namespace sinew::app

@@ -1,22 +1,139 @@
-// core/files/rig_json_animated.cpp: keys, drivers and channels, there and back.
-#include "core/files/rig_json_animated.h"
+// core/files/rig_json_parts.cpp: lines, keys, drivers and channels, written and read.
+#include "core/files/rig_json_parts.h"
 
 #include <utility>
 
 namespace sinew {
+
+void readName(Reader& reader, const Json& object, const Place& place, const char* key, const char* expected,
+              std::string& name) {
+  const Json* node = object.find(key);
+  if (!node) return;
+  name = reader.text(*node, Reader::join(place, key));
+  if (name.empty()) reader.expect(Reader::join(place, key), expected, *node);
+}
+
+void readNeededPoint(Reader& reader, const Json& object, const Place& place, const char* key, glm::vec3& point) {
+  const Json* node = reader.need(object, place, key, "an array of 3 numbers");
+  if (!node) return;
+  const auto [x, y, z] = reader.vector<3>(*node, Reader::join(place, key));
+  point = {x, y, z};
+}
+
+// Lines.
+
 namespace {
 
-Json listOf(std::vector<Json> items) { return Json::array(std::move(items)); }
+Json anchorNode(const LineAnchor& anchor) {
+  const glm::vec3& point = anchor.point;
+  return ObjectWriter()
+      .set("bone", anchor.bone)
+      .set("point", numbers({point.x, point.y, point.z}))
+      .finish(anchor.unknownKeys);
+}
+
+LineAnchor readAnchor(Reader& reader, const Json& node, const Place& place) {
+  LineAnchor anchor;
+  if (!reader.object(node, place)) return anchor;
+  anchor.bone = readNeededText(reader, node, place, "bone");
+  readNeededPoint(reader, node, place, "point", anchor.point);
+  anchor.unknownKeys = unknownKeys(node, {"bone", "point"});
+  return anchor;
+}
+
+void setPair(ObjectWriter& writer, const char* key, const glm::vec2& pair, const glm::vec2& usual) {
+  if (pair != usual) writer.set(key, numbers({pair.x, pair.y}));
+}
+
+void setNumber(ObjectWriter& writer, const char* key, float value, float usual) {
+  if (value != usual) writer.set(key, value);
+}
+
+void readLinePair(Reader& reader, const Json& object, const Place& place, const char* key, glm::vec2& pair) {
+  const Json* node = object.find(key);
+  if (!node) return;
+  const auto [x, y] = reader.vector<2>(*node, Reader::join(place, key));
+  pair = {x, y};
+}
+
+void readActivation(Reader& reader, const Json& object, const Place& place, MuscleLine& line) {
+  const Json* node = object.find("activation");
+  const Place own = Reader::join(place, "activation");
+  if (!node || !reader.object(*node, own)) return;
+  readFloat(reader, *node, own, "base", line.settings.base);
+  readFloat(reader, *node, own, "gain", line.settings.gain);
+  readFloat(reader, *node, own, "full", line.settings.full);
+  line.unknownActivationKeys = unknownKeys(*node, {"base", "gain", "full"});
+}
+
+LineAnchor readNeededAnchor(Reader& reader, const Json& object, const Place& place, const char* key) {
+  const Json* node = reader.need(object, place, key, "an object with bone and point");
+  return node ? readAnchor(reader, *node, Reader::join(place, key)) : LineAnchor{};
+}
+
+LineSettings readSettings(Reader& reader, const Json& node, const Place& place) {
+  LineSettings settings;
+  readFloat(reader, node, place, "rest", settings.rest);
+  readLinePair(reader, node, place, "tendons", settings.tendons);
+  readFloat(reader, node, place, "volume", settings.volume);
+  readLinePair(reader, node, place, "limits", settings.limits);
+  readFloat(reader, node, place, "pivot", settings.pivot);
+  readFloat(reader, node, place, "twist", settings.twist);
+  readLinePair(reader, node, place, "flex", settings.flex);
+  return settings;
+}
+
+}  // namespace
+
+Json lineNode(const MuscleLine& line) {
+  const LineSettings usual;
+  const LineSettings& settings = line.settings;
+  ObjectWriter writer;
+  writer.set("name", line.name).set("origin", anchorNode(line.origin)).set("insertion", anchorNode(line.insertion));
+  if (line.via) writer.set("via", anchorNode(*line.via));
+  setNumber(writer, "rest", settings.rest, usual.rest);
+  setPair(writer, "tendons", settings.tendons, usual.tendons);
+  setNumber(writer, "volume", settings.volume, usual.volume);
+  setPair(writer, "limits", settings.limits, usual.limits);
+  setNumber(writer, "pivot", settings.pivot, usual.pivot);
+  setNumber(writer, "twist", settings.twist, usual.twist);
+  setPair(writer, "flex", settings.flex, usual.flex);
+  ObjectWriter activation;
+  setNumber(activation, "base", settings.base, usual.base);
+  setNumber(activation, "gain", settings.gain, usual.gain);
+  setNumber(activation, "full", settings.full, usual.full);
+  if (Json node = activation.finish(line.unknownActivationKeys); !node.children.empty())
+    writer.set("activation", std::move(node));
+  if (!line.mirror.empty()) writer.set("mirror", line.mirror);
+  setAnimated(writer, line.animated);
+  return writer.finish(line.unknownKeys);
+}
+
+MuscleLine readLine(Reader& reader, const Json& node, const Place& listed) {
+  MuscleLine line;
+  if (!reader.object(node, listed)) return line;
+  line.name = readNeededText(reader, node, listed, "name");
+  const Place place{listed.path, line.name.empty() ? listed.words : "muscle line \"" + line.name + '"'};
+  line.origin = readNeededAnchor(reader, node, place, "origin");
+  line.insertion = readNeededAnchor(reader, node, place, "insertion");
+  if (const Json* via = node.find("via")) line.via = readAnchor(reader, *via, Reader::join(place, "via"));
+  line.settings = readSettings(reader, node, place);
+  readActivation(reader, node, place, line);
+  readName(reader, node, place, "mirror", "the name of another line", line.mirror);
+  line.animated = readAnimated(reader, node, place);
+  line.unknownKeys = unknownKeys(node, {"name", "origin", "insertion", "via", "rest", "tendons", "volume", "limits",
+                                        "pivot", "twist", "flex", "activation", "mirror", "animated"});
+  return line;
+}
+
+// Keys, drivers and channels.
+
+namespace {
 
 void setTrack(ObjectWriter& writer, const KeyTrack& track) {
   if (!track.clip.empty()) writer.set("clip", track.clip);
-  std::vector<Json> times;
-  std::vector<Json> values;
-  for (const glm::vec2& point : track.curve.points) {
-    times.push_back(point.x);
-    values.push_back(point.y);
-  }
-  writer.set("times", listOf(std::move(times))).set("values", listOf(std::move(values)));
+  writer.set("times", jsonList(track.curve.points, [](const glm::vec2& point) { return point.x; }));
+  writer.set("values", jsonList(track.curve.points, [](const glm::vec2& point) { return point.y; }));
   if (track.curve.kind != CurveKind::kSmooth) writer.set("interpolation", nameOf(track.curve.kind));
 }
 
@@ -57,10 +174,11 @@ Json inputNode(const DriverInput& input) {
 }
 
 Json driverNode(const Driver& driver) {
-  std::vector<Json> points;
-  for (const glm::vec2& point : driver.curve.points) points.push_back(numbers({point.x, point.y}));
   ObjectWriter writer;
-  writer.set("input", inputNode(driver.input)).set("curve", listOf(std::move(points)));
+  writer.set("input", inputNode(driver.input));
+  writer.set("curve", jsonList(driver.curve.points, [](const glm::vec2& point) {
+               return numbers({point.x, point.y});
+             }));
   if (driver.curve.kind != CurveKind::kSmooth) writer.set("interpolation", nameOf(driver.curve.kind));
   if (driver.mode != DriverMode::kAdd) writer.set("mode", nameOf(driver.mode));
   return writer.finish(driver.unknownKeys);
@@ -69,12 +187,8 @@ Json driverNode(const Driver& driver) {
 Json animatedNode(const AnimatedNumber& number) {
   ObjectWriter writer;
   writer.set("parameter", nameOf(number.parameter));
-  std::vector<Json> keys;
-  for (const KeyTrack& track : number.keys) keys.push_back(trackNode(track));
-  if (!keys.empty()) writer.set("keys", listOf(std::move(keys)));
-  std::vector<Json> drivers;
-  for (const Driver& driver : number.drivers) drivers.push_back(driverNode(driver));
-  if (!drivers.empty()) writer.set("drivers", listOf(std::move(drivers)));
+  if (!number.keys.empty()) writer.set("keys", jsonList(number.keys, trackNode));
+  if (!number.drivers.empty()) writer.set("drivers", jsonList(number.drivers, driverNode));
   return writer.finish(number.unknownKeys);
 }
 
@@ -93,10 +207,7 @@ KeyTrack readTrack(Reader& reader, const Json& node, const Place& place,
                    std::initializer_list<std::string_view> known) {
   KeyTrack track;
   if (!reader.object(node, place)) return track;
-  if (const Json* clip = node.find("clip")) {
-    track.clip = reader.text(*clip, Reader::join(place, "clip"));
-    if (track.clip.empty()) reader.expect(Reader::join(place, "clip"), "the name of a clip", *clip);
-  }
+  readName(reader, node, place, "clip", "the name of a clip", track.clip);
   const std::vector<float> times = readNumbers(reader, node, place, "times");
   const std::vector<float> values = readNumbers(reader, node, place, "values");
   if (times.size() != values.size()) {
@@ -118,22 +229,6 @@ void readPose(Reader& reader, const Json& node, const Place& place, DriverInput&
   readFloat(reader, node, place, "width", input.width);
 }
 
-void readAxis(Reader& reader, const Json& node, const Place& place, DriverInput& input) {
-  const Json* axis = reader.need(node, place, "axis", "an array of 3 numbers");
-  if (!axis) return;
-  const auto [x, y, z] = reader.vector<3>(*axis, Reader::join(place, "axis"));
-  input.axis = {x, y, z};
-}
-
-void readDistance(Reader& reader, const Json& node, const Place& place, DriverInput& input) {
-  const auto anchor = [&](const char* key) {
-    const Json* end = reader.need(node, place, key, "an object with bone and point");
-    return end ? readAnchor(reader, *end, Reader::join(place, key)) : LineAnchor{};
-  };
-  input.from = anchor("from");
-  input.to = anchor("to");
-}
-
 DriverInput readInput(Reader& reader, const Json& node, const Place& place) {
   DriverInput input;
   if (!reader.object(node, place)) return input;
@@ -147,14 +242,15 @@ DriverInput readInput(Reader& reader, const Json& node, const Place& place) {
     case DriverInputKind::kAxis:
     case DriverInputKind::kPose:
       input.bone = readNeededText(reader, node, place, "bone");
-      if (input.kind == DriverInputKind::kAxis) readAxis(reader, node, place, input);
+      if (input.kind == DriverInputKind::kAxis) readNeededPoint(reader, node, place, "axis", input.axis);
       if (input.kind == DriverInputKind::kPose) readPose(reader, node, place, input);
       break;
     case DriverInputKind::kLength:
       input.line = readNeededText(reader, node, place, "line");
       break;
     case DriverInputKind::kDistance:
-      readDistance(reader, node, place, input);
+      input.from = readNeededAnchor(reader, node, place, "from");
+      input.to = readNeededAnchor(reader, node, place, "to");
       break;
     case DriverInputKind::kChannel:
       input.channel = readNeededText(reader, node, place, "channel");
@@ -193,15 +289,10 @@ AnimatedNumber readNumber(Reader& reader, const Json& node, const Place& listed)
   }
   number.parameter = *parameter;
   const Place place{listed.path, listed.words + ", " + wordsFor(*parameter)};
-  if (const Json* keys = node.find("keys")) {
-    reader.each(*keys, Reader::join(place, "keys"), [&](const Json& item, const Place& own) {
-      number.keys.push_back(readTrack(reader, item, own, {"clip", "times", "values", "interpolation"}));
-    });
-  }
-  if (const Json* drivers = node.find("drivers")) {
-    reader.each(*drivers, {place.path + ".drivers", place.words + ", driver"},
-                [&](const Json& item, const Place& own) { number.drivers.push_back(readDriver(reader, item, own)); });
-  }
+  number.keys = readList(reader, node, place, "keys", "keys", [](Reader& tracks, const Json& item, const Place& own) {
+    return readTrack(tracks, item, own, {"clip", "times", "values", "interpolation"});
+  });
+  number.drivers = readList(reader, node, place, "drivers", "driver", readDriver);
   number.unknownKeys = unknownKeys(node, {"parameter", "keys", "drivers"});
   return number;
 }
@@ -209,19 +300,11 @@ AnimatedNumber readNumber(Reader& reader, const Json& node, const Place& listed)
 }  // namespace
 
 void setAnimated(ObjectWriter& writer, const std::vector<AnimatedNumber>& animated) {
-  if (animated.empty()) return;
-  std::vector<Json> items;
-  for (const AnimatedNumber& number : animated) items.push_back(animatedNode(number));
-  writer.set("animated", listOf(std::move(items)));
+  if (!animated.empty()) writer.set("animated", jsonList(animated, animatedNode));
 }
 
 std::vector<AnimatedNumber> readAnimated(Reader& reader, const Json& owner, const Place& place) {
-  std::vector<AnimatedNumber> animated;
-  const Json* node = owner.find("animated");
-  if (!node) return animated;
-  reader.each(*node, {Reader::join(place, "animated").path, place.words + ", animated number"},
-              [&](const Json& item, const Place& own) { animated.push_back(readNumber(reader, item, own)); });
-  return animated;
+  return readList(reader, owner, place, "animated", "animated number", readNumber);
 }
 
 Json channelNode(const RigChannel& channel) {
@@ -237,26 +320,6 @@ RigChannel readChannel(Reader& reader, const Json& node, const Place& place) {
   channel.name = readNeededText(reader, node, place, "name");
   channel.track = readTrack(reader, node, place, {"name", "clip", "times", "values", "interpolation"});
   return channel;
-}
-
-Json anchorNode(const LineAnchor& anchor) {
-  const glm::vec3& point = anchor.point;
-  return ObjectWriter()
-      .set("bone", anchor.bone)
-      .set("point", numbers({point.x, point.y, point.z}))
-      .finish(anchor.unknownKeys);
-}
-
-LineAnchor readAnchor(Reader& reader, const Json& node, const Place& place) {
-  LineAnchor anchor;
-  if (!reader.object(node, place)) return anchor;
-  anchor.bone = readNeededText(reader, node, place, "bone");
-  if (const Json* point = reader.need(node, place, "point", "an array of 3 numbers")) {
-    const auto [x, y, z] = reader.vector<3>(*point, Reader::join(place, "point"));
-    anchor.point = {x, y, z};
-  }
-  anchor.unknownKeys = unknownKeys(node, {"bone", "point"});
-  return anchor;
 }
 
 }  // namespace sinew

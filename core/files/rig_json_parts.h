@@ -1,0 +1,30 @@
+// core/files/rig_json_parts.h: lines, keys, drivers and channels of a rig file. docs/formats.md.
+#pragma once
+
+#include <vector>
+
+#include "core/files/json/json.h"
+#include "sinew/rig/animated_number.h"
+#include "sinew/rig/muscle_line.h"
+
+namespace sinew {
+
+/// Omits defaults.
+[[nodiscard]] Json lineNode(const MuscleLine& line);
+[[nodiscard]] MuscleLine readLine(Reader& reader, const Json& node, const Place& place);
+
+/// Sets "animated" of a primitive, line, shape or the surface, unless empty.
+void setAnimated(ObjectWriter& writer, const std::vector<AnimatedNumber>& animated);
+[[nodiscard]] std::vector<AnimatedNumber> readAnimated(Reader& reader, const Json& owner, const Place& place);
+
+[[nodiscard]] Json channelNode(const RigChannel& channel);
+[[nodiscard]] RigChannel readChannel(Reader& reader, const Json& node, const Place& place);
+
+/// An optional name; refuses an empty one. @param expected  "the name of a line"
+void readName(Reader& reader, const Json& object, const Place& place, const char* key, const char* expected,
+              std::string& name);
+
+/// A required member of three numbers.
+void readNeededPoint(Reader& reader, const Json& object, const Place& place, const char* key, glm::vec3& point);
+
+}  // namespace sinew
