@@ -9,7 +9,7 @@
 #include "app/document/shown_names.h"
 #include "app/editor/animated_names.h"
 #include "app/editor/hidden_bones.h"
-#include "app/panels/animated_field.h"
+#include "app/panels/field_edit.h"
 #include "app/ui/reading_order.h"
 #include "core/geometry/at.h"
 

@@ -13,7 +13,6 @@
 
 #include "app/editor/blending_edit.h"
 #include "app/panels/blending.h"
-#include "app/panels/blending_layout.h"
 #include "app/ui/readable_names.h"
 #include "core/rig/rig_edit_several.h"
 

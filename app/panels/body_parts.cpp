@@ -10,8 +10,8 @@
 
 #include "app/document/shown_names.h"
 #include "app/editor/body_parts_commands.h"
-#include "app/panels/bone_list.h"
 #include "app/panels/overlay.h"
+#include "app/panels/panel_ui.h"
 #include "core/character/bindings.h"
 #include "core/geometry/at.h"
 

@@ -1,20 +1,22 @@
 // app/panels/export_dialog.cpp: File > Export: a character for games, and as a farm job.
-#include <imgui.h>
-
-#define GLFW_INCLUDE_NONE
-#include <GLFW/glfw3.h>
-
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <vector>
 
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+#include <imgui.h>
+#include <imgui_stdlib.h>
+
 #include "app/document/rig_list.h"
 #include "app/editor/export_commands.h"
-#include "app/panels/dialog_parts.h"
 #include "app/panels/dialogs.h"
-#include "app/panels/export_rows.h"
+#include "app/panels/panel_ui.h"
 #include "app/ui/number_field.h"
+#include "app/ui/reading_order.h"
 #include "core/geometry/at.h"
+#include "core/geometry/index_table.h"
 
 namespace sinew::app {
 namespace {
@@ -159,6 +161,273 @@ void drawExportDialog(PanelUi& ui) {
 
 void drawFarmDialog(PanelUi& ui) {
   drawDialog(ui, ExportDialog::kFarmJob, "Export as a farm job", "Write job", drawFarm);
+}
+
+// What the export dialog and the farm dialog both ask.
+
+namespace {
+
+const Control kExportKindRow{"export/kind/muscle joints", "Export: kind of character",
+                             "game engine skinned baked morph helper format"};
+
+constexpr std::size_t kClipRows = 6;  // More of them scroll.
+
+void label(PanelUi& ui, const char* text) { dialogLabel(ui, text, kExportLabels); }
+void explain(PanelUi& ui, const std::string& text) { dialogExplain(ui, text.c_str(), kExportLabels); }
+
+void kindRow(PanelUi& ui) {
+  label(ui, "Kind");
+  std::vector<const char*> titles;
+  for (const ExportKind& kind : exportKinds()) titles.push_back(kind.title);
+  Dialogs& dialogs = ui.state.dialogs;
+  if (titles.size() == 1) {  // Nothing to choose.
+    ImGui::TextUnformatted(titles.front());
+    ui.widgets.note("export/kind");
+  } else {
+    const int clicked = segmented(ui, "export/kind", titles.data(), static_cast<int>(titles.size()),
+                                  static_cast<int>(dialogs.exporting.kind), ImGui::GetContentRegionAvail().x);
+    if (clicked >= 0) chooseKind(dialogs, static_cast<std::size_t>(clicked));
+  }
+  explain(ui, chosenKind(dialogs).purpose);
+}
+
+void meshRow(PanelUi& ui) {
+  ExportSettings& settings = ui.state.dialogs.exporting.settings;
+  label(ui, "Mesh");
+  const int clicked = chooseWord(ui, "export/mesh", {"Refined", "Original"}, static_cast<int>(settings.mesh));
+  if (clicked >= 0) settings.mesh = static_cast<ExportMesh>(clicked);
+  explain(ui, settings.mesh == ExportMesh::kRefined
+                  ? "As smooth as in the picture: every triangle of the file is divided."
+                  : "The file's own vertices in their own order, moved to where the muscles take them. Morph targets "
+                    "stay.");
+}
+
+/// How finely the exported mesh is divided: as the rig says, or otherwise for this export.
+void detailRows(PanelUi& ui) {
+  ExportSettings& settings = ui.state.dialogs.exporting.settings;
+  const SmoothingSettings& ofRig = ui.state.document.rig().smoothing;
+  SmoothingSettings now = ofRig;
+  settings.detail.apply(now);
+  label(ui, "Detail");
+  const bool wasAdaptive = now.detail == DetailKind::kAdaptive;
+  const int clicked = chooseWord(ui, "export/detail", {"Adaptive", "Uniform"}, wasAdaptive ? 0 : 1);
+  if (clicked >= 0) now.detail = clicked == 0 ? DetailKind::kAdaptive : DetailKind::kUniform;
+  const bool adaptive = now.detail == DetailKind::kAdaptive;
+  label(ui, adaptive ? "Tolerance" : "Depth");
+  ImGui::SetNextItemWidth(-1.0f);
+  if (adaptive) {
+    float percent = 100.0f * now.tolerance;
+    if (numberSlider(ui, "##tolerance", percent,
+                     {"%.2f %%", 0.0f, 100.0f * kLeastTolerance, 100.0f * kMostTolerance, 0.01f, false, true})) {
+      now.tolerance = percent / 100.0f;
+    }
+  } else {
+    auto depth = static_cast<float>(now.depth);
+    if (numberSlider(ui, "##depth", depth, {"%.0f", 0.0f, 1.0f, kMaxDepth, 1.0f, true}))
+      now.depth = static_cast<int>(depth);
+  }
+  ui.widgets.note(adaptive ? "export/tolerance" : "export/depth");
+  settings.detail = {};
+  if (now.detail != ofRig.detail) settings.detail.kind = now.detail;
+  if (adaptive && now.tolerance != ofRig.tolerance) settings.detail.tolerance = now.tolerance;
+  if (!adaptive && now.depth != ofRig.depth) settings.detail.depth = now.depth;
+  const std::string asInRig = settings.detail == DetailOverride{} ? ", as in the rig." : ".";
+  if (adaptive) {
+    return explain(ui, "Fine where muscles shape the skin: triangles lie within " +
+                           numberText("%.2g %%", 100.0f * now.tolerance) + " of the height" + asInRig);
+  }
+  const long long n = now.depth;
+  const auto triangles = static_cast<long long>(ui.state.character().mesh.triangles.size()) * n * n;
+  explain(ui, "Every triangle becomes " + std::to_string(n) + " x " + std::to_string(n) + ": " + grouped(triangles) +
+                  " triangles" + asInRig);
+}
+
+void drawClip(PanelUi& ui, const std::string& name, std::size_t index) {
+  std::vector<std::string>& chosen = ui.state.dialogs.exporting.settings.clips;
+  const auto found = std::ranges::find(chosen, name);
+  bool kept = found != chosen.end();
+  ImGui::PushID(static_cast<int>(index));
+  const bool changed = ImGui::Checkbox("##kept", &kept);
+  ImGui::PopID();
+  ui.widgets.note("export/clip/" + std::to_string(index));
+  ImGui::SameLine();
+  ImGui::TextUnformatted(fitted(name, ImGui::GetContentRegionAvail().x).c_str());
+  if (!changed) return;
+  ui.state.dialogs.exporting.error.clear();
+  if (kept) chosen.push_back(name);
+  else chosen.erase(found);
+}
+
+void keepClipThatPlays(EditorState& state) {
+  const int clip = state.open.transport.clip;
+  if (clip < 0 || at(state.character().clips, clip).turnsBindPose) return;
+  state.dialogs.exporting.settings.clips.push_back(at(state.character().clips, clip).name);
+}
+
+/// The one that is exported, and its frames.
+void oneClipRows(PanelUi& ui) {
+  ExportDialogState& dialog = ui.state.dialogs.exporting;
+  const std::vector<std::string> names = exportableClips(chosenKind(ui.state.dialogs), ui.state.character());
+  if (names.empty()) return;
+  const std::string chosen = chosenOneClip(ui.state);
+  label(ui, "Clip");
+  ImGui::SetNextItemWidth(-1.0f);
+  const bool open = ImGui::BeginCombo("##one-clip", inReadingOrder(chosen).c_str(), ImGuiComboFlags_HeightLarge);
+  ui.widgets.note("export/one-clip");
+  if (open) {
+    for (std::size_t i = 0; i < names.size(); ++i) {
+      ImGui::PushID(static_cast<int>(i));
+      const std::string shown = fitted(names[i], ImGui::GetContentRegionAvail().x);
+      if (ImGui::Selectable(shown.c_str(), names[i] == chosen)) dialog.oneClip = names[i];
+      ImGui::PopID();
+      ui.widgets.note("export/one-clip/" + std::to_string(i));
+    }
+    ImGui::EndCombo();
+  }
+  ImGui::Dummy({0.0f, ui.px(6)});
+  label(ui, "Frames");
+  auto rate = static_cast<float>(dialog.settings.framesPerSecond);
+  ImGui::SetNextItemWidth(-1.0f);
+  if (numberSlider(ui, "##fps", rate, {"%.0f a second", 0.0f, 1.0f, 120.0f, 1.0f, true})) {
+    dialog.settings.framesPerSecond = static_cast<double>(rate);
+  }
+  ui.widgets.note("export/fps");
+  ImGui::Dummy({0.0f, ui.px(6)});
+}
+
+void boundRow(PanelUi& ui) {
+  ExportSettings& settings = ui.state.dialogs.exporting.settings;
+  label(ui, "Distance");
+  auto bound = static_cast<float>(settings.bound);
+  ImGui::SetNextItemWidth(-1.0f);
+  NumberLook look{"%.2f %%", 0.0f, 0.01f, 5.0f, 0.01f};
+  look.logarithmic = true;
+  if (numberSlider(ui, "##bound", bound, look)) {
+    settings.bound = std::round(1000.0 * static_cast<double>(bound)) / 1000.0;
+  }
+  ui.widgets.note("export/bound");
+  explain(ui, "How far a vertex may be off in any frame, of the height: the nearer, the more morph targets.");
+  label(ui, "Substeps");
+  auto substeps = static_cast<float>(settings.substeps);
+  ImGui::SetNextItemWidth(-1.0f);
+  if (numberSlider(ui, "##substeps", substeps, {"%.0f a frame", 0.0f, 1.0f, kMostSubsteps, 1.0f, true})) {
+    settings.substeps = static_cast<int>(substeps);
+  }
+  ui.widgets.note("export/substeps");
+  explain(ui, "Moments baked in each frame. Several keep the distance between frames, too.");
+}
+
+void clipRows(PanelUi& ui) {
+  ExportDialogState& dialog = ui.state.dialogs.exporting;
+  const std::vector<std::string> names = exportableClips(chosenKind(ui.state.dialogs), ui.state.character());
+  if (names.empty()) return;
+  label(ui, "Clips");
+  const std::string all = "All (" + std::to_string(names.size()) + ")";
+  const int clicked = chooseWord(ui, "export/clips", {all.c_str(), "Chosen"}, dialog.chosenClips ? 1 : 0);
+  if (clicked >= 0) {
+    dialog.chosenClips = clicked == 1;
+    dialog.error.clear();
+    if (dialog.chosenClips && dialog.settings.clips.empty()) keepClipThatPlays(ui.state);
+  }
+  if (dialog.chosenClips) {
+    ImGui::SetCursorPosX(ui.px(kExportLabels));
+    const auto rows = static_cast<float>(std::min(names.size(), kClipRows));
+    ImGui::PushStyleColor(ImGuiCol_ChildBg, palette::kRaised.faded(0.6f));
+    ImGui::BeginChild("clips", {0.0f, rows * ImGui::GetFrameHeightWithSpacing() + ui.px(8)}, true);
+    for (std::size_t i = 0; i < names.size(); ++i) drawClip(ui, names[i], i);
+    ImGui::EndChild();
+    ImGui::PopStyleColor();
+  }
+  ImGui::Dummy({0.0f, ui.px(6)});
+}
+
+void weightsRow(PanelUi& ui) {
+  ExportSettings& settings = ui.state.dialogs.exporting.settings;
+  label(ui, "Weights");
+  const int clicked = chooseWord(ui, "export/weights", {"Transferred", "Refitted"}, static_cast<int>(settings.weights));
+  if (clicked >= 0) settings.weights = static_cast<ExportWeights>(clicked);
+  explain(ui, settings.weights == ExportWeights::kRefitted
+                  ? "Fitted to the muscles' surface over the clips and the range of motion: closest to the picture."
+                  : "Those of the file, as they are painted there.");
+}
+
+/// What an engine can do.
+void jointScaleRow(PanelUi& ui) {
+  ExportSettings& settings = ui.state.dialogs.exporting.settings;
+  label(ui, "Joint scale");
+  const int clicked =
+      chooseWord(ui, "export/scale", {"Full", "Uniform", "None"}, static_cast<int>(settings.jointScale));
+  if (clicked >= 0) settings.jointScale = static_cast<JointScale>(clicked);
+  switch (settings.jointScale) {
+    case JointScale::kFull:
+      return explain(ui, "Along each axis, as three.js, Godot, Unity, Unreal and Blender can.");
+    case JointScale::kUniform:
+      return explain(ui, "Alike along all axes, for engines that cannot scale unevenly.");
+    case JointScale::kNone:
+      return explain(ui, "For engines that cannot scale joints: two for each muscle line.");
+  }
+}
+
+void helperRow(PanelUi& ui) {
+  ExportSettings& settings = ui.state.dialogs.exporting.settings;
+  label(ui, "Joints");
+  auto helpers = static_cast<float>(settings.helpers);
+  ImGui::SetNextItemWidth(-1.0f);
+  if (numberSlider(ui, "##joints", helpers, {"%.0f", 0.0f, 0.0f, kMostHelpers, 1.0f, true})) {
+    settings.helpers = static_cast<int>(helpers);
+  }
+  ui.widgets.note("export/joints");
+  explain(ui, "At most so many are added, where they bring the mesh closest to the picture.");
+}
+
+}  // namespace
+
+int chooseWord(PanelUi& ui, const char* id, std::initializer_list<const char*> words, int chosen) {
+  return segmented(ui, id, words.begin(), static_cast<int>(words.size()), chosen, ImGui::GetContentRegionAvail().x);
+}
+
+void drawExportSettings(PanelUi& ui, bool clips) {
+  ExportDialogState& dialog = ui.state.dialogs.exporting;
+  kindRow(ui);
+  const ExportFields& fields = chosenKind(ui.state.dialogs).fields;
+  if (fields.mesh) meshRow(ui);
+  if (fields.depth && (!fields.mesh || dialog.settings.mesh == ExportMesh::kRefined)) detailRows(ui);
+  if (fields.clips && clips) clipRows(ui);
+  if (fields.oneClip && clips) oneClipRows(ui);
+  if (fields.bound) boundRow(ui);
+  if (fields.helpers) helperRow(ui);
+  if (!fields.weights && !fields.helpers) return;
+  ImGui::SetNextItemOpen(dialog.advanced);
+  dialog.advanced = ImGui::TreeNodeEx("Advanced", ImGuiTreeNodeFlags_NoTreePushOnOpen);
+  ui.widgets.note("export/advanced");
+  ImGui::Dummy({0.0f, ui.px(2)});
+  if (dialog.advanced && fields.weights) weightsRow(ui);
+  if (dialog.advanced && fields.helpers) jointScaleRow(ui);
+}
+
+bool drawPlace(PanelUi& ui, const char* id, const char* text, DialogKind kind) {
+  ExportDialogState& dialog = ui.state.dialogs.exporting;
+  ExportPlace& place = placeOf(ui.state.dialogs, kind);
+  label(ui, text);
+  const float button = ui.px(96);
+  ImGui::SetNextItemWidth(-button - ui.px(8));
+  ImGui::PushID(id);
+  const bool entered = ImGui::InputTextWithHint(
+      "##name", "Name", &place.name, ImGuiInputTextFlags_AutoSelectAll | ImGuiInputTextFlags_EnterReturnsTrue);
+  ui.widgets.note(id);
+  if (ImGui::IsItemEdited()) {
+    dialog.error.clear();
+    dialog.overwriteAsked = false;
+  }
+  ImGui::SameLine(0.0f, ui.px(8));
+  const bool browse = ImGui::Button("Choose...", {button, 0.0f});
+  ui.widgets.note(std::string(id) + "-browse");
+  ImGui::PopID();
+  ImGui::SetCursorPosX(ui.px(kExportLabels));
+  mutedLine(ui, "in " + place.folder.string());
+  ImGui::Dummy({0.0f, ui.px(6)});
+  if (browse) browseForPlace(ui.state, kind);
+  return entered;
 }
 
 }  // namespace sinew::app

@@ -20,8 +20,8 @@
 #include "app/editor/picture_commands.h"
 #include "app/editor/pictures_commands.h"
 #include "app/editor/reference_commands.h"
-#include "app/panels/dialog_parts.h"
 #include "app/panels/dialogs.h"
+#include "app/panels/panel_ui.h"
 #include "app/ui/reading_order.h"
 
 namespace sinew::app {

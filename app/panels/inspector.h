@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "app/editor/line_commands.h"
 #include "app/panels/panel_ui.h"
 #include "core/geometry/at.h"
 #include "sinew/rig/parameter.h"
@@ -90,5 +91,15 @@ void drawAnimationRows(PanelUi& ui, const Subjects& subjects);
 void drawSurfaceAnimation(PanelUi& ui);
 /// @param morph  index into Rig::morphs
 void drawMorphAnimation(PanelUi& ui, int morph);
+
+// The inspector's rows about the lines of the selected muscles.
+
+/// What one does to them: ends, length, buttons.
+void drawLineRows(PanelUi& ui, const Subjects& subjects);
+void drawFlexRow(PanelUi& ui, const SelectedLines& lines);
+/// The rest of their numbers.
+void drawLineNumbers(PanelUi& ui);
+/// For muscles that ride one bone.
+void drawOtherEndRow(PanelUi& ui, const Subjects& subjects);
 
 }  // namespace sinew::app

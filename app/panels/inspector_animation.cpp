@@ -6,7 +6,6 @@
 #include <array>
 
 #include "app/editor/animated_names.h"
-#include "app/panels/animated_field.h"
 #include "app/panels/curve_editor.h"
 #include "app/panels/field_edit.h"
 #include "app/panels/inspector.h"

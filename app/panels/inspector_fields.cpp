@@ -9,7 +9,6 @@
 
 #include "app/document/muscle_names.h"
 #include "app/editor/commands.h"
-#include "app/panels/animated_field.h"
 #include "app/panels/field_edit.h"
 #include "app/panels/inspector.h"
 #include "app/ui/number_field.h"

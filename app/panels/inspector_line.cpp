@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "app/document/shown_names.h"
-#include "app/panels/bone_list.h"
-#include "app/panels/inspector_lines.h"
+#include "app/panels/inspector.h"
+#include "app/panels/panel_ui.h"
 #include "app/viewport/tools/line_handles.h"
 #include "core/geometry/at.h"
 #include "core/rig/line_pose.h"

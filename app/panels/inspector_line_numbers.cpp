@@ -9,9 +9,8 @@
 #include <string>
 
 #include "app/editor/line_commands.h"
-#include "app/panels/animated_field.h"
 #include "app/panels/field_edit.h"
-#include "app/panels/inspector_lines.h"
+#include "app/panels/inspector.h"
 #include "core/geometry/at.h"
 
 namespace sinew::app {

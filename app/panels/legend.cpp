@@ -1,6 +1,6 @@
 // app/panels/legend.cpp: what the colors in the picture mean, and which mode it is in.
 
-#include "app/panels/legend.h"
+#include "app/panels/overlay.h"
 
 #include <imgui.h>
 
@@ -16,7 +16,6 @@
 #include "app/editor/layer_commands.h"
 #include "app/editor/territory.h"
 #include "app/editor/visibility_commands.h"
-#include "app/panels/overlay.h"
 #include "app/ui/number_field.h"
 #include "app/viewport/render/color_scales.h"
 

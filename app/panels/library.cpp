@@ -1,5 +1,5 @@
 // app/panels/library.cpp: search, saving a set, and the tiles of each set.
-#include "app/panels/library.h"
+#include "app/panels/panels.h"
 
 #include <imgui.h>
 #include <imgui_internal.h>  // ClearActiveID, which 1.86 keeps to itself.

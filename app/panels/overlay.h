@@ -61,4 +61,12 @@ void drawExportError(PanelUi& ui, const ImVec2& low);
 /// At the cursor.
 void drawExportStatus(PanelUi& ui);
 
+/// Height of the legend and the line of the mode, from the bottom of the picture; window coordinates.
+[[nodiscard]] float legendHeight(PanelUi& ui);
+/// Held with the mouse or by its key: shows the character without muscles. Call once a frame, for the key as well.
+void drawBeforeButton(PanelUi& ui, float size);
+/// The same where there is no room for the button. @param held  by the mouse
+void holdBefore(PanelUi& ui, bool held);
+void drawTerritoryButton(PanelUi& ui, float size);
+
 }  // namespace sinew::app

@@ -6,7 +6,6 @@
 #include "app/panels/dialogs.h"
 #include "app/panels/inspector.h"
 #include "app/panels/overlay.h"
-#include "app/panels/timeline.h"
 
 namespace sinew::app {
 namespace {

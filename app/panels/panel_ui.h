@@ -1,11 +1,12 @@
 // app/panels/panel_ui.h: what every panel is handed, and the controls that run actions.
 #pragma once
 
-#include <imgui.h>
-
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
+
+#include <imgui.h>
 
 #include "app/editor/actions.h"
 #include "app/editor/editor_state.h"
@@ -13,6 +14,15 @@
 #include "app/ui/ui.h"
 
 namespace sinew::app {
+
+// Rows and buttons that dialogs have in common.
+
+/// The button that Enter would mean.
+[[nodiscard]] bool accentButton(const char* label, const ImVec2& size);
+/// A row's name; what follows stands `width` design pixels from the left.
+void dialogLabel(Ui& ui, const char* text, float width);
+/// What a row means, below it, with some space after it.
+void dialogExplain(Ui& ui, const char* text, float width);
 
 /// The interface and the editor behind it, for the length of a frame.
 struct PanelUi : Ui {
@@ -44,5 +54,14 @@ inline void beginRow(PanelUi& ui, const Control& control) { beginRow(ui, control
 void actionButton(PanelUi& ui, const std::string& id, const Action& action, Icon icon, float size);
 /// pillButton for an action: filled when the action is checked.
 void actionPill(PanelUi& ui, const std::string& id, const Action& action);
+
+// A list of bones to choose from: near ones first, the rest by typing.
+
+/// Inside a list that has just been opened: bones to choose from, the nearest in the tree first; typing leaves those
+/// that have the text in their names, Enter takes the first. Rows note themselves as ID/NAME. @param near  -1: in the
+/// tree's order; @param chosen  marked, or -1
+/// @param drawOthers  what else the list offers, under the search @return the bone that was taken, or -1
+[[nodiscard]] int boneList(PanelUi& ui, const std::string& id, int near, int chosen,
+                           const std::function<bool(int)>& isOffered, const std::function<void()>& drawOthers = {});
 
 }  // namespace sinew::app

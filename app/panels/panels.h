@@ -22,10 +22,15 @@ struct Panel {
 /// In drawing order.
 [[nodiscard]] std::span<const Panel> panels();
 
-// Those of this directory.
-/// Outliner and groups, of which one is shown.
+/// The tabs at the left, of which one is shown.
 void drawLeftTabs(PanelUi& ui);
+void drawOutliner(PanelUi& ui);
+void drawLibrary(PanelUi& ui);
+void drawShapes(PanelUi& ui);
+/// Once a frame where the outliner is not drawn: keeps the label of a dragged muscle beside the pointer.
+void keepDraggedShown(PanelUi& ui);
 void drawHistory(PanelUi& ui);
+void drawTimeline(PanelUi& ui);
 
 /// Menu bar, regions, splitters, status line, dialogs: the whole window. Fills state.frame.viewport and viewportPixels.
 /// @return whether the mouse is over the picture and nothing lies in front of it.

@@ -11,9 +11,8 @@
 #include <string>
 
 #include "app/editor/pictures_commands.h"
-#include "app/panels/dialog_parts.h"
 #include "app/panels/dialogs.h"
-#include "app/panels/export_rows.h"
+#include "app/panels/panel_ui.h"
 #include "app/ui/number_field.h"
 #include "app/viewport/render/movie.h"
 

@@ -1,5 +1,5 @@
 // app/panels/shapes.cpp: search, reset, and the sliders under the first parts of their names.
-#include "app/panels/shapes.h"
+#include "app/panels/panels.h"
 
 #include <imgui.h>
 #include <imgui_stdlib.h>
@@ -11,7 +11,6 @@
 
 #include "app/editor/edit.h"
 #include "app/editor/outliner_rows.h"
-#include "app/panels/animated_field.h"
 #include "app/panels/field_edit.h"
 #include "app/panels/inspector.h"
 #include "app/ui/readable_names.h"

@@ -1,7 +1,6 @@
 // app/panels/surface_panel.cpp: how the surface is made: mode, tightness, skin blend; depth, rounding.
 
 #include <imgui.h>
-#include "app/panels/animated_field.h"
 #include "app/panels/field_edit.h"
 #include "app/panels/inspector.h"
 

@@ -1,5 +1,5 @@
 // app/panels/timeline_keys.cpp: rows of keys above the track, for keyed numbers and channels.
-#include "app/panels/timeline_keys.h"
+#include "app/panels/timeline.h"
 
 #include <algorithm>
 #include <array>

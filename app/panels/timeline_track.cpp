@@ -1,6 +1,6 @@
 // app/panels/timeline_track.cpp: scrubbing, ticks, keys, the range that plays.
 
-#include "app/panels/timeline_track.h"
+#include "app/panels/timeline.h"
 
 #include <imgui.h>
 #include <imgui_internal.h>  // NoNav: for the mouse alone.

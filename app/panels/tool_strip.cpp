@@ -8,7 +8,6 @@
 #include <string_view>
 #include <vector>
 
-#include "app/panels/legend.h"
 #include "app/panels/overlay.h"
 #include "app/viewport/tools/tool.h"
 

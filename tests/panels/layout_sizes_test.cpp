@@ -1,6 +1,6 @@
 // tests/panels/layout_sizes_test.cpp: panel sizes are wishes; what is shown follows from them and the window.
 
-#include "app/panels/layout_sizes.h"
+#include "app/panels/layout.h"
 
 #include <random>
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "app/panels/layout_sizes.h"
+#include "app/panels/layout.h"
 #include "app/ui/fonts.h"
 #include "tests/support/editor/drawn_text.h"
 #include "tests/support/editor/headless_editor.h"

@@ -1,4 +1,4 @@
-// app/panels/layout_sizes.h: what is shown of the wished panel sizes in a window of a given size.
+// app/panels/layout.h: the sizes of the panels in a window of a given size.
 #pragma once
 
 #include "app/document/preferences.h"
