@@ -1,4 +1,4 @@
-// app/panels/export_dialog.cpp: File > Export: a character for games, and as a farm job.
+// app/panels/export_dialog.cpp: File > Export: the character for games, and as a farm job.
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -6,169 +6,121 @@
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
-#include <imgui.h>
 #include <imgui_stdlib.h>
 
 #include "app/document/rig_list.h"
 #include "app/editor/export_commands.h"
 #include "app/panels/dialogs.h"
-#include "app/panels/panel_ui.h"
 #include "app/ui/number_field.h"
 #include "app/ui/reading_order.h"
 #include "core/geometry/at.h"
 #include "core/geometry/index_table.h"
 
 namespace sinew::app {
-namespace {
 
-const Control kExportFile{"export/place", "Export: file", "path folder name"};
-const Control kExportWrite{"export/ok", "Export: write the file", "start run"};
-const Control kFarmJob{"farm/job", "Farm job: folder", "path place"};
+// Rows that other dialogs share.
 
-constexpr float kExportDialogWidth = 560.0f;  // Design pixels.
-
-/// Only where there are others.
-void rigsRow(PanelUi& ui) {
-  ExportDialogState& dialog = ui.state.dialogs.exporting;
-  if (dialog.rigs.size() < 2) return;
-  dialogLabel(ui, "Rigs", kExportLabels);
-  const std::string all = "All " + std::to_string(dialog.rigs.size()) + " in its folder";
-  const int clicked = chooseWord(ui, "farm/rigs", {"This one", all.c_str()}, dialog.wholeFolder ? 1 : 0);
-  if (clicked >= 0) {
-    dialog.wholeFolder = clicked == 1;
-    dialog.error.clear();
-    dialog.overwriteAsked = false;
-  }
-  std::string names;
-  for (const std::filesystem::path& rig : farmRigs(ui.state)) {
-    names += (names.empty() ? "" : ", ") + nameWithoutEnding(rig);
-  }
-  ImGui::SetCursorPosX(ui.px(kExportLabels));
-  mutedLine(ui, names);
-  ImGui::Dummy({0.0f, ui.px(6)});
-}
-
-void targetRow(PanelUi& ui) {
-  Dialogs& dialogs = ui.state.dialogs;
-  dialogLabel(ui, "Farm", kExportLabels);
-  std::vector<const char*> titles;
-  for (const FarmTarget& target : farmTargets()) titles.push_back(target.title);
-  const FarmTarget* const chosen = findFarmTarget(dialogs.exporting.target);
-  const int clicked = segmented(ui, "farm/target", titles.data(), static_cast<int>(titles.size()),
-                                static_cast<int>(chosen - farmTargets().data()), ImGui::GetContentRegionAvail().x);
-  if (clicked >= 0) chooseTarget(dialogs, at(farmTargets(), clicked));
-  const std::string hint = std::string("Run it with ") + findFarmTarget(dialogs.exporting.target)->runWith +
-                           ". Rigs are read when it runs; files that exist by then are kept.";
-  dialogExplain(ui, hint.c_str(), kExportLabels);
-}
-
-/// One rig is one task.
-void tasksRow(PanelUi& ui) {
-  const std::size_t rigs = farmRigs(ui.state).size();
-  if (rigs < 2) return;
-  dialogLabel(ui, "Tasks", kExportLabels);
-  auto tasks = static_cast<float>(farmTasks(ui.state));
+bool countSlider(PanelUi& ui, const char* id, int& count, const char* format, int least, int most) {
+  auto shown = static_cast<float>(count);
   ImGui::SetNextItemWidth(-1.0f);
-  const auto most = static_cast<float>(std::min<std::size_t>(rigs, kMostTasks));
-  if (numberSlider(ui, "##tasks", tasks, {"%.0f", 0.0f, 1.0f, most, 1.0f, true})) {
-    ui.state.dialogs.exporting.tasks = static_cast<int>(tasks);
-  }
-  ui.widgets.note("farm/tasks");
-  dialogExplain(ui, "Each makes its share of the rigs, on its own machine.", kExportLabels);
+  const NumberLook look{format, 0.0f, static_cast<float>(least), static_cast<float>(most), 1.0f, true};
+  const bool changed = numberSlider(ui, (std::string("##") + id).c_str(), shown, look);
+  if (changed) count = static_cast<int>(shown);
+  ui.widgets.note(id);
+  return changed;
 }
 
-bool drawCharacter(PanelUi& ui) {
-  drawExportSettings(ui, true);
-  ImGui::Separator();
-  ImGui::Dummy({0.0f, ui.px(4)});
-  return drawPlace(ui, kExportFile.id, "File", DialogKind::kExportPlace);
+bool enterConfirms() {
+  const bool pressed = ImGui::IsKeyPressed(GLFW_KEY_ENTER, false) || ImGui::IsKeyPressed(GLFW_KEY_KP_ENTER, false);
+  return pressed && !ImGui::IsAnyItemActive();
 }
 
-bool drawFarm(PanelUi& ui) {
-  const ExportDialogState& dialog = ui.state.dialogs.exporting;
-  rigsRow(ui);
-  drawExportSettings(ui, !dialog.wholeFolder);
-  ImGui::Separator();
-  ImGui::Dummy({0.0f, ui.px(4)});
-  const bool entered = drawPlace(ui, kExportFile.id, dialog.wholeFolder ? "Files" : "File", DialogKind::kExportPlace);
-  targetRow(ui);
-  tasksRow(ui);
-  return drawPlace(ui, kFarmJob.id, "Job", DialogKind::kJobPlace) || entered;
-}
-
-void drawExportDialogComplaint(PanelUi& ui) {
-  const ExportDialogState& dialog = ui.state.dialogs.exporting;
-  if (dialog.error.empty() && !dialog.overwriteAsked) return;
-  std::string asked;
-  if (dialog.overwriteAsked) {
-    const std::vector<std::filesystem::path> files = replacedFiles(ui.state);
-    for (const std::filesystem::path& file : files) {
-      asked += (asked.empty() ? "" : " and ") + file.filename().string();
-    }
-    asked += files.size() == 1 ? " already exists. Replace it?" : " already exist. Replace them?";
-  }
-  ImGui::PushStyleColor(ImGuiCol_Text, dialog.error.empty() ? palette::kWarning : palette::kError);
-  ImGui::TextWrapped("%s", dialog.error.empty() ? asked.c_str() : dialog.error.c_str());
+void dialogComplaint(const std::string& error, const std::string& question) {
+  ImGui::PushStyleColor(ImGuiCol_Text, error.empty() ? palette::kWarning : palette::kError);
+  ImGui::TextWrapped("%s", error.empty() ? question.c_str() : error.c_str());
   ImGui::PopStyleColor();
-  ui.widgets.note("export/complaint");
 }
 
-/// @return whether the dialog is over.
-bool drawEnd(PanelUi& ui, const char* verb, bool entered) {
-  ExportDialogState& dialog = ui.state.dialogs.exporting;
-  drawExportDialogComplaint(ui);
-  const float width = ui.px(104);
-  ImGui::SetCursorPosX(ImGui::GetContentRegionMax().x - 2.0f * width - ui.px(8));
-  const bool canceled = ImGui::Button(dialog.overwriteAsked ? "Keep" : "Cancel", {width, 0.0f});
-  ui.widgets.note("export/cancel");
+bool placeRow(PanelUi& ui, const char* id, const char* text, ExportPlace& place, PlaceChanges changes) {
+  dialogLabel(ui, text, kExportLabels);
+  const float button = ui.px(96);
+  ImGui::SetNextItemWidth(-button - ui.px(8));
+  ImGui::PushID(id);
+  const bool entered = ImGui::InputTextWithHint(
+      "##name", "Name", &place.name, ImGuiInputTextFlags_AutoSelectAll | ImGuiInputTextFlags_EnterReturnsTrue);
+  ui.widgets.note(id);
+  if (ImGui::IsItemEdited()) {
+    changes.error.clear();
+    changes.overwriteAsked = false;
+  }
   ImGui::SameLine(0.0f, ui.px(8));
-  const bool confirmed = accentButton(dialog.overwriteAsked ? "Replace" : verb, {width, 0.0f});
-  ui.widgets.note(kExportWrite.id);
-  if (confirmed || entered) return confirmExport(ui.state);
-  if (!canceled && !escapePressed(ui)) return false;
-  if (dialog.overwriteAsked) {
-    dialog.overwriteAsked = false;
-    return false;
-  }
-  closeExportDialog(ui.state.dialogs);
-  return true;
+  changes.browse = textButton(ui, std::string(id) + "-browse", "Choose...", {button, 0.0f});
+  ImGui::PopID();
+  ImGui::SetCursorPosX(ui.px(kExportLabels));
+  mutedLine(ui, "in " + place.folder.string());
+  ImGui::Dummy({0.0f, ui.px(6)});
+  return entered;
 }
-
-/// @param rows  draws them; returns whether Enter was pressed in a name
-void drawDialog(PanelUi& ui, ExportDialog which, const char* title, const char* verb, bool (*rows)(PanelUi&)) {
-  // The path dialog takes its place while it is open.
-  if (ui.state.dialogs.exporting.shown != which || ui.state.dialogs.file.kind != DialogKind::kNone) return;
-  if (!ImGui::IsPopupOpen(title)) ImGui::OpenPopup(title);
-  placeDialog(ui, kExportDialogWidth);
-  pushDialogStyle(ui);
-  if (ImGui::BeginPopupModal(title, nullptr, ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove)) {
-    // Enter is the button, unless it ends the typing of a number.
-    const bool free = !ImGui::IsAnyItemActive();
-    const bool pressed = ImGui::IsKeyPressed(GLFW_KEY_ENTER, false) || ImGui::IsKeyPressed(GLFW_KEY_KP_ENTER, false);
-    const bool entered = rows(ui) || (free && pressed);
-    const bool browsing = ui.state.dialogs.file.kind != DialogKind::kNone;
-    if (browsing || drawEnd(ui, verb, entered)) ImGui::CloseCurrentPopup();
-    ImGui::EndPopup();
-  }
-  popDialogStyle();
-}
-
-}  // namespace
-
-void drawExportDialog(PanelUi& ui) {
-  drawDialog(ui, ExportDialog::kCharacter, "Export the character", "Export", drawCharacter);
-}
-
-void drawFarmDialog(PanelUi& ui) {
-  drawDialog(ui, ExportDialog::kFarmJob, "Export as a farm job", "Write job", drawFarm);
-}
-
-// What the export dialog and the farm dialog both ask.
 
 namespace {
+
+using Field = bool ExportFields::*;
+
+template <Field kField>
+Possible kindHas(const EditorState& state) {
+  return withExport(state).also(chosenKind(state.dialogs).fields.*kField,
+                                "The chosen kind of export has no such setting");
+}
+template <Field kField>
+Possible kindHasClips(const EditorState& state) {
+  const Possible kind = kindHas<kField>(state);
+  if (!kind) return kind;
+  return {!exportableClips(chosenKind(state.dialogs), state.character()).empty(), "This character has no clips"};
+}
+Possible refined(const EditorState& state) {
+  const bool original =
+      chosenKind(state.dialogs).fields.mesh && state.dialogs.exporting.settings.mesh == ExportMesh::kOriginal;
+  return kindHas<&ExportFields::depth>(state).also(!original, "Choose the refined mesh first");
+}
+/// The detail of this export: the rig's, unless the dialog has changed it.
+SmoothingSettings detailNow(const EditorState& state) {
+  SmoothingSettings now = state.document.rig().smoothing;
+  state.dialogs.exporting.settings.detail.apply(now);
+  return now;
+}
+Possible exportsAdaptive(const EditorState& state) {
+  return refined(state).also(detailNow(state).detail == DetailKind::kAdaptive, "Choose adaptive detail first");
+}
+Possible exportsUniform(const EditorState& state) {
+  return refined(state).also(detailNow(state).detail == DetailKind::kUniform, "Choose uniform detail first");
+}
+Possible hasAdvanced(const EditorState& state) {
+  const ExportFields& fields = chosenKind(state.dialogs).fields;
+  return withExport(state).also(fields.weights || fields.helpers, "The chosen kind of export has no such setting");
+}
 
 const Control kExportKindRow{"export/kind/muscle joints", "Export: kind of character",
                              "game engine skinned baked morph helper format"};
+const Control kExportMesh{"export/mesh/refined", "Export: mesh", "refined original vertices",
+                          kindHas<&ExportFields::mesh>};
+const Control kExportDetail{"export/detail/adaptive", "Export: detail", "adaptive uniform subdivision", refined};
+const Control kExportTolerance{"export/tolerance", "Export: tolerance", "adaptive error fine", exportsAdaptive};
+const Control kExportDepth{"export/depth", "Export: depth", "subdivision level fine", exportsUniform};
+const Control kExportClips{"export/clips/chosen", "Export: clips", "animations all chosen",
+                           kindHasClips<&ExportFields::clips>};
+const Control kExportOneClip{"export/one-clip", "Export: clip", "animation baked",
+                             kindHasClips<&ExportFields::oneClip>};
+const Control kExportFrames{"export/fps", "Export: frames a second", "fps rate speed",
+                            kindHasClips<&ExportFields::oneClip>};
+const Control kExportBound{"export/bound", "Export: distance", "error morph targets accuracy",
+                           kindHas<&ExportFields::bound>};
+const Control kExportSubsteps{"export/substeps", "Export: substeps", "samples frame", kindHas<&ExportFields::bound>};
+const Control kExportJoints{"export/joints", "Export: joints", "helper bones number", kindHas<&ExportFields::helpers>};
+const Control kExportAdvanced{"export/advanced", "Export: advanced settings", "more weights scale", hasAdvanced};
+const Control kExportWeights{"export/weights/transferred", "Export: weights", "skin refitted transferred",
+                             kindHas<&ExportFields::weights>, kExportAdvanced.id};
+const Control kExportScale{"export/scale/full", "Export: joint scale", "uniform none uneven",
+                           kindHas<&ExportFields::helpers>, kExportAdvanced.id};
 
 constexpr std::size_t kClipRows = 6;  // More of them scroll.
 
@@ -202,12 +154,11 @@ void meshRow(PanelUi& ui) {
                     "stay.");
 }
 
-/// How finely the exported mesh is divided: as the rig says, or otherwise for this export.
+/// The detail of the exported mesh: the rig's, or another one for this export.
 void detailRows(PanelUi& ui) {
   ExportSettings& settings = ui.state.dialogs.exporting.settings;
   const SmoothingSettings& ofRig = ui.state.document.rig().smoothing;
-  SmoothingSettings now = ofRig;
-  settings.detail.apply(now);
+  SmoothingSettings now = detailNow(ui.state);
   label(ui, "Detail");
   const bool wasAdaptive = now.detail == DetailKind::kAdaptive;
   const int clicked = chooseWord(ui, "export/detail", {"Adaptive", "Uniform"}, wasAdaptive ? 0 : 1);
@@ -222,11 +173,9 @@ void detailRows(PanelUi& ui) {
       now.tolerance = percent / 100.0f;
     }
   } else {
-    auto depth = static_cast<float>(now.depth);
-    if (numberSlider(ui, "##depth", depth, {"%.0f", 0.0f, 1.0f, kMaxDepth, 1.0f, true}))
-      now.depth = static_cast<int>(depth);
+    countSlider(ui, kExportDepth.id, now.depth, "%.0f", 1, kMaxDepth);
   }
-  ui.widgets.note(adaptive ? "export/tolerance" : "export/depth");
+  if (adaptive) ui.widgets.note(kExportTolerance.id);
   settings.detail = {};
   if (now.detail != ofRig.detail) settings.detail.kind = now.detail;
   if (adaptive && now.tolerance != ofRig.tolerance) settings.detail.tolerance = now.tolerance;
@@ -264,7 +213,7 @@ void keepClipThatPlays(EditorState& state) {
   state.dialogs.exporting.settings.clips.push_back(at(state.character().clips, clip).name);
 }
 
-/// The one that is exported, and its frames.
+/// The clip to export, and its frame rate.
 void oneClipRows(PanelUi& ui) {
   ExportDialogState& dialog = ui.state.dialogs.exporting;
   const std::vector<std::string> names = exportableClips(chosenKind(ui.state.dialogs), ui.state.character());
@@ -273,7 +222,7 @@ void oneClipRows(PanelUi& ui) {
   label(ui, "Clip");
   ImGui::SetNextItemWidth(-1.0f);
   const bool open = ImGui::BeginCombo("##one-clip", inReadingOrder(chosen).c_str(), ImGuiComboFlags_HeightLarge);
-  ui.widgets.note("export/one-clip");
+  ui.widgets.note(kExportOneClip.id);
   if (open) {
     for (std::size_t i = 0; i < names.size(); ++i) {
       ImGui::PushID(static_cast<int>(i));
@@ -291,7 +240,7 @@ void oneClipRows(PanelUi& ui) {
   if (numberSlider(ui, "##fps", rate, {"%.0f a second", 0.0f, 1.0f, 120.0f, 1.0f, true})) {
     dialog.settings.framesPerSecond = static_cast<double>(rate);
   }
-  ui.widgets.note("export/fps");
+  ui.widgets.note(kExportFrames.id);
   ImGui::Dummy({0.0f, ui.px(6)});
 }
 
@@ -305,16 +254,11 @@ void boundRow(PanelUi& ui) {
   if (numberSlider(ui, "##bound", bound, look)) {
     settings.bound = std::round(1000.0 * static_cast<double>(bound)) / 1000.0;
   }
-  ui.widgets.note("export/bound");
-  explain(ui, "How far a vertex may be off in any frame, of the height: the nearer, the more morph targets.");
+  ui.widgets.note(kExportBound.id);
+  explain(ui, "Largest error of a vertex in any frame, percent of the height. A smaller one needs more morph targets.");
   label(ui, "Substeps");
-  auto substeps = static_cast<float>(settings.substeps);
-  ImGui::SetNextItemWidth(-1.0f);
-  if (numberSlider(ui, "##substeps", substeps, {"%.0f a frame", 0.0f, 1.0f, kMostSubsteps, 1.0f, true})) {
-    settings.substeps = static_cast<int>(substeps);
-  }
-  ui.widgets.note("export/substeps");
-  explain(ui, "Moments baked in each frame. Several keep the distance between frames, too.");
+  countSlider(ui, kExportSubsteps.id, settings.substeps, "%.0f a frame", 1, kMostSubsteps);
+  explain(ui, "Samples baked in each frame. Several also limit the error between frames.");
 }
 
 void clipRows(PanelUi& ui) {
@@ -348,10 +292,10 @@ void weightsRow(PanelUi& ui) {
   if (clicked >= 0) settings.weights = static_cast<ExportWeights>(clicked);
   explain(ui, settings.weights == ExportWeights::kRefitted
                   ? "Fitted to the muscles' surface over the clips and the range of motion: closest to the picture."
-                  : "Those of the file, as they are painted there.");
+                  : "The weights of the file, as they are painted there.");
 }
 
-/// What an engine can do.
+/// The scaling that the engine supports.
 void jointScaleRow(PanelUi& ui) {
   ExportSettings& settings = ui.state.dialogs.exporting.settings;
   label(ui, "Joint scale");
@@ -371,21 +315,11 @@ void jointScaleRow(PanelUi& ui) {
 void helperRow(PanelUi& ui) {
   ExportSettings& settings = ui.state.dialogs.exporting.settings;
   label(ui, "Joints");
-  auto helpers = static_cast<float>(settings.helpers);
-  ImGui::SetNextItemWidth(-1.0f);
-  if (numberSlider(ui, "##joints", helpers, {"%.0f", 0.0f, 0.0f, kMostHelpers, 1.0f, true})) {
-    settings.helpers = static_cast<int>(helpers);
-  }
-  ui.widgets.note("export/joints");
-  explain(ui, "At most so many are added, where they bring the mesh closest to the picture.");
+  countSlider(ui, kExportJoints.id, settings.helpers, "%.0f", 0, kMostHelpers);
+  explain(ui, "The most joints to add, where they bring the mesh closest to the picture.");
 }
 
-}  // namespace
-
-int chooseWord(PanelUi& ui, const char* id, std::initializer_list<const char*> words, int chosen) {
-  return segmented(ui, id, words.begin(), static_cast<int>(words.size()), chosen, ImGui::GetContentRegionAvail().x);
-}
-
+/// @param clips  false: no row for the clips
 void drawExportSettings(PanelUi& ui, bool clips) {
   ExportDialogState& dialog = ui.state.dialogs.exporting;
   kindRow(ui);
@@ -399,7 +333,7 @@ void drawExportSettings(PanelUi& ui, bool clips) {
   if (!fields.weights && !fields.helpers) return;
   ImGui::SetNextItemOpen(dialog.advanced);
   dialog.advanced = ImGui::TreeNodeEx("Advanced", ImGuiTreeNodeFlags_NoTreePushOnOpen);
-  ui.widgets.note("export/advanced");
+  ui.widgets.note(kExportAdvanced.id);
   ImGui::Dummy({0.0f, ui.px(2)});
   if (dialog.advanced && fields.weights) weightsRow(ui);
   if (dialog.advanced && fields.helpers) jointScaleRow(ui);
@@ -407,27 +341,153 @@ void drawExportSettings(PanelUi& ui, bool clips) {
 
 bool drawPlace(PanelUi& ui, const char* id, const char* text, DialogKind kind) {
   ExportDialogState& dialog = ui.state.dialogs.exporting;
-  ExportPlace& place = placeOf(ui.state.dialogs, kind);
-  label(ui, text);
-  const float button = ui.px(96);
-  ImGui::SetNextItemWidth(-button - ui.px(8));
-  ImGui::PushID(id);
-  const bool entered = ImGui::InputTextWithHint(
-      "##name", "Name", &place.name, ImGuiInputTextFlags_AutoSelectAll | ImGuiInputTextFlags_EnterReturnsTrue);
-  ui.widgets.note(id);
-  if (ImGui::IsItemEdited()) {
+  bool browse = false;
+  const bool entered =
+      placeRow(ui, id, text, placeOf(ui.state.dialogs, kind), {dialog.error, dialog.overwriteAsked, browse});
+  if (browse) browseForPlace(ui.state, kind);
+  return entered;
+}
+
+Possible withOtherRigs(const EditorState& state) {
+  const Possible farm = withFarmJob(state);
+  if (!farm) return farm;
+  std::error_code ignored;
+  const std::filesystem::path folder = std::filesystem::absolute(state.document.rigFile, ignored).parent_path();
+  return {rigsIn(folder).size() > 1, "The folder has no other rig"};
+}
+Possible withAllRigs(const EditorState& state) {
+  return withOtherRigs(state).also(state.dialogs.exporting.wholeFolder, "Choose all rigs of the folder first");
+}
+
+const Control kExportFile{"export/place", "Export: file", "path folder name"};
+const Control kExportWrite{"export/ok", "Export: write the file", "start run"};
+const Control kFarmJob{"farm/job", "Farm job: folder", "path place"};
+const Control kFarmRigs{"farm/rigs/this one", "Farm job: rigs", "folder all open one", withOtherRigs};
+const Control kFarmTarget{"farm/target/slurm", "Farm job: farm", "slurm make deadline shell target"};
+const Control kFarmTasks{"farm/tasks", "Farm job: tasks", "machines array number", withAllRigs};
+
+constexpr float kExportDialogWidth = 560.0f;  // Design pixels.
+
+/// Drawn only if the folder has other rigs.
+void rigsRow(PanelUi& ui) {
+  ExportDialogState& dialog = ui.state.dialogs.exporting;
+  if (dialog.rigs.size() < 2) return;
+  dialogLabel(ui, "Rigs", kExportLabels);
+  const std::string all = "All " + std::to_string(dialog.rigs.size()) + " in its folder";
+  const int clicked = chooseWord(ui, "farm/rigs", {"This one", all.c_str()}, dialog.wholeFolder ? 1 : 0);
+  if (clicked >= 0) {
+    dialog.wholeFolder = clicked == 1;
     dialog.error.clear();
     dialog.overwriteAsked = false;
   }
-  ImGui::SameLine(0.0f, ui.px(8));
-  const bool browse = ImGui::Button("Choose...", {button, 0.0f});
-  ui.widgets.note(std::string(id) + "-browse");
-  ImGui::PopID();
+  std::string names;
+  for (const std::filesystem::path& rig : farmRigs(ui.state)) {
+    names += (names.empty() ? "" : ", ") + nameWithoutEnding(rig);
+  }
   ImGui::SetCursorPosX(ui.px(kExportLabels));
-  mutedLine(ui, "in " + place.folder.string());
+  mutedLine(ui, names);
   ImGui::Dummy({0.0f, ui.px(6)});
-  if (browse) browseForPlace(ui.state, kind);
-  return entered;
+}
+
+void targetRow(PanelUi& ui) {
+  Dialogs& dialogs = ui.state.dialogs;
+  dialogLabel(ui, "Farm", kExportLabels);
+  std::vector<const char*> titles;
+  for (const FarmTarget& target : farmTargets()) titles.push_back(target.title);
+  const FarmTarget* const chosen = findFarmTarget(dialogs.exporting.target);
+  const int clicked = segmented(ui, "farm/target", titles.data(), static_cast<int>(titles.size()),
+                                static_cast<int>(chosen - farmTargets().data()), ImGui::GetContentRegionAvail().x);
+  if (clicked >= 0) chooseTarget(dialogs, at(farmTargets(), clicked));
+  const std::string hint = std::string("Run it with ") + findFarmTarget(dialogs.exporting.target)->runWith +
+                           ". Rigs are read when it runs; files that exist by then are kept.";
+  dialogExplain(ui, hint.c_str(), kExportLabels);
+}
+
+/// Drawn only for several rigs: one rig is one task.
+void tasksRow(PanelUi& ui) {
+  const std::size_t rigs = farmRigs(ui.state).size();
+  if (rigs < 2) return;
+  dialogLabel(ui, "Tasks", kExportLabels);
+  int tasks = farmTasks(ui.state);
+  const int most = static_cast<int>(std::min<std::size_t>(rigs, kMostTasks));
+  if (countSlider(ui, kFarmTasks.id, tasks, "%.0f", 1, most)) ui.state.dialogs.exporting.tasks = tasks;
+  dialogExplain(ui, "Each makes its share of the rigs, on its own machine.", kExportLabels);
+}
+
+bool drawCharacter(PanelUi& ui) {
+  drawExportSettings(ui, true);
+  ImGui::Separator();
+  ImGui::Dummy({0.0f, ui.px(4)});
+  return drawPlace(ui, kExportFile.id, "File", DialogKind::kExportPlace);
+}
+
+bool drawFarm(PanelUi& ui) {
+  const ExportDialogState& dialog = ui.state.dialogs.exporting;
+  rigsRow(ui);
+  drawExportSettings(ui, !dialog.wholeFolder);
+  ImGui::Separator();
+  ImGui::Dummy({0.0f, ui.px(4)});
+  const bool entered = drawPlace(ui, kExportFile.id, dialog.wholeFolder ? "Files" : "File", DialogKind::kExportPlace);
+  targetRow(ui);
+  tasksRow(ui);
+  return drawPlace(ui, kFarmJob.id, "Job", DialogKind::kJobPlace) || entered;
+}
+
+void drawExportDialogComplaint(PanelUi& ui) {
+  const ExportDialogState& dialog = ui.state.dialogs.exporting;
+  if (dialog.error.empty() && !dialog.overwriteAsked) return;
+  std::string asked;
+  if (dialog.overwriteAsked) {
+    const std::vector<std::filesystem::path> files = replacedFiles(ui.state);
+    for (const std::filesystem::path& file : files) {
+      asked += (asked.empty() ? "" : " and ") + file.filename().string();
+    }
+    asked += files.size() == 1 ? " already exists. Replace it?" : " already exist. Replace them?";
+  }
+  dialogComplaint(dialog.error, asked);
+  ui.widgets.note("export/complaint");
+}
+
+/// @return whether to close the dialog
+bool drawEnd(PanelUi& ui, const char* verb, bool entered) {
+  ExportDialogState& dialog = ui.state.dialogs.exporting;
+  drawExportDialogComplaint(ui);
+  const float width = ui.px(104);
+  ImGui::SetCursorPosX(ImGui::GetContentRegionMax().x - 2.0f * width - ui.px(8));
+  const bool canceled = textButton(ui, "export/cancel", dialog.overwriteAsked ? "Keep" : "Cancel", {width, 0.0f});
+  ImGui::SameLine(0.0f, ui.px(8));
+  const bool confirmed = accentButton(ui, kExportWrite.id, dialog.overwriteAsked ? "Replace" : verb, {width, 0.0f});
+  if (confirmed || entered) return confirmExport(ui.state);
+  if (!canceled && !escapePressed(ui)) return false;
+  if (dialog.overwriteAsked) {
+    dialog.overwriteAsked = false;
+    return false;
+  }
+  closeExportDialog(ui.state.dialogs);
+  return true;
+}
+
+/// @param rows  the content; returns whether Enter was pressed in a name
+void drawDialog(PanelUi& ui, ExportDialog which, const char* title, const char* verb, bool (*rows)(PanelUi&)) {
+  // The path dialog replaces it while it is open.
+  if (ui.state.dialogs.exporting.shown != which || ui.state.dialogs.file.kind != DialogKind::kNone) return;
+  placeDialog(ui, kExportDialogWidth);
+  drawModal(ui, title, [&] {
+    const bool confirmed = enterConfirms();
+    const bool entered = rows(ui) || confirmed;
+    const bool browsing = ui.state.dialogs.file.kind != DialogKind::kNone;
+    return browsing || drawEnd(ui, verb, entered);
+  });
+}
+
+}  // namespace
+
+void drawExportDialog(PanelUi& ui) {
+  drawDialog(ui, ExportDialog::kCharacter, "Export the character", "Export", drawCharacter);
+}
+
+void drawFarmDialog(PanelUi& ui) {
+  drawDialog(ui, ExportDialog::kFarmJob, "Export as a farm job", "Write job", drawFarm);
 }
 
 }  // namespace sinew::app

@@ -1,28 +1,23 @@
-// app/panels/field_edit.cpp: gestures of the command stack around ImGui's items.
+// app/panels/field_edit.cpp: undo steps for edits of fields; colors, tooltips and driven keys of animated numbers.
 #include "app/panels/field_edit.h"
 
 #include <algorithm>
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
-#include <imgui.h>
-#include <imgui_internal.h>  // GetItemID, which 1.86 keeps to itself.
-#include <imgui_internal.h>  // TempInputIsActive: whether a number is typed or dragged.
+#include <imgui_internal.h>  // GetItemID; TempInputIsActive: whether a number is typed or dragged.
 
 #include "app/editor/animated_names.h"
 
 namespace sinew::app {
-
-// The ground, the words and the driven keys of numbers that are keyed or driven.
-
 namespace {
 
-constexpr float kStrong = 0.42f;  // The color's share in the ground.
+constexpr float kStrong = 0.42f;  // The color's fraction in the background.
 constexpr float kFaint = 0.16f;
 constexpr float kMark = 3.0f;  // Design pixels: half the mark of a key.
 
-Tint mixed(const Tint& ground, const Tint& color, float share) {
-  const auto of = [&](float a, float b) { return a + share * (b - a); };
+Tint mixed(const Tint& ground, const Tint& color, float fraction) {
+  const auto of = [&](float a, float b) { return a + fraction * (b - a); };
   return {of(ground.r, color.r), of(ground.g, color.g), of(ground.b, color.b), 1.0f};
 }
 
@@ -45,7 +40,7 @@ std::string causesOf(const AnimatedNumber& number, const KeyTrack* track) {
   return causes;
 }
 
-/// A drag keeps differences, or proportions; a typed number is for all.
+/// A drag keeps differences, or ratios of radii; a typed number is assigned to all.
 std::vector<float> valuesFor(const PanelUi& ui, const AnimatedField& field, float from, float to, bool same) {
   std::vector<float> values;
   for (std::size_t i = 0; i < field.refs.size(); ++i) {
@@ -57,7 +52,7 @@ std::vector<float> valuesFor(const PanelUi& ui, const AnimatedField& field, floa
   return values;
 }
 
-/// The numbers of the field that the mode sets.
+/// The numbers of the field whose driven keys are being set.
 AnimatedField beingSet(const PanelUi& ui, const AnimatedField& field) {
   AnimatedField set{{}, {}, field.format};
   const std::vector<HeldNumber>& numbers = ui.state.open.animate.drivenKey.numbers;
@@ -166,7 +161,7 @@ void beginFieldEdit(PanelUi& ui, const std::string& id, const char* label) {
 
 void endFieldEdit(PanelUi& ui, const std::string& label) {
   if (!ImGui::IsItemDeactivated() || ui.state.open.gestureItem != ImGui::GetItemID()) return;
-  // Esc puts the text back that the field began with, which is the value rounded for reading: take the value itself.
+  // Esc restores the text that the field began with, which is a rounded value: restore the value itself.
   if (ImGui::IsKeyPressed(GLFW_KEY_ESCAPE, false)) {
     ui.state.document.commands.cancelGesture();
   } else {

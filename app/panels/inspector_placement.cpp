@@ -4,7 +4,6 @@
 #include <string>
 #include <vector>
 
-#include <imgui.h>
 #include <imgui_stdlib.h>
 #include <glm/gtc/quaternion.hpp>
 
@@ -17,7 +16,6 @@
 #include "app/editor/territory.h"
 #include "app/panels/field_edit.h"
 #include "app/panels/inspector.h"
-#include "app/panels/panel_ui.h"
 #include "core/geometry/at.h"
 #include "core/rig/attachment.h"
 
@@ -34,22 +32,21 @@ const Control kRotation{"inspector/rotation.x", "Rotation", "angle turn orientat
 const Control kRadii{"inspector/radius.x", "Radii", "radius size scale thickness length x y z", nullptr,
                      kPlacementSection.id};
 
-constexpr const char* kDegreeFormat = "%.1f\xc2\xb0";
 constexpr const char* kAxisNames[] = {"x", "y", "z"};
 constexpr const char* kAxisTitles[] = {"X", "Y", "Z"};
 constexpr Tint kAxisTints[] = {{0.90f, 0.40f, 0.42f}, {0.53f, 0.79f, 0.39f}, {0.38f, 0.60f, 0.95f}};
-constexpr float kLengthStep = 0.01f;  ///< Fraction of the height; as on the handles.
+constexpr float kLengthStep = 0.01f;  ///< Fraction of the height, as for the handles.
 constexpr float kDegreeStep = 15.0f;
-constexpr float kFirstRadius = 0.05f;  ///< Fraction of the height: what Reset gives.
+constexpr float kFirstRadius = 0.05f;  ///< Fraction of the height: the value that Reset sets.
 
-/// What turns lengths of the rig into what is shown.
+/// Converts lengths of the rig to shown units.
 struct Lengths {
   const Skeleton& skeleton;
   float perWorld = 1.0f;  ///< Shown units per character unit.
   float height = 1.0f;    ///< In shown units.
   const char* format = "%.3f";
 
-  /// Character units per unit of a bone's axis, in the bind pose; 1 to the bit where the bone does not scale.
+  /// Shown units per unit of a bone's axis in the bind pose; exactly perWorld if the bone does not scale.
   [[nodiscard]] float along(const Primitive& primitive, const glm::vec3& directionInBone) const {
     const std::optional<int> bone = skeleton.findBone(primitive.bone);
     if (!bone) return perWorld;
@@ -71,14 +68,14 @@ glm::vec3 axis(int i) {
   return unit;
 }
 
-/// Three narrow fields in a row.
+/// Three fields in a row.
 template <class MakeField>
 void vectorRow(PanelUi& ui, const Subjects& subjects, const Control& control, MakeField makeField) {
   beginWideRow(ui, control.label);
   const float gap = ui.px(4);
   const float width = (ImGui::GetContentRegionAvail().x - 2.0f * gap) / 3.0f;
   const ImVec2 padding = ImGui::GetStyle().FramePadding;
-  // Where there is little room it is for the digits.
+  // In a narrow field the digits get the room of the padding.
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {width < ui.px(60) ? ui.px(3) : padding.x, padding.y});
   for (int i = 0; i < 3; ++i) {
     if (i > 0) ImGui::SameLine(0.0f, gap);
@@ -95,18 +92,8 @@ void vectorRow(PanelUi& ui, const Subjects& subjects, const Control& control, Ma
 
 void centerRow(PanelUi& ui, const Subjects& subjects, const Lengths& lengths) {
   vectorRow(ui, subjects, kCenter, [&](int i) {
-    NumberField field{std::string("inspector/center.") + kAxisNames[i],
-                      "Move",
-                      lengths.format,
-                      0.002f * lengths.height,
-                      -FLT_MAX,
-                      FLT_MAX,
-                      {},
-                      {},
-                      {},
-                      {},
-                      Together::kAdd,
-                      {}};
+    NumberField field{std::string("inspector/center.") + kAxisNames[i], "Move", lengths.format,
+                      0.002f * lengths.height};
     field.get = [i](const Primitive& p) { return p.placement.center[i]; };
     field.set = [i](Primitive& p, float value) { p.placement.center[i] = value; };
     field.scale = [i, &lengths](const Primitive& p) { return lengths.along(p, axis(i)); };
@@ -122,7 +109,7 @@ void centerRow(PanelUi& ui, const Subjects& subjects, const Lengths& lengths) {
   });
 }
 
-/// Angles for showing: the typed ones as long as the rotation is the one they made, else from the rotation.
+/// The angles to show: the typed ones as long as the rotation is theirs, else computed from the rotation.
 glm::vec3 degreesOf(const EulerState& euler, const Primitive& primitive) {
   if (euler.primitive == primitive.id() && euler.rotation == primitive.placement.rotation) return euler.degrees;
   return glm::degrees(glm::eulerAngles(primitive.placement.rotation));
@@ -133,18 +120,8 @@ void rotationRow(PanelUi& ui, const Subjects& subjects) {
   const Primitive& shown = subjects.shown();
   euler = {shown.id(), shown.placement.rotation, degreesOf(euler, shown)};
   vectorRow(ui, subjects, kRotation, [&](int i) {
-    NumberField field{std::string("inspector/rotation.") + kAxisNames[i],
-                      "Rotate",
-                      kDegreeFormat,
-                      0.5f,
-                      -FLT_MAX,
-                      FLT_MAX,
-                      {},
-                      {},
-                      {},
-                      0.0f,
-                      Together::kAdd,
-                      {}};
+    NumberField field{std::string("inspector/rotation.") + kAxisNames[i], "Rotate", "%.1f\xc2\xb0", 0.5f};
+    field.initial = 0.0f;
     field.get = [i, &euler](const Primitive& p) { return degreesOf(euler, p)[i] + 0.0f; };  // -0 becomes 0.
     field.set = [i, &euler, &shown](Primitive& p, float value) {
       glm::vec3 degrees = degreesOf(euler, p);
@@ -154,25 +131,17 @@ void rotationRow(PanelUi& ui, const Subjects& subjects) {
     };
     field.step = kDegreeStep;
     field.name = std::string("Rotation ") + kAxisTitles[i];
-    field.hint = std::string("Turn about ") + kAxisNames[i] + ", in the bone's space";
+    field.hint = std::string("Rotation about ") + kAxisNames[i] + ", in the bone's space";
     return field;
   });
 }
 
 void radiiRow(PanelUi& ui, const Subjects& subjects, const Lengths& lengths) {
   vectorRow(ui, subjects, kRadii, [&](int i) {
-    NumberField field{std::string("inspector/radius.") + kAxisNames[i],
-                      "Radius of",
-                      lengths.format,
-                      0.001f * lengths.height,
-                      1e-4f * lengths.height,
-                      FLT_MAX,
-                      {},
-                      {},
-                      {},
-                      kFirstRadius * lengths.height,
-                      Together::kMultiply,
-                      {}};
+    NumberField field{std::string("inspector/radius.") + kAxisNames[i], "Radius of", lengths.format,
+                      0.001f * lengths.height, 1e-4f * lengths.height};
+    field.initial = kFirstRadius * lengths.height;
+    field.together = Together::kMultiply;
     field.get = [i](const Primitive& p) { return p.placement.radii[i]; };
     field.set = [i](Primitive& p, float value) { p.placement.radii[i] = value; };
     field.scale = [i, &lengths](const Primitive& p) { return lengths.along(p, p.placement.rotation * axis(i)); };
@@ -187,7 +156,7 @@ void radiiRow(PanelUi& ui, const Subjects& subjects, const Lengths& lengths) {
 }  // namespace
 
 void drawPlacementRows(PanelUi& ui, const Subjects& subjects) {
-  // In a narrow panel the switch stands under the title.
+  // In a narrow panel the switch is below the title.
   const float room = ImGui::GetContentRegionAvail().x;
   const bool beside = room >= ui.px(200);
   const float width = beside ? ui.px(128) : room;
@@ -217,7 +186,7 @@ void reset(PanelUi& ui, const Subjects& subjects) {
        withDefaultTerritory(ui.state.document.rig(), subjects.indices));
 }
 
-/// "default" or "named", with the way back to the default.
+/// "default" or "named", with a button that resets to the default.
 void headRow(PanelUi& ui, const Subjects& subjects, std::size_t bones) {
   const bool differ = subjects.differ([](const Primitive& p) { return p.territory; });
   const bool named = subjects.shown().territory.has_value();
@@ -249,7 +218,7 @@ void headRow(PanelUi& ui, const Subjects& subjects, std::size_t bones) {
   }
 }
 
-/// A bone of the territory with a cross that takes it out.
+/// A bone of the territory with a button that removes it.
 void boneRow(PanelUi& ui, const std::string& name, const std::string& shown, int bone) {
   const float indent = ui.px(6);
   const float size = ImGui::GetTextLineHeight() + ui.px(4);

@@ -1,8 +1,6 @@
 // app/panels/left_column.cpp: the tabs at the left, and the history below them.
 #include <string>
 
-#include <imgui.h>
-
 #include "app/editor/commands.h"
 #include "app/panels/blending.h"
 #include "app/panels/panels.h"
@@ -16,9 +14,9 @@ const Control kLibraryTab{"library/tab", "Tab Library", "presets sets"};
 const Control kShapesTab{"shapes/tab", "Tab Shapes", "morph targets blend shapes"};
 
 constexpr float kTabGap = 13.0f;          ///< Design pixels.
-constexpr double kTabHoldSeconds = 0.35;  ///< A muscle dragged onto a tab for so long opens it.
+constexpr double kTabHoldSeconds = 0.35;  ///< A muscle that is held over a tab this long opens it.
 
-/// A word as a tab; a muscle that is dragged over it opens it.
+/// A tab; holding a dragged muscle over it opens it.
 void drawTab(PanelUi& ui, const char* word, const char* id, LeftTab tab) {
   OutlinerState& outliner = ui.state.view.outliner;
   const bool active = outliner.tab == tab;
@@ -72,8 +70,6 @@ void drawLeftTabs(PanelUi& ui) {
   keepDraggedShown(ui);
 }
 
-// The undo steps; a click goes there.
-
 void drawHistory(PanelUi& ui) {
   ImGui::BeginChild("history-steps");
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ui.px(6), ui.px(3)});
@@ -99,7 +95,7 @@ void drawHistory(PanelUi& ui) {
   if (wanted != position) {
     jumpTo(ui.state, wanted);
   } else if (ui.state.open.historyShown != position) {
-    // A new step should be seen without scrolling for it.
+    // Scrolls to a new step.
     const float row = ImGui::GetTextLineHeightWithSpacing();
     ImGui::SetScrollY(row * static_cast<float>(position) - 0.5f * ImGui::GetWindowHeight());
   }

@@ -1,5 +1,4 @@
-// app/panels/outliner.cpp: bones as a tree with their muscles under them; tabs that share its place with the
-// groups.
+// app/panels/outliner.cpp: the tab Muscles: bones as a tree with their muscles, and the context menus of both.
 #include "app/panels/panels.h"
 
 #include <algorithm>
@@ -7,7 +6,6 @@
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
-#include <imgui.h>
 #include <imgui_stdlib.h>
 
 #include "app/document/shown_names.h"
@@ -95,12 +93,10 @@ void drawSearch(PanelUi& ui) {
   ImGui::EndDisabled();
 }
 
-/// What the muscles stand under.
+/// The switch between bones, regions and groups.
 void drawOrder(PanelUi& ui) {
-  constexpr const char* kWords[] = {"Bones", "Regions", "Groups"};
   OutlinerOrder& order = ui.state.view.outliner.order;
-  const int chosen =
-      segmented(ui, "outliner/order", kWords, 3, static_cast<int>(order), ImGui::GetContentRegionAvail().x);
+  const int chosen = chooseWord(ui, "outliner/order", {"Bones", "Regions", "Groups"}, static_cast<int>(order));
   if (chosen >= 0) order = static_cast<OutlinerOrder>(chosen);
 }
 
@@ -118,7 +114,7 @@ void reveal(PanelUi& ui, const OutlinerContent& frame) {
     if (bone < 0) state.view.outliner.unattachedFolded = false;
     unfoldTo(state, bone);
     unfoldParts(state, index);
-    // Found with the next frame, unless the search leaves it out.
+    // The next frame finds it, unless the search hides it.
     if (!state.view.outlinerFilter.empty()) state.open.revealed = active;
     return;
   }
@@ -146,12 +142,10 @@ void drawRows(PanelUi& ui) {
   keyboard(ui, frame);
   if (frame.rows.empty()) {
     ImGui::Dummy({0.0f, ui.px(6)});
-    ImGui::PushTextWrapPos(0.0f);
     const std::string start = howToStart(ui, action("tool/add-muscle"));
-    mutedText(ui.state.view.outlinerFilter.empty() ? ("No muscles yet: " + start + " and drag on the skin.").c_str()
-              : frame.hiddenBones.empty()          ? "Nothing found."
-                                                   : "Nothing found. Helper bones are hidden.");
-    ImGui::PopTextWrapPos();
+    mutedParagraph(ui.state.view.outlinerFilter.empty() ? "No muscles yet: " + start + " and drag on the skin."
+                   : frame.hiddenBones.empty()          ? "Nothing found."
+                                                        : "Nothing found. Helper bones are hidden.");
   }
   ImGuiListClipper clipper;
   clipper.Begin(static_cast<int>(frame.rows.size()), frame.rowHeight);
@@ -160,11 +154,11 @@ void drawRows(PanelUi& ui) {
   }
 }
 
-/// What is hidden, and a button that shows it again.
+/// Names what is hidden, with a button that shows it.
 void drawFooter(PanelUi& ui, const std::string& text) {
   ImGui::Separator();
   ImGui::AlignTextToFramePadding();
-  const float button = ImGui::CalcTextSize("Show all").x + 2.0f * ImGui::GetStyle().FramePadding.x;
+  const float button = buttonWidth("Show all");
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float room = ImGui::GetContentRegionAvail().x - button - ui.px(6);
   const bool cut = clippedText(*ImGui::GetWindowDrawList(), {at.x, at.y + ImGui::GetStyle().FramePadding.y}, room,
@@ -172,8 +166,7 @@ void drawFooter(PanelUi& ui, const std::string& text) {
   const ImVec2 end{at.x + room, at.y + ImGui::GetFrameHeight()};
   tooltipWhile(ui, cut && ImGui::IsWindowHovered() && ImGui::IsMouseHoveringRect(at, end), text);
   ImGui::SetCursorScreenPos({at.x + room + ui.px(6), at.y});
-  if (ImGui::Button("Show all")) showAll(ui.state.document);
-  ui.widgets.note("outliner/show-all");
+  if (textButton(ui, "outliner/show-all", "Show all")) showAll(ui.state.document);
 }
 
 }  // namespace
@@ -181,22 +174,22 @@ void drawFooter(PanelUi& ui, const std::string& text) {
 void drawOutliner(PanelUi& ui) {
   drawSearch(ui);
   drawOrder(ui);
-  const std::string away = anythingHidden(ui.state.document) ? hiddenText(ui.state.document) : "";
   const bool footer = anythingHidden(ui.state.document);
+  const std::string hidden = footer ? hiddenText(ui.state.document) : "";
   const float below = footer ? ImGui::GetFrameHeightWithSpacing() + ImGui::GetStyle().ItemSpacing.y : 0.0f;
   ImGui::BeginChild("outliner-tree", {0.0f, -below});
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0.0f, 0.0f});
   drawRows(ui);
   ImGui::PopStyleVar();
   ImGui::EndChild();
-  if (footer) drawFooter(ui, away.empty() ? "Some bones are hidden" : away);
+  if (footer) drawFooter(ui, hidden.empty() ? "Some bones are hidden" : hidden);
 }
 
 // The context menus of muscles and bones.
 
 namespace {
 
-/// With the menu bar's spacing: rows of the outliner stand closer together. True: endContextMenu() has to follow.
+/// Uses the menu bar's spacing, which is wider than the outliner's. If true, call endContextMenu().
 bool beginContextMenu(PanelUi& ui) {
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ui.px(8), ui.px(6)});
   const bool open = ImGui::BeginPopupContextItem();
@@ -216,12 +209,6 @@ void actionItem(PanelUi& ui, const char* id) {
   ui.widgets.note(std::string("context/") + id);
   tooltip(ui, hintOf(ui, item));
   if (chosen) run(item, ui.state);
-}
-
-bool item(PanelUi& ui, const char* label, const char* id, bool enabled = true) {
-  const bool chosen = ImGui::MenuItem(label, nullptr, false, enabled);
-  ui.widgets.note(std::string("context/") + id);
-  return chosen;
 }
 
 /// A menu entry with the group's color before its name.
@@ -245,7 +232,7 @@ void groupSubmenu(PanelUi& ui, const OutlinerContent& frame, int index) {
     if (groupItem(ui, *frame.rig, group, name == own)) moveToGroup(ui.state, selectedIndices(ui.state.document), name);
   }
   ImGui::Separator();
-  if (item(ui, "     New group", "group-new")) groupSelection(ui.state);
+  if (contextItem(ui, "     New group", "group-new")) groupSelection(ui.state);
   ImGui::EndMenu();
 }
 
@@ -289,28 +276,28 @@ void muscleMenu(PanelUi& ui, const OutlinerContent& frame, int index) {
 void boneMenu(PanelUi& ui, const OutlinerContent& frame, int bone) {
   if (!beginContextMenu(ui)) return;
   ui.state.document.selection.bone = bone;
-  if (item(ui, "Add muscle on this bone", "add-muscle")) addMuscle(ui.state, bone);
+  if (contextItem(ui, "Add muscle on this bone", "add-muscle")) addMuscle(ui.state, bone);
   const std::vector<int> below = musclesUnder(bone, frame.skeleton, frame.boneOf);
-  if (item(ui, "Select its muscles", "select-muscles", !below.empty())) selectMuscles(ui.state.document, below);
+  if (contextItem(ui, "Select its muscles", "select-muscles", !below.empty())) selectMuscles(ui.state.document, below);
   const std::vector<int> selected = selectedIndices(ui.state.document);
-  if (item(ui, "Move selected muscles here", "move-here", !selected.empty())) {
+  if (contextItem(ui, "Move selected muscles here", "move-here", !selected.empty())) {
     reparentMuscles(ui.state, selected, bone);
   }
   ImGui::Separator();
   const std::string& path = at(frame.skeleton.bones, bone).path;
   Visibility& visibility = ui.state.document.visibility;
   const bool hidden = visibility.hidden.bones.contains(path);
-  if (item(ui, hidden ? "Show its muscles" : "Hide its muscles", "hide-bone")) {
+  if (contextItem(ui, hidden ? "Show its muscles" : "Hide its muscles", "hide-bone")) {
     visibility.setBone(Mark::kHidden, path, !hidden);
   }
   const bool locked = visibility.locked.bones.contains(path);
-  if (item(ui, locked ? "Unlock its muscles" : "Lock its muscles", "lock-bone")) {
+  if (contextItem(ui, locked ? "Unlock its muscles" : "Lock its muscles", "lock-bone")) {
     visibility.setBone(Mark::kLocked, path, !locked);
   }
   actionItem(ui, "view/show-all");
   ImGui::Separator();
-  if (item(ui, "Open all below", "unfold")) setFolded(ui.state, bone, false, true);
-  if (item(ui, "Close all below", "fold")) setFolded(ui.state, bone, true, true);
+  if (contextItem(ui, "Open all below", "unfold")) setFolded(ui.state, bone, false, true);
+  if (contextItem(ui, "Close all below", "fold")) setFolded(ui.state, bone, true, true);
   endContextMenu();
 }
 

@@ -1,4 +1,4 @@
-// app/panels/panel_table.cpp: every panel, where it stands.
+// app/panels/panel_table.cpp: all panels and their regions.
 
 #include "app/panels/panels.h"
 

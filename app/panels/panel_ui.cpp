@@ -1,11 +1,10 @@
-// app/panels/panel_ui.cpp: buttons that run actions.
+// app/panels/panel_ui.cpp: the controls that panels share.
 #include "app/panels/panel_ui.h"
 
 #include <algorithm>
 #include <cstdint>
 #include <numeric>
 
-#include <imgui.h>
 #include <imgui_stdlib.h>
 
 #include "app/document/shown_names.h"
@@ -17,11 +16,36 @@
 
 namespace sinew::app {
 
-// Rows and buttons that dialogs have in common.
+void drawModal(PanelUi& ui, const char* title, const std::function<bool()>& draw) {
+  if (!ImGui::IsPopupOpen(title)) ImGui::OpenPopup(title);
+  pushDialogStyle(ui);
+  if (ImGui::BeginPopupModal(title, nullptr, ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove)) {
+    if (draw()) ImGui::CloseCurrentPopup();
+    ImGui::EndPopup();
+  }
+  popDialogStyle();
+}
 
-bool accentButton(const char* label, const ImVec2& size) {
-  ImGui::PushStyleColor(ImGuiCol_Button, palette::kAccent.faded(0.45f));
+bool textButton(Ui& ui, const std::string& id, const char* label, const ImVec2& size, const std::string& hint) {
   const bool pressed = ImGui::Button(label, size);
+  ui.widgets.note(id);
+  tooltip(ui, hint);
+  return pressed;
+}
+
+int chooseWord(Ui& ui, const char* id, std::initializer_list<const char*> words, int chosen) {
+  return segmented(ui, id, words.begin(), static_cast<int>(words.size()), chosen, ImGui::GetContentRegionAvail().x);
+}
+
+bool contextItem(Ui& ui, const char* label, const std::string& id, bool enabled) {
+  const bool chosen = ImGui::MenuItem(label, nullptr, false, enabled);
+  ui.widgets.note("context/" + id);
+  return chosen;
+}
+
+bool accentButton(Ui& ui, const std::string& id, const char* label, const ImVec2& size) {
+  ImGui::PushStyleColor(ImGuiCol_Button, palette::kAccent.faded(0.45f));
+  const bool pressed = textButton(ui, id, label, size);
   ImGui::PopStyleColor();
   return pressed;
 }
@@ -41,6 +65,14 @@ void dialogExplain(Ui& ui, const char* text, float width) {
   ImGui::PopStyleColor();
   ImGui::Dummy({0.0f, ui.px(6)});
 }
+
+void mutedParagraph(const std::string& text) {
+  ImGui::PushTextWrapPos(0.0f);
+  mutedText(text.c_str());
+  ImGui::PopTextWrapPos();
+}
+
+float buttonWidth(const char* label) { return ImGui::CalcTextSize(label).x + 2.0f * ImGui::GetStyle().FramePadding.x; }
 
 namespace {
 
@@ -110,18 +142,16 @@ ImTextureID thumbnailOf(const PanelUi& ui, const std::filesystem::path& document
   return reinterpret_cast<ImTextureID>(texture);
 }
 
-// Bones in the order of their distance in the tree, without those that are hidden.
-
 namespace {
 
-/// Steps through the tree from one bone to each.
+/// Steps through the tree from a bone to each bone.
 std::vector<int> stepsFrom(const Skeleton& skeleton, int from) {
   const auto count = skeleton.bones.size();
   std::vector<int> steps(count, static_cast<int>(count));
   if (from < 0) return steps;
   int up = 0;
   for (int bone = from; bone >= 0; bone = at(skeleton.bones, bone).parent) at(steps, bone) = up++;
-  // Parents stand before their children.
+  // Parents come before their children.
   for (std::size_t b = 0; b < count; ++b) {
     const int parent = skeleton.bones[b].parent;
     if (parent >= 0) steps[b] = std::min(steps[b], at(steps, parent) + 1);

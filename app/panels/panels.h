@@ -1,4 +1,4 @@
-// app/panels/panels.h: every panel there is. A new one is a file and a row in panel_table.cpp.
+// app/panels/panels.h: the table of panels. A new panel is a file and a row in panel_table.cpp.
 #pragma once
 
 #include <span>
@@ -10,13 +10,12 @@ namespace sinew::app {
 enum class Region { kLeftTop, kLeftBottom, kRight, kBottom, kInViewport, kDialog };
 
 struct Panel {
-  const char* id;     ///< Stable; first part of its controls' names.
-  const char* title;  ///< Shown above it; "" for none.
+  const char* id;     ///< Stable; the first part of its controls' ids.
+  const char* title;  ///< "": none.
   Region region;
   void (*draw)(PanelUi&);
-  bool always = false;  ///< Also without a character.
-  bool (*isWanted)(const EditorState& state) =
-      nullptr;  ///< Kept out, title and all, where it says no. Null: it never is.
+  bool always = false;                                   ///< Also drawn without a character.
+  bool (*isWanted)(const EditorState& state) = nullptr;  ///< Hides panel and title if false. Null: never hidden.
 };
 
 /// In drawing order.
@@ -32,8 +31,8 @@ void keepDraggedShown(PanelUi& ui);
 void drawHistory(PanelUi& ui);
 void drawTimeline(PanelUi& ui);
 
-/// Menu bar, regions, splitters, status line, dialogs: the whole window. Fills state.frame.viewport and viewportPixels.
-/// @return whether the mouse is over the picture and nothing lies in front of it.
+/// The whole window: menu bar, regions, splitters, status line, dialogs. Sets state.frame.viewport and viewportPixels.
+/// @return whether the mouse is over the picture and nothing is in front of it
 bool drawLayout(PanelUi& ui);
 /// Height in window coordinates.
 float drawMenuBar(PanelUi& ui);

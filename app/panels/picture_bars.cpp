@@ -2,8 +2,6 @@
 #include <algorithm>
 #include <string>
 
-#include <imgui.h>
-
 #include "app/editor/animate.h"
 #include "app/editor/animated_names.h"
 #include "app/panels/overlay.h"
@@ -19,11 +17,13 @@ Possible withLines(const EditorState& state) {
 const Control kFlexSlider{"view/flex-slider", "How hard muscles flex in the picture", "contract preview tension",
                           withLines};
 
+const Control kFlexWhose{"view/flex-whose", "Flex all muscles or the selected", "preview", withLines};
+
 constexpr float kFlexWidth = 250.0f;  // Design pixels, as all here.
-constexpr float kNarrow = 200.0f;     // Below, the word goes into the slider and the button away.
+constexpr float kNarrow = 200.0f;     // Below this the word is in the slider, and the button is hidden.
 constexpr float kNarrowest = 100.0f;
 
-/// While the key is down, and from the menu until it is chosen again.
+/// Flexes while the key is held, or from one choice in the menu to the next.
 void holdFlex(PanelUi& ui, FlexState& flex) {
   const bool held = keyHeld(ui, action("view/flex"));
   if (held) flex.byKey = flex.latched;
@@ -42,9 +42,9 @@ void whoseButton(PanelUi& ui, FlexState& flex, float width) {
   ImGui::SameLine(0.0f, ImGui::GetStyle().ItemInnerSpacing.x);
   if (ImGui::Button(flex.selectedAlone ? "Selected##flexed" : "All##flexed", {width, 0.0f}))
     flex.selectedAlone = !flex.selectedAlone;
-  ui.widgets.note("view/flex-whose");
-  tooltip(ui, flex.selectedAlone ? "Flexes the selected muscles alone; all where none of them has a line. Click: all."
-                                 : "Flexes all muscles that have a line. Click: the selected ones alone.");
+  ui.widgets.note(kFlexWhose.id);
+  tooltip(ui, flex.selectedAlone ? "Flexes only the selected muscles, or all if none of them has a line. Click: all."
+                                 : "Flexes all muscles that have a line. Click: only the selected ones.");
 }
 
 }  // namespace
@@ -55,7 +55,7 @@ void drawFlex(PanelUi& ui) {
   if (ui.state.document.rig().lines.empty()) flex = {};
   if (ui.state.document.rig().lines.empty()) return;
   holdFlex(ui, flex);
-  // Beside the numbers if there is room, else under them.
+  // Beside the numbers if there is room, else below them.
   const float room = v.z - ui.px(kBesideTools + kFromEdges);
   const float beside = room - numbersWidth(ui);
   const bool under = beside < ui.px(kNarrowest);
@@ -63,19 +63,15 @@ void drawFlex(PanelUi& ui) {
   if (width < ui.px(kNarrowest)) return;
   const bool narrow = width < ui.px(kNarrow);
   const float height = ImGui::GetFrameHeight() + ui.px(8);
-  ImGui::SetCursorPos({ui.px(kBesideTools), ui.px(under ? 90.0f : 54.0f)});
-  ImGui::PushStyleColor(ImGuiCol_ChildBg, palette::kPanel.faded(0.88f));
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {ui.px(8), ui.px(4)});
-  ImGui::BeginChild(
-      "flex", {width, height}, true,
-      ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse | ImGuiWindowFlags_AlwaysUseWindowPadding);
+  beginInPicture(ui, "flex", {ui.px(kBesideTools), ui.px(under ? 90.0f : 54.0f)}, {width, height}, 0.88f, {8, 4},
+                 ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
   if (!narrow) {
     ImGui::AlignTextToFramePadding();
     ImGui::TextUnformatted("Flex");
     ImGui::SameLine();
   }
   float percent = 100.0f * flex.shown();
-  const float button = ImGui::CalcTextSize("Selected").x + 2.0f * ImGui::GetStyle().FramePadding.x;
+  const float button = buttonWidth("Selected");
   const float whose = narrow ? 0.0f : button + ImGui::GetStyle().ItemInnerSpacing.x;
   ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - whose);
   const bool edited =
@@ -84,20 +80,16 @@ void drawFlex(PanelUi& ui) {
   if (edited) flex = {percent / 100.0f, flex.selectedAlone};
   tooltip(ui, flexHint(ui));
   if (!narrow) whoseButton(ui, flex, button);
-  ImGui::EndChild();
-  ImGui::PopStyleVar();
-  ImGui::PopStyleColor();
+  endInPicture();
 }
 
-// While driven keys are set: of which numbers, by what, and where that is now.
+// Shown while driven keys are set: the numbers, their input and its current value.
 
 namespace {
 
 constexpr float kDrivenKeyTop = 54.0f;  // Design pixels, as all here: below the display bar.
 constexpr float kBelowFlex = 42.0f;
 constexpr float kNumbers = 186.0f;  // The numbers at the right, with their margin.
-
-float buttonWidth(const char* label) { return ImGui::CalcTextSize(label).x + 2.0f * ImGui::GetStyle().FramePadding.x; }
 
 }  // namespace
 
@@ -114,7 +106,7 @@ void drawDrivenKey(PanelUi& ui) {
   const std::string key = keyText(action("edit/key"), ui.state);
   const std::string set = key.empty() ? "Set key" : "Set key (" + key + ")";
   const float gap = ImGui::GetStyle().ItemSpacing.x;
-  // Room for the widest reading, so that nothing moves while the joint turns.
+  // Room for the longest text, so that nothing moves while the joint turns.
   const float reading = ImGui::CalcTextSize("-180.0\xc2\xb0").x;
   const float fixed = reading + buttonWidth(set.c_str()) + buttonWidth("Done") + 3.0f * gap + ui.px(20);
   const glm::vec4& v = ui.state.frame.viewport;
@@ -123,13 +115,9 @@ void drawDrivenKey(PanelUi& ui) {
   const float room = v.z - left - ui.px(kNumbers) - fixed;
   const std::string shown = fitted(text, std::max(room, ui.px(40)));
   const float width = fixed + ImGui::CalcTextSize(shown.c_str()).x;
-  ImGui::SetCursorPos({left, top});
-  ImGui::PushStyleColor(ImGuiCol_ChildBg, palette::kPanel.faded(0.92f));
   ImGui::PushStyleColor(ImGuiCol_Border, palette::kDriven);
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {ui.px(8), ui.px(4)});
-  ImGui::BeginChild(
-      "driven-key", {width, ImGui::GetFrameHeight() + ui.px(8)}, true,
-      ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse | ImGuiWindowFlags_AlwaysUseWindowPadding);
+  beginInPicture(ui, "driven-key", {left, top}, {width, ImGui::GetFrameHeight() + ui.px(8)}, 0.92f, {8, 4},
+                 ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
   ImGui::AlignTextToFramePadding();
   ImGui::TextUnformatted(shown.c_str());
   ui.widgets.note("driven-key/text");
@@ -144,16 +132,12 @@ void drawDrivenKey(PanelUi& ui) {
   ui.widgets.note("driven-key/now");
   tooltip(ui, "The " + inputWords + " now");
   ImGui::SameLine(from + reading + gap);
-  const bool wanted = ImGui::Button(set.c_str());
-  ui.widgets.note("driven-key/set");
-  tooltip(ui, "The " + numberWords + " is to be here what it is now");
+  const bool wanted =
+      textButton(ui, "driven-key/set", set.c_str(), {}, "Sets a key: at the current input, the current " + numberWords);
   ImGui::SameLine();
-  const bool done = ImGui::Button("Done");
-  ui.widgets.note("driven-key/done");
-  tooltip(ui, "Leave the driver as it is (Esc)");
-  ImGui::EndChild();
-  ImGui::PopStyleVar();
-  ImGui::PopStyleColor(2);
+  const bool done = textButton(ui, "driven-key/done", "Done", {}, "Leave the driver as it is (Esc)");
+  endInPicture();
+  ImGui::PopStyleColor();
   if (wanted) keyPointed(ui.state);
   if (done) endDrivenKey(ui.state);
 }

@@ -4,8 +4,6 @@
 #include <string>
 #include <vector>
 
-#include <imgui.h>
-
 #include "app/editor/check_commands.h"
 #include "app/editor/clip_commands.h"
 #include "app/panels/overlay.h"
@@ -22,7 +20,7 @@ constexpr float kClipListIndent = 22.0f;
 constexpr float kIconSize = 15.0f;
 constexpr float kAnswerWidth = 84.0f;
 
-/// What is under a file's name.
+/// A line below a file's name.
 struct Line {
   std::string text;
   Icon icon = Icon::kNone;
@@ -79,18 +77,16 @@ void drawLine(const PanelUi& ui, const Line& line, float room) {
   ImGui::PopTextWrapPos();
 }
 
-/// What a file's buttons ask for; indices into Rig::clipFiles, -1: nothing.
+/// The buttons that were pressed; indices into Rig::clipFiles, -1: none.
 struct Wanted {
   int remove = -1;
   int locate = -1;
   bool read = false;
 };
 
-/// The button for a file that is gone, or is another one now. @return whether it was clicked
+/// A button for a file that is missing or has changed. @return whether it was clicked
 bool answerButton(PanelUi& ui, const std::string& id, const char* label, const char* hint) {
-  const bool clicked = ImGui::Button((std::string(label) + "##" + id).c_str(), {ui.px(kAnswerWidth), 0.0f});
-  ui.widgets.note(id);
-  tooltip(ui, hint);
+  const bool clicked = textButton(ui, id, (std::string(label) + "##" + id).c_str(), {ui.px(kAnswerWidth), 0.0f}, hint);
   ImGui::SameLine(0.0f, ui.px(4));
   return clicked;
 }
@@ -125,9 +121,8 @@ void drawFiles(PanelUi& ui, float width) {
   const int count = static_cast<int>(ui.state.document.clipFiles.files.size());
   for (int i = 0; i < count; ++i) drawFile(ui, i, width, wanted);
   if (count == 0) {
-    ImGui::PushTextWrapPos(0.0f);
-    mutedText("None yet. The clips of a .glb, .gltf or .vrm file can be added, with the same bones or with others.");
-    ImGui::PopTextWrapPos();
+    mutedParagraph(
+        "None yet. The clips of a .glb, .gltf or .vrm file can be added, with the same bones or with others.");
   }
   if (wanted.locate >= 0) showLocateClipsDialog(ui.state, wanted.locate);
   if (wanted.read) run(action("play/read-clip-files"), ui.state);
@@ -151,27 +146,21 @@ void drawClipList(PanelUi& ui) {
   const float width = widthInPicture(ui, kClipListWidth);
   const float frame = ImGui::GetTextLineHeightWithSpacing() + ImGui::GetFrameHeightWithSpacing() + ui.px(18);
   const float height = std::min(listHeight(ui, width - ui.px(20)) + frame, kHighest * v.w);
-  ImGui::SetCursorPos({ui.px(kBesideTools), std::max(lowestInPicture(ui) - height, 0.0f)});
-  ImGui::PushStyleColor(ImGuiCol_ChildBg, palette::kPanel.faded(0.97f));
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {ui.px(10), ui.px(8)});
-  ImGui::BeginChild("clip-files", {width, height}, true, ImGuiWindowFlags_AlwaysUseWindowPadding);
+  beginInPicture(ui, "clip-files", {ui.px(kBesideTools), std::max(lowestInPicture(ui) - height, 0.0f)}, {width, height},
+                 0.97f, {10, 8});
   ImGui::TextUnformatted("Clips from other files");
   ui.widgets.note("clip-files/heading");
   ImGui::BeginChild("files", {0.0f, -ImGui::GetFrameHeightWithSpacing()});
   drawFiles(ui, ImGui::GetContentRegionAvail().x);
   ImGui::EndChild();
-  const bool adds = ImGui::Button("Add clips...");
-  ui.widgets.note("clip-files/add");
+  const bool adds = textButton(ui, "clip-files/add", "Add clips...");
   ImGui::SameLine();
-  if (ImGui::Button("Close")) state.open.clipList.shown = false;
-  ui.widgets.note("clip-files/close");
-  ImGui::EndChild();
-  ImGui::PopStyleVar();
-  ImGui::PopStyleColor();
+  if (textButton(ui, "clip-files/close", "Close")) state.open.clipList.shown = false;
+  endInPicture();
   if (adds) run(action("file/add-clips"), state);
 }
 
-// What Play > Check muscles found; a click goes there.
+// The findings of Play > Check muscles; a click shows one.
 
 namespace {
 
@@ -222,10 +211,7 @@ void drawCheckList(PanelUi& ui) {
   const float line = ImGui::GetTextLineHeightWithSpacing();
   const float height = rows * line + 2.0f * ImGui::GetFrameHeightWithSpacing() + ui.px(20);
   const float top = lowestInPicture(ui) - height;
-  ImGui::SetCursorPos({ui.px(kBesideTools), std::max(top, 0.0f)});
-  ImGui::PushStyleColor(ImGuiCol_ChildBg, palette::kPanel.faded(0.94f));
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {ui.px(10), ui.px(8)});
-  ImGui::BeginChild("check", {width, height}, true, ImGuiWindowFlags_AlwaysUseWindowPadding);
+  beginInPicture(ui, "check", {ui.px(kBesideTools), std::max(top, 0.0f)}, {width, height}, 0.94f, {10, 8});
   ImGui::TextUnformatted(headingOf(state).c_str());
   ui.widgets.note("check/heading");
   ImGui::BeginChild("rows", {0.0f, -ImGui::GetFrameHeightWithSpacing()});
@@ -240,11 +226,8 @@ void drawCheckList(PanelUi& ui) {
                   ? "Change the lines of these muscles until they stay in the flesh: pivot, via point, tendons, flex"
                   : "Look through all clips again");
   ImGui::SameLine();
-  const bool closed = ImGui::Button("Close");
-  ui.widgets.note("check/close");
-  ImGui::EndChild();
-  ImGui::PopStyleVar();
-  ImGui::PopStyleColor();
+  const bool closed = textButton(ui, "check/close", "Close");
+  endInPicture();
   if (wanted) mendFindings(state);
   if (closed) closeCheck(state);
 }

@@ -1,4 +1,4 @@
-// app/panels/preferences_dialog.cpp: what the user may set for all documents.
+// app/panels/preferences_dialog.cpp: the preferences, and the page that changes keys.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -7,12 +7,10 @@
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
-#include <imgui.h>
 #include <imgui_stdlib.h>
 
 #include "app/editor/key_capture.h"
 #include "app/panels/dialogs.h"
-#include "app/panels/panel_ui.h"
 #include "app/ui/number_field.h"
 #include "core/geometry/nearest_name.h"
 
@@ -28,7 +26,6 @@ const Control kAutosave{"preferences/autosave", "Autosave", "recovery backup cra
 const Control kResetLayout{"preferences/reset-layout", "Button Reset layout", "panels sizes default"};
 const Control kForget{"preferences/forget", "Clear recent files", "history forget"};
 
-constexpr const char* kPreferencesDialogTitle = "Preferences";
 constexpr float kPreferencesDialogWidth = 600.0f;  // Design pixels.
 constexpr float kLabelWidth = 170.0f;
 constexpr std::array kScales{0.0f, 1.0f, 1.25f, 1.5f, 1.75f, 2.0f, 2.5f, 3.0f};
@@ -79,9 +76,7 @@ void scaleRow(PanelUi& ui) {
 void resolutionRow(PanelUi& ui) {
   preferenceLabel(ui, kMoving);
   bool& full = ui.state.session.preferences.fullWhileMoving;
-  constexpr std::array<const char*, 2> kChoices{"Automatic", "Full"};
-  const int clicked = segmented(ui, "preferences/moving", kChoices.data(), static_cast<int>(kChoices.size()),
-                                full ? 1 : 0, ImGui::GetContentRegionAvail().x);
+  const int clicked = chooseWord(ui, "preferences/moving", {"Automatic", "Full"}, full ? 1 : 0);
   if (clicked >= 0) full = clicked == 1;
   tooltip(ui,
           "Automatic: on a computer without a graphics processor the picture is drawn with fewer pixels while it plays "
@@ -93,13 +88,12 @@ void resolutionRow(PanelUi& ui) {
 void surfaceRow(PanelUi& ui) {
   preferenceLabel(ui, kSurfaceBy);
   SurfaceBy& by = ui.state.session.preferences.surfaceBy;
-  constexpr std::array<const char*, 3> kChoices{"Automatic", "Processor", "Graphics card"};
-  const int clicked = segmented(ui, "preferences/surface", kChoices.data(), static_cast<int>(kChoices.size()),
-                                static_cast<int>(by), ImGui::GetContentRegionAvail().x);
+  const int clicked =
+      chooseWord(ui, "preferences/surface", {"Automatic", "Processor", "Graphics card"}, static_cast<int>(by));
   if (clicked >= 0) by = kSurfaceBys[static_cast<std::size_t>(clicked)];
   tooltip(ui,
           "Automatic: both are measured when a character is opened, and the faster computes what is seen.\nPicking, "
-          "saved pictures and exports are the processor's, whoever draws.");
+          "saved pictures and exports always use the processor.");
   const SurfaceMakerState& maker = ui.state.session.surfaceMaker;
   const std::string now = maker.onCard ? "Now: the graphics card" : "Now: the processor";
   explain(ui, (now + (maker.why.empty() ? "" : " (" + maker.why + ")") + ".").c_str());
@@ -135,21 +129,17 @@ void buttons(PanelUi& ui, bool& closed) {
   ui.widgets.note(kResetLayout.id);
   tooltip(ui, action("window/reset-layout").hint);
   ImGui::SameLine();
-  if (ImGui::Button(kForget.label)) ui.state.session.preferences.recentFiles.clear();
-  ui.widgets.note(kForget.id);
+  if (textButton(ui, kForget.id, kForget.label)) ui.state.session.preferences.recentFiles.clear();
   ImGui::SameLine(ImGui::GetContentRegionMax().x - width);
-  closed = accentButton("Close", {width, 0.0f});
-  ui.widgets.note("preferences/close");
+  closed = accentButton(ui, "preferences/close", "Close", {width, 0.0f});
 }
 
 }  // namespace
 
 void drawPreferences(PanelUi& ui) {
   if (!ui.state.dialogs.preferences) return;
-  if (!ImGui::IsPopupOpen(kPreferencesDialogTitle)) ImGui::OpenPopup(kPreferencesDialogTitle);
   placeDialog(ui, kPreferencesDialogWidth);
-  pushDialogStyle(ui);
-  if (ImGui::BeginPopupModal(kPreferencesDialogTitle, nullptr, ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove)) {
+  drawModal(ui, "Preferences", [&] {
     pageChoice(ui);
     if (ui.state.dialogs.preferencesPage == PreferencesPage::kKeys) {
       drawKeysPage(ui);
@@ -164,17 +154,14 @@ void drawPreferences(PanelUi& ui) {
     ImGui::Dummy({0.0f, ui.px(2)});
     bool closed = false;
     buttons(ui, closed);
-    if (closed || escapePressed(ui)) {
-      ui.state.dialogs.preferences = false;
-      endKeyCapture(ui.state);
-      ImGui::CloseCurrentPopup();
-    }
-    ImGui::EndPopup();
-  }
-  popDialogStyle();
+    if (!closed && !escapePressed(ui)) return false;
+    ui.state.dialogs.preferences = false;
+    endKeyCapture(ui.state);
+    return true;
+  });
 }
 
-// Every action with its keys, and how they are changed.
+// The page Keys: every action with its keys.
 
 namespace {
 
@@ -184,10 +171,10 @@ const Control kResetAllKeys{"preferences/keys/reset-all", "Reset all keys", "sho
 constexpr float kKeysPageListHeight = 380.0f;  // Design pixels.
 constexpr float kKeyWidth = 116.0f;
 constexpr float kResetWidth = 52.0f;
-constexpr float kLeastHeight = 120.0f;  // The list's, in a low window.
-constexpr float kAroundList = 320.0f;   // Height of all else, with some of the window around the dialog.
+constexpr float kLeastHeight = 120.0f;  // Of the list, in a low window.
+constexpr float kAroundList = 320.0f;   // Height of everything else.
 
-/// Its label, its menu or one of its keys contains what is searched for.
+/// Whether label, menu or one of the keys contains the searched text.
 bool isFound(const PanelUi& ui, const Menu& menu, const Action& item) {
   const std::string query = lowerCase(ui.state.dialogs.keySearch);
   std::string text = std::string(item.label) + '\n' + menu.title;
@@ -200,7 +187,7 @@ std::string heldModifiers() {
   return std::string(io.KeyCtrl ? "Ctrl+" : "") + (io.KeyAlt ? "Alt+" : "") + (io.KeyShift ? "Shift+" : "");
 }
 
-/// The key that goes down in this frame, or the modifier that goes up: it may have been the start of Ctrl+K. 0: none.
+/// The key that goes down in this frame, or the modifier that goes up, as it may begin Ctrl+K. 0: none.
 int pressedKey() {
   for (int key = GLFW_KEY_SPACE; key <= GLFW_KEY_LAST; ++key) {
     if (isModifier(key) ? ImGui::IsKeyReleased(key) : ImGui::IsKeyPressed(key, false)) return key;
@@ -214,10 +201,10 @@ void takeKey(PanelUi& ui) {
   const ImGuiIO& io = ImGui::GetIO();
   const int key = pressedKey();
   if (key == GLFW_KEY_ESCAPE) {
-    ui.escapeTaken = true;  // It does not close the dialog as well.
+    ui.escapeTaken = true;  // Must not close the dialog.
     endKeyCapture(ui.state);
   } else if (key != 0 && capture.step == KeyCapture::Step::kWaiting) {
-    if (isModifier(key) && !capture.notice.empty()) return;  // The end of one that was refused.
+    if (isModifier(key) && !capture.notice.empty()) return;  // The release of a refused modifier.
     if (io.KeySuper) capture.notice = "The desktop uses Super with another key.";
     else captureKey(ui.state, {key, io.KeyCtrl, io.KeyShift, io.KeyAlt});
   }
@@ -246,7 +233,8 @@ std::string noticeOf(const KeyCapture& capture) {
   return "Press a key for \"" + std::string(action(capture.action).label) + "\". Backspace or Del clears, Esc cancels.";
 }
 
-/// What is waited for, why a key was refused, or the question; always as high, so that the list stays where it is.
+/// Instructions, the reason why a key was refused, or the question. Its height is fixed, so that the list does not
+/// move.
 void noticeRow(PanelUi& ui) {
   const KeyCapture capture = ui.state.dialogs.keyCapture;
   const bool asking = capture.step == KeyCapture::Step::kAsking;
@@ -262,11 +250,9 @@ void noticeRow(PanelUi& ui) {
   ImGui::Dummy({0.0f, ImGui::GetFrameHeight()});
   if (!asking) return;
   ImGui::SameLine(right);
-  if (ImGui::Button("Replace", {button, 0.0f})) replaceKeys(ui.state);
-  ui.widgets.note("preferences/keys/replace");
+  if (textButton(ui, "preferences/keys/replace", "Replace", {button, 0.0f})) replaceKeys(ui.state);
   ImGui::SameLine();
-  if (ImGui::Button("Cancel", {button, 0.0f})) endKeyCapture(ui.state);
-  ui.widgets.note("preferences/keys/cancel");
+  if (textButton(ui, "preferences/keys/cancel", "Cancel", {button, 0.0f})) endKeyCapture(ui.state);
 }
 
 void keyButton(PanelUi& ui, const Action& item, int slot) {

@@ -9,7 +9,7 @@
 
 namespace sinew::app {
 
-/// Where the moments of the clip are on the screen.
+/// Maps times of the clip to the screen.
 struct TrackSpan {
   float left = 0.0f;  ///< Window coordinates.
   float right = 0.0f;
@@ -22,27 +22,24 @@ struct TrackSpan {
   [[nodiscard]] double timeAt(float x) const;
 };
 
-/// Fills the rest of the region. Nothing to drag without a clip that lasts.
-/// @param gutter  window coordinates that are left free at its left
+/// Fills the rest of the region. @param gutter  left free at its left, window coordinates
 TrackSpan drawTimelineTrack(PanelUi& ui, float gutter = 0.0f);
 
 /// Frames between labels, so that labels are at least `leastPixels` apart: 1, 2, 5, 10, 15, 30, 60 ...
 [[nodiscard]] int tickStep(double pixelsPerFrame, double leastPixels);
 
-/// How many keys of a clip fall into each column of a span of time, as a share of the fullest column.
+/// The number of a clip's keys in each column of a time span, as a fraction of the fullest column's.
 [[nodiscard]] std::vector<float> keyDensity(const AnimationClip& clip, const PlayRange& span, int columns);
 
-/// A span after turning the wheel at a moment, which keeps its place: shorter for steps > 0; within 0..duration and
-/// never below five frames.
+/// The span after zooming with the wheel at a time, which keeps its place: shorter for steps > 0, within 0..duration,
+/// at least five frames.
 [[nodiscard]] PlayRange zoomedSpan(const PlayRange& span, double at, float steps, double duration);
 
-// The tracks of keys that the timeline shows below its own, and their edits.
-
-/// A track of keys in the clip that shows: of a number, or of a channel.
+/// A row of keys: the track of a number or channel in the current clip.
 struct KeyRow {
   std::string id;       ///< The widget's.
   std::string name;     ///< "radius X of biceps L", "channel effort"
-  NumberRef ref;        ///< Where it is no channel.
+  NumberRef ref;        ///< Of a number.
   std::string channel;  ///< Empty: a number.
   KeyTrack track;
 
@@ -52,22 +49,21 @@ struct KeyRow {
 /// Rows of the selected muscles, their lines and the surface, then all channels. None in the bind pose.
 [[nodiscard]] std::vector<KeyRow> keyRows(const EditorState& state);
 
-// Pure edits of a row's track.
-/// A key in place of one that is there.
+// Edits of a row's track.
+/// Replaces a key at the same time.
 [[nodiscard]] Result<Rig> withKeyAt(const Rig& rig, const KeyRow& row, float time, float value);
-/// The track of `start` with a key moved, in the rig that is shown: twins follow what changes there. A key that is at
-/// that time in `start` gives way.
-/// @param key  index in the track of `start`
+/// The track of `start` with a key moved, in the rig `shown`, so that twins follow. Replaces a key of `start` at the
+/// same time. @param key  index in the track of `start`
 [[nodiscard]] Result<Rig> withKeyMoved(const Rig& start, const Rig& shown, const KeyRow& row, int key, float time);
-/// A channel keeps its last key: drivers read it. Error: it is the last.
+/// Error: it is the last key of a channel, which drivers need.
 [[nodiscard]] Result<Rig> withoutKey(const Rig& rig, const KeyRow& row, int key);
 [[nodiscard]] Result<Rig> withKeyKind(const Rig& rig, const KeyRow& row, CurveKind kind);
 
-/// Design pixels that the timeline is higher by; 0 where nothing is keyed in the clip that shows.
+/// Height of the rows, design pixels; 0 if nothing is keyed in the current clip.
 [[nodiscard]] float keyRowsHeight(const EditorState& state);
-/// Window coordinates: the names at the left; 0 without rows, or where there is no room for them.
+/// Width of the names at the left, window coordinates; 0 without rows or without room.
 [[nodiscard]] float keyRowsGutter(const PanelUi& ui);
-/// Above clip and track, from the lowest row up: a new row leaves those below it where they are.
+/// Above the controls and the track, from the lowest row up: a new row does not move those below it.
 void drawKeyRows(PanelUi& ui, const TrackSpan& span, float gutter, float height);
 
 }  // namespace sinew::app

@@ -42,7 +42,6 @@ void WidgetLog::beginFrame() {
   sought_.clear();
   rectangles_.clear();
   laidOut_.clear();
-  repeated_.clear();
 }
 
 void WidgetLog::note(const std::string& id) {
@@ -78,8 +77,6 @@ void WidgetLog::note(const std::string& id) {
   note(id, {x, y, right - x, bottom - y});
 }
 
-void WidgetLog::note(const std::string& id, const glm::vec4& rectangle) {
-  if (!rectangles_.emplace(id, rectangle).second) repeated_.push_back(id);
-}
+void WidgetLog::note(const std::string& id, const glm::vec4& rectangle) { rectangles_.emplace(id, rectangle); }
 
 }  // namespace sinew::app

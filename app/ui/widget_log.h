@@ -41,13 +41,9 @@ class WidgetLog {
   /// The item gets the keyboard when it is noted next.
   void focusOn(unsigned item) { focusWanted_ = item; }
 
-  /// Names used twice in this frame: a mistake that tests look for.
-  [[nodiscard]] const std::vector<std::string>& repeated() const { return repeated_; }
-
  private:
   std::map<std::string, glm::vec4> rectangles_;
   std::vector<LaidOut> laidOut_;
-  std::vector<std::string> repeated_;
   std::string sought_;
   bool focusSought_ = false;
   unsigned focusWanted_ = 0;
