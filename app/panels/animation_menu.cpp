@@ -1,7 +1,5 @@
 // app/panels/animation_menu.cpp: the menu of a number that can be keyed and driven.
 
-#include <imgui.h>
-
 #include <algorithm>
 #include <functional>
 #include <set>
@@ -9,7 +7,7 @@
 #include "app/document/shown_names.h"
 #include "app/editor/animate.h"
 #include "app/editor/visibility_commands.h"
-#include "app/panels/animated_field.h"
+#include "app/panels/field_edit.h"
 #include "app/ui/reading_order.h"
 #include "core/geometry/at.h"
 
@@ -29,18 +27,18 @@ bool row(PanelUi& ui, const std::string& label, const std::string& id, const Pos
 
 bool beginSubmenu(PanelUi& ui, const char* label, const std::string& id) {
   const bool open = ImGui::BeginMenu(inReadingOrder(label).c_str());
-  // Once it is open the last item is one of the submenu's window.
+  // If it is open, the last item is in the submenu's window.
   if (!open) ui.widgets.note("context/" + id);
   return open;
 }
 
 struct BoneChoice {
-  std::vector<int> near;           ///< The bones of the numbers' muscles and lines, and those next to them.
-  std::vector<int> all;            ///< Those that are shown.
+  std::vector<int> near;           ///< The bones of the numbers' muscles and lines, and their neighbors.
+  std::vector<int> all;            ///< All bones that are not hidden.
   std::vector<std::string> names;  ///< [bones]
 };
 
-/// The bone, its parent and its children.
+/// Adds the bone, its parent and its children.
 void addNear(const Skeleton& skeleton, const std::string& name, std::vector<int>& near) {
   const std::optional<int> bone = skeleton.findBone(name);
   if (!bone) return;
@@ -77,7 +75,7 @@ BoneChoice boneChoice(const PanelUi& ui, const AnimatedField& field) {
   return choice;
 }
 
-/// What stands for a bone in a menu: its label, and the widget's name.
+/// Draws a bone's row in a menu. @param id  of the widget
 using BoneRow = std::function<void(int bone, const std::string& label, const std::string& id)>;
 
 void boneRows(const PanelUi& ui, const BoneChoice& choice, const std::string& id, const BoneRow& draw) {
@@ -100,7 +98,7 @@ void boneMenu(PanelUi& ui, const BoneChoice& choice, const char* label, const st
   ImGui::EndMenu();
 }
 
-/// A row for each bone, which is the input's.
+/// A row for each bone: the input is measured at it.
 BoneRow inputRow(PanelUi& ui, DriverInputKind kind, const Chosen& chosen) {
   return [&ui, kind, &chosen](int bone, const std::string& label, const std::string& id) {
     if (!row(ui, label, id)) return;
@@ -111,7 +109,7 @@ BoneRow inputRow(PanelUi& ui, DriverInputKind kind, const Chosen& chosen) {
   };
 }
 
-/// About one axis of the joint's turn frame.
+/// A submenu for each bone: the axis of its rotation.
 BoneRow axisMenu(PanelUi& ui, const Chosen& chosen) {
   return [&ui, &chosen](int bone, const std::string& label, const std::string& id) {
     if (!beginSubmenu(ui, label.c_str(), id)) return;
@@ -132,7 +130,7 @@ BoneRow axisMenu(PanelUi& ui, const Chosen& chosen) {
   };
 }
 
-/// From joint to joint.
+/// A submenu for each bone: the other end of the distance.
 BoneRow distanceMenu(PanelUi& ui, const BoneChoice& choice, const Chosen& chosen) {
   return [&](int from, const std::string& label, const std::string& id) {
     if (!beginSubmenu(ui, label.c_str(), id)) return;
@@ -178,7 +176,7 @@ void channelMenu(PanelUi& ui, const std::string& id, const Chosen& chosen, const
   ImGui::EndMenu();
 }
 
-/// Every kind of input. @param made  a new channel is wanted; empty: none is offered
+/// All kinds of input. @param made  creates a new channel; empty: not offered
 void inputMenu(PanelUi& ui, const AnimatedField& field, const std::string& id, const Chosen& chosen,
                const std::function<void()>& made) {
   const BoneChoice choice = boneChoice(ui, field);

@@ -1,12 +1,13 @@
-// app/panels/blending.cpp: groups and how they blend: the head of the panel, the chosen group, menu and name
-// field.
+// app/panels/blending.cpp: the tab Groups: its head, the chosen group, menu and name field; the layout of the graph.
 
 #include "app/panels/blending.h"
 
-#include <imgui.h>
+#include <cmath>
 #include <imgui_stdlib.h>
 
 #include <algorithm>
+
+#include <glm/geometric.hpp>
 
 #include "app/editor/blending_edit.h"
 #include "app/editor/commands.h"
@@ -16,12 +17,130 @@
 #include "core/rig/rig_edit.h"
 
 namespace sinew::app {
+
+// The layout of the graph: springs and repulsion.
+
+namespace {
+
+constexpr int kBlendingLayoutSteps = 240;
+constexpr float kGravity = 0.03f;  ///< Per node; keeps unlinked parts together against the repulsion of all nodes.
+constexpr float kClosest = 0.62f;  ///< Fraction of kNodeSpacing: the least distance of two nodes.
+constexpr int kPartings = 60;
+constexpr float kTau = 6.2831853f;
+
+std::vector<glm::vec2> circle(int count) {
+  std::vector<glm::vec2> places;
+  const float around = kNodeSpacing / kTau * static_cast<float>(count);
+  const float radius = count < 2 ? 0.0f : std::max(around, 0.6f * kNodeSpacing);
+  for (int i = 0; i < count; ++i) {
+    const float angle = kTau * static_cast<float>(i) / static_cast<float>(count) - 0.25f * kTau;
+    places.emplace_back(radius * std::cos(angle), radius * std::sin(angle));
+  }
+  return places;
+}
+
+/// Unit vector from b to a; if they coincide, a direction that depends on the salt.
+glm::vec2 apart(const glm::vec2& a, const glm::vec2& b, std::size_t salt) {
+  const glm::vec2 offset = a - b;
+  const float length = glm::length(offset);
+  if (length > 1e-3f) return offset / length;
+  const float angle = 2.4f * static_cast<float>(salt + 1);
+  return {std::cos(angle), std::sin(angle)};
+}
+
+void step(std::vector<glm::vec2>& places, std::span<const std::array<int, 2>> links, float longest) {
+  std::vector<glm::vec2> push(places.size(), glm::vec2(0.0f));
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    push[i] -= kGravity * static_cast<float>(places.size()) * places[i];
+    for (std::size_t j = i + 1; j < places.size(); ++j) {
+      const float distance = std::max(glm::length(places[i] - places[j]), 1.0f);
+      const glm::vec2 way = apart(places[i], places[j], i) * (kNodeSpacing * kNodeSpacing / distance);
+      push[i] += way;
+      push[j] -= way;
+    }
+  }
+  for (const auto& [a, b] : links) {
+    if (a == b) continue;
+    const auto i = static_cast<std::size_t>(a);
+    const auto j = static_cast<std::size_t>(b);
+    const glm::vec2 way = places[i] - places[j];
+    const glm::vec2 pull = way * (glm::length(way) / kNodeSpacing);
+    push[i] -= pull;
+    push[j] += pull;
+  }
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const float length = glm::length(push[i]);
+    if (length > 0.0f) places[i] += push[i] * (std::min(length, longest) / length);
+  }
+}
+
+/// Moves nodes apart that are too close for their labels.
+void partOverlaps(std::vector<glm::vec2>& places) {
+  const float least = kClosest * kNodeSpacing;
+  for (int round = 0; round < kPartings; ++round) {
+    bool moved = false;
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      for (std::size_t j = i + 1; j < places.size(); ++j) {
+        const float lacking = least - glm::length(places[i] - places[j]);
+        if (lacking <= 0.01f) continue;
+        const glm::vec2 way = apart(places[i], places[j], i) * (0.5f * lacking);
+        places[i] += way;
+        places[j] -= way;
+        moved = true;
+      }
+    }
+    if (!moved) return;
+  }
+}
+
+void center(std::vector<glm::vec2>& places) {
+  glm::vec2 low = places.front();
+  glm::vec2 high = low;
+  for (const glm::vec2& place : places) {
+    low = {std::min(low.x, place.x), std::min(low.y, place.y)};
+    high = {std::max(high.x, place.x), std::max(high.y, place.y)};
+  }
+  for (glm::vec2& place : places) place -= 0.5f * (low + high);
+}
+
+}  // namespace
+
+std::vector<glm::vec2> layoutGraph(int count, std::span<const std::array<int, 2>> links) {
+  std::vector<glm::vec2> places = circle(count);
+  if (count < 2) return places;
+  for (int i = 0; i < kBlendingLayoutSteps; ++i) {
+    const float left = 1.0f - static_cast<float>(i) / static_cast<float>(kBlendingLayoutSteps);
+    step(places, links, 0.3f * kNodeSpacing * left + 0.2f);
+  }
+  partOverlaps(places);
+  center(places);
+  return places;
+}
+
+glm::vec2 freePlace(std::span<const glm::vec2> taken) {
+  for (int i = 0;; ++i) {
+    const float turn = 0.7f * std::sqrt(static_cast<float>(i)) * 2.4f;
+    const float radius = 0.28f * kNodeSpacing * std::sqrt(static_cast<float>(i));
+    const glm::vec2 place{radius * std::cos(turn), radius * std::sin(turn)};
+    const bool free = std::ranges::all_of(
+        taken, [&](const glm::vec2& other) { return glm::length(other - place) >= 0.8f * kNodeSpacing; });
+    if (free) return place;
+  }
+}
+
 namespace {
 
 const Control kGroupsView{"blending/view/matrix", "Groups as matrix or graph", "blend links nodes table"};
-const Control kNewGroup{"blending/add", "New group", "blend create"};
+Possible withGroup(const EditorState& state) {
+  return withCharacter(state).also(findGroup(state.document.rig(), state.open.blending.group) >= 0,
+                                   "Choose a group in the tab Groups first");
+}
 
-/// The view's switch, a new group, the graph's own buttons.
+const Control kNewGroup{"blending/add", "New group", "blend create"};
+const Control kSelectMembers{"blending/select-members", "Select the muscles of the group", "members", withGroup};
+const Control kMoveHere{"blending/move-here", "Move muscles to the group", "selected members join", withGroup};
+
+/// The switch of the view, a button for a new group, and one that arranges the graph.
 void drawHead(PanelUi& ui) {
   BlendingState& blending = ui.state.open.blending;
   bool& asGraph = ui.state.view.groupsAsGraph;
@@ -55,7 +174,7 @@ void drawCounts(PanelUi& ui) {
               std::to_string(kMaxCliques) + ".");
 }
 
-/// The chosen group in a line: what it is, its muscles, the selection into it.
+/// A line about the chosen group, with buttons for its muscles and the selection.
 void drawChosen(PanelUi& ui, int group) {
   const auto rig = ui.state.document.commands.sharedRig();
   const std::string name = at(rig->groups, group).name;
@@ -71,34 +190,20 @@ void drawChosen(PanelUi& ui, int group) {
   ui.widgets.note("blending/chosen");
   if (cut) tooltip(ui, groupText(*rig, group));
   const float half = 0.5f * (room - ui.px(4));
-  if (ImGui::Button("Select", {half, 0.0f})) selectMembers(ui.state.document, name);
-  ui.widgets.note("blending/select-members");
-  tooltip(ui, "Select the muscles of this group");
+  if (textButton(ui, kSelectMembers.id, "Select", {half, 0.0f}, "Select the muscles of this group"))
+    selectMembers(ui.state.document, name);
   ImGui::SameLine(0.0f, ui.px(4));
   const std::vector<int> selected = selectedIndices(ui.state.document);
   ImGui::BeginDisabled(selected.empty());
-  if (ImGui::Button("Move here", {half, 0.0f})) moveToGroup(ui.state, selected, name);
-  ui.widgets.note("blending/move-here");
-  tooltip(ui, "Move the selected muscles to this group");
+  if (textButton(ui, kMoveHere.id, "Move here", {half, 0.0f}, "Move the selected muscles to this group"))
+    moveToGroup(ui.state, selected, name);
   ImGui::EndDisabled();
 }
 
-void drawEmpty() {
-  ImGui::PushTextWrapPos(0.0f);
-  mutedText("No groups yet. The first muscle makes one; muscles of one group always blend.");
-  ImGui::PopTextWrapPos();
-}
-
-bool menuItem(PanelUi& ui, const char* label, const char* id, bool enabled = true) {
-  const bool chosen = ImGui::MenuItem(label, nullptr, false, enabled);
-  ui.widgets.note(std::string("context/") + id);
-  return chosen;
-}
-
-/// Deleting a group that has muscles asks where they go.
+/// Deletes an empty group; for another, a menu of the groups that get its muscles.
 void deleteItems(PanelUi& ui, const Rig& rig, int group, bool empty) {
   if (empty) {
-    if (menuItem(ui, "Delete group", "group-delete")) removeGroupOf(ui.state, group, -1);
+    if (contextItem(ui, "Delete group", "group-delete")) removeGroupOf(ui.state, group, -1);
     return;
   }
   const bool open = ImGui::BeginMenu("Delete group, muscles go to", rig.groups.size() > 1);
@@ -107,7 +212,7 @@ void deleteItems(PanelUi& ui, const Rig& rig, int group, bool empty) {
   for (int into = 0; into < static_cast<int>(rig.groups.size()); ++into) {
     if (into == group) continue;
     const std::string& name = at(rig.groups, into).name;
-    if (menuItem(ui, name.c_str(), ("group-delete/" + name).c_str())) removeGroupOf(ui.state, group, into);
+    if (contextItem(ui, name.c_str(), "group-delete/" + name)) removeGroupOf(ui.state, group, into);
   }
   ImGui::EndMenu();
 }
@@ -154,16 +259,16 @@ void groupMenu(PanelUi& ui, int group) {
   ui.state.open.blending.group = id;
   const std::vector<int> members = membersOf(*rig, name);
   const std::vector<int> selected = selectedIndices(ui.state.document);
-  if (menuItem(ui, "Select its muscles", "group-select", !members.empty())) selectMembers(ui.state.document, name);
-  if (menuItem(ui, "Move selected muscles here", "group-move-here", !selected.empty())) {
+  if (contextItem(ui, "Select its muscles", "group-select", !members.empty())) selectMembers(ui.state.document, name);
+  if (contextItem(ui, "Move selected muscles here", "group-move-here", !selected.empty())) {
     moveToGroup(ui.state, selected, name);
   }
-  if (menuItem(ui, "Rename", "group-rename")) startGroupRename(ui.state, id);
+  if (contextItem(ui, "Rename", "group-rename")) startGroupRename(ui.state, id);
   ImGui::Separator();
   const bool hidden = !members.empty() && std::ranges::all_of(members, [&](int i) {
     return ui.state.document.visibility.hidden.muscles.contains(at(rig->primitives, i).id());
   });
-  if (menuItem(ui, hidden ? "Show its muscles" : "Hide its muscles", "group-hide", !members.empty())) {
+  if (contextItem(ui, hidden ? "Show its muscles" : "Hide its muscles", "group-hide", !members.empty())) {
     for (const int i : members) {
       ui.state.document.visibility.setMuscle(Mark::kHidden, at(rig->primitives, i).id(), !hidden);
     }
@@ -176,18 +281,14 @@ void drawBlending(PanelUi& ui) {
   drawHead(ui);
   drawCounts(ui);
   if (ui.state.document.rig().groups.empty()) {
-    drawEmpty();
-    return;
+    return mutedParagraph("No groups yet. The first muscle makes one; muscles of one group always blend.");
   }
   const float spacing = ImGui::GetStyle().ItemSpacing.y;
-  // Always as much, so that nothing moves under the pointer when a group is chosen.
+  // The same height with and without a chosen group, so that nothing moves under the pointer.
   const float below = ImGui::GetTextLineHeight() + ImGui::GetFrameHeight() + 4.0f * spacing;
   const float height = std::max(ImGui::GetContentRegionAvail().y - below, ui.px(60));
-  if (ui.state.view.groupsAsGraph) {
-    drawBlendingGraph(ui, height);
-  } else {
-    drawBlendingMatrix(ui, height);
-  }
+  if (ui.state.view.groupsAsGraph) drawBlendingGraph(ui, height);
+  else drawBlendingMatrix(ui, height);
   // A click above may have changed the rig.
   const int still = findGroup(ui.state.document.rig(), ui.state.open.blending.group);
   if (still >= 0) {

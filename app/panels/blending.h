@@ -1,26 +1,40 @@
-// app/panels/blending.h: groups and links as a matrix or a graph.
+// app/panels/blending.h: the tab Groups: groups and links as a matrix or a graph.
 #pragma once
 
+#include <array>
+#include <span>
 #include <string>
+#include <vector>
+
+#include <glm/vec2.hpp>
 
 #include "app/panels/panel_ui.h"
 
 namespace sinew::app {
 
-/// The panel "Groups".
-void drawBlending(PanelUi& ui);
+inline constexpr float kNodeSpacing = 92.0f;  ///< Preferred length of an edge of the graph, design pixels.
 
-/// Groups by groups, a triangle of cells; the rest of the panel.
+/// Initial places of the graph's nodes around the origin, design pixels, y down: linked nodes near each other, no two
+/// overlapping, deterministic. A fixed number of steps of springs and repulsion, from a circle (after Fruchterman and
+/// Reingold, Software: Practice and Experience 21(11), 1991).
+/// @param links  pairs of nodes < count
+[[nodiscard]] std::vector<glm::vec2> layoutGraph(int count, std::span<const std::array<int, 2>> links);
+
+/// A place for another node: the first on a spiral from the origin that is far enough from all nodes.
+[[nodiscard]] glm::vec2 freePlace(std::span<const glm::vec2> taken);
+
+void drawBlending(PanelUi& ui);
+/// A triangle of cells, groups by groups.
 void drawBlendingMatrix(PanelUi& ui, float height);
 /// Nodes and edges.
 void drawBlendingGraph(PanelUi& ui, float height);
 
-/// The right click's menu of a group; between BeginPopup and EndPopup.
+/// The context menu of a group; between BeginPopup and EndPopup.
 void groupMenu(PanelUi& ui, int group);
-/// The name being typed, in the place of the name; the cursor stands where it goes. Notes itself as blending/rename.
+/// The field for the new name, at the cursor. Notes itself as blending/rename.
 void groupRenameField(PanelUi& ui, float width);
 void startGroupRename(EditorState& state, GroupId group);
-/// Right after an item, or a hit of one's own inside BeginDragDropTarget: takes muscles that are dropped on a group.
+/// Accepts muscles that are dropped on a group; inside BeginDragDropTarget.
 void takeDroppedMuscles(PanelUi& ui, const std::string& group);
 /// "legs: 4 muscles"
 [[nodiscard]] std::string groupText(const Rig& rig, int group);

@@ -1,6 +1,5 @@
-// app/panels/blending_graph.cpp: the blending graph as nodes that are dragged and edges that are clicked.
+// app/panels/blending_graph.cpp: the blending graph: nodes to drag and edges to click.
 
-#include <imgui.h>
 #include <imgui_internal.h>  // NoNav: for the mouse alone.
 
 #include <algorithm>
@@ -13,7 +12,6 @@
 
 #include "app/editor/blending_edit.h"
 #include "app/panels/blending.h"
-#include "app/panels/blending_layout.h"
 #include "app/ui/code_points.h"
 #include "core/rig/rig_edit.h"
 
@@ -57,7 +55,7 @@ ImVec2 point(const glm::vec2& p) { return {p.x, p.y}; }
 
 // Places -----------------------------------------------------------------------------------------------------------
 
-/// Every group has a place: all are laid out if none has one, a new one goes where there is room.
+/// Gives every group a place: lays out all groups if none has one, else puts new ones where there is room.
 void settlePlaces(Graph& graph) {
   BlendingState& state = graph.state();
   const bool none =
@@ -77,7 +75,7 @@ void settlePlaces(Graph& graph) {
   }
 }
 
-/// All nodes, with room for their names, into the canvas; never enlarged.
+/// Fits all nodes and their names into the canvas, without enlarging them.
 void fit(Graph& graph) {
   BlendingState& state = graph.state();
   glm::vec2 low(1e9f);
@@ -103,23 +101,23 @@ void projectPlaces(Graph& graph) {
   }
 }
 
-// What lies under the pointer ---------------------------------------------------------------------------------------
+// Picking -----------------------------------------------------------------------------------------------------------
 
 float distanceToSegment(const glm::vec2& p, const glm::vec2& a, const glm::vec2& b) {
-  const glm::vec2 way = b - a;
-  const float square = glm::dot(way, way);
-  const float t = square > 0.0f ? std::clamp(glm::dot(p - a, way) / square, 0.0f, 1.0f) : 0.0f;
-  return glm::length(p - a - t * way);
+  const glm::vec2 along = b - a;
+  const float square = glm::dot(along, along);
+  const float t = square > 0.0f ? std::clamp(glm::dot(p - a, along) / square, 0.0f, 1.0f) : 0.0f;
+  return glm::length(p - a - t * along);
 }
 
 using Curve = std::array<glm::vec2, 17>;
 
-/// A straight line; or, where a third node would hide a part of it, one that bends around that node.
+/// A straight line, or a curve around a third node that would hide part of the line.
 Curve curveOf(const Graph& graph, const std::array<int, 2>& edge) {
   const glm::vec2 a = graph.place(edge[0]);
   const glm::vec2 b = graph.place(edge[1]);
-  const glm::vec2 way = b - a;
-  const glm::vec2 across = glm::vec2(-way.y, way.x) / std::max(glm::length(way), 1.0f);
+  const glm::vec2 along = b - a;
+  const glm::vec2 across = glm::vec2(-along.y, along.x) / std::max(glm::length(along), 1.0f);
   glm::vec2 bend(0.0f);
   for (int group = 0; group < static_cast<int>(graph.at.size()); ++group) {
     if (group == edge[0] || group == edge[1]) continue;
@@ -129,7 +127,7 @@ Curve curveOf(const Graph& graph, const std::array<int, 2>& edge) {
   Curve curve;
   for (std::size_t i = 0; i < curve.size(); ++i) {
     const float t = static_cast<float>(i) / static_cast<float>(curve.size() - 1);
-    curve[i] = a + t * way + t * (1.0f - t) * bend;
+    curve[i] = a + t * along + t * (1.0f - t) * bend;
   }
   return curve;
 }
@@ -166,7 +164,7 @@ std::string hintOf(const Graph& graph) {
 
 // Dragging ----------------------------------------------------------------------------------------------------------
 
-/// What a press on the canvas began; in the window's storage for as long as the button is held.
+/// The drag that a press on the canvas began; kept in the window's storage while the button is held.
 enum class Grip { kNone, kNode, kLink, kEdge, kCanvas };
 
 Grip grip() { return static_cast<Grip>(ImGui::GetStateStorage()->GetInt(ImGui::GetID("grip"), 0)); }

@@ -1,6 +1,4 @@
-// app/panels/blending_matrix.cpp: groups by groups: a row each with its name, and cells that link.
-
-#include <imgui.h>
+// app/panels/blending_matrix.cpp: the blending matrix: a row for each group, and cells that link two groups.
 
 #include <algorithm>
 #include <cmath>
@@ -20,17 +18,17 @@ namespace {
 constexpr float kLargestCell = 26.0f;  // Design pixels.
 constexpr float kSmallestCell = 15.0f;
 
-/// The matrix while it is drawn. Row i has the cells 0..i; its last, on the diagonal, is the group itself.
+/// The matrix while it is drawn. Row i has the cells 0..i; the last, on the diagonal, is the group itself.
 struct Matrix {
   PanelUi& ui;
   std::shared_ptr<const Rig> rig;
   std::vector<std::vector<bool>> linked;
   std::vector<int> members;  ///< [groups]
-  ImVec2 names;              ///< Where the names begin; scrolls down only.
-  ImVec2 cells;              ///< Corner of cell (0, 0); scrolls both ways.
+  ImVec2 names;              ///< Corner of the names; scrolls vertically.
+  ImVec2 cells;              ///< Corner of cell (0, 0); scrolls in both directions.
   float nameWidth = 0.0f;
   float cell = 0.0f;
-  ImVec4 clip;   ///< What is seen of the cells: left, top, right, bottom.
+  ImVec4 clip;   ///< The visible part of the cells: left, top, right, bottom.
   int row = -1;  ///< Hovered.
   int column = -1;
 
@@ -45,7 +43,7 @@ struct Matrix {
 
 Tint between(const Tint& a, const Tint& b) { return {0.5f * (a.r + b.r), 0.5f * (a.g + b.g), 0.5f * (a.b + b.b)}; }
 
-/// Space for everything, and how large a cell may be.
+/// Computes the sizes and positions.
 Matrix lay(PanelUi& ui) {
   Matrix matrix{ui, ui.state.document.commands.sharedRig(), {}, {}, {}, {}, 0.0f, 0.0f, {}, -1, -1};
   matrix.linked = linkTable(*matrix.rig);
@@ -72,12 +70,9 @@ Matrix lay(PanelUi& ui) {
   return matrix;
 }
 
-void takeClick(Matrix& matrix, int group) {
-  BlendingState& blending = matrix.ui.state.open.blending;
-  blending.group = matrix.id(group);
-}
+void choose(Matrix& matrix, int group) { matrix.ui.state.open.blending.group = matrix.id(group); }
 
-/// Names first: where the cells scroll under them, they are in front.
+/// Items of the names; before those of the cells, which scroll under them.
 void nameItems(Matrix& matrix) {
   PanelUi& ui = matrix.ui;
   for (int group = 0; group < matrix.count(); ++group) {
@@ -88,7 +83,7 @@ void nameItems(Matrix& matrix) {
     if (ui.state.open.blending.rename.group == matrix.id(group)) {
       groupRenameField(ui, std::max(matrix.nameWidth, ui.px(110)));
     } else {
-      if (ImGui::InvisibleButton("name", {matrix.nameWidth, matrix.cell})) takeClick(matrix, group);
+      if (ImGui::InvisibleButton("name", {matrix.nameWidth, matrix.cell})) choose(matrix, group);
       if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenBlockedByActiveItem)) matrix.row = matrix.column = group;
       ui.widgets.note("blending/group/" + matrix.name(group));
       tooltip(ui, groupText(*matrix.rig, group) + "\nDouble-click renames; drop muscles here.");
@@ -129,11 +124,11 @@ void cellItem(Matrix& matrix, int i, int j) {
     if (i == j && ImGui::IsMouseDoubleClicked(0)) startGroupRename(matrix.ui.state, matrix.id(i));
   }
   if (!pressed) return;
-  if (i == j) takeClick(matrix, i);
+  if (i == j) choose(matrix, i);
   else toggleLink(matrix.ui.state, i, j);
 }
 
-/// Under the names, where they scroll.
+/// Items of the cells, clipped beside the names.
 void cellItems(Matrix& matrix) {
   ImGui::PushClipRect({matrix.clip.x, matrix.clip.y}, {matrix.clip.z, matrix.clip.w}, true);
   for (int i = 0; i < matrix.count(); ++i) {

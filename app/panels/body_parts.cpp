@@ -1,6 +1,4 @@
-// app/panels/body_parts.cpp: which bone is which part of the body: a table to correct it and a figure.
-
-#include <imgui.h>
+// app/panels/body_parts.cpp: the panel Parts of the body: a table that assigns bones, and a figure.
 
 #include <algorithm>
 #include <array>
@@ -10,7 +8,6 @@
 
 #include "app/document/shown_names.h"
 #include "app/editor/muscle_set_commands.h"
-#include "app/panels/bone_list.h"
 #include "app/panels/overlay.h"
 #include "core/character/bindings.h"
 #include "core/geometry/at.h"
@@ -20,7 +17,7 @@ namespace {
 
 constexpr float kWidth = 470.0f;  // Design pixels, as all here.
 constexpr float kFigure = 150.0f;
-constexpr float kLeast = 360.0f;  // Narrower, the figure goes.
+constexpr float kLeast = 360.0f;  // A narrower panel has no figure.
 constexpr float kName = 104.0f;
 constexpr float kBodyPartsTop = 96.0f;  // Under the display bar.
 
@@ -33,13 +30,13 @@ Confidence confidenceOf(SlotConfidence confidence) {
     case SlotConfidence::kMissing:
       break;
     case SlotConfidence::kPlaced:
-      return {palette::kWarning, "found by where it lies; its name says nothing"};
+      return {palette::kWarning, "found by its position only"};
     case SlotConfidence::kNamed:
-      return {palette::kWarning, "found by its name alone"};
+      return {palette::kWarning, "found by its name only"};
     case SlotConfidence::kSure:
-      return {palette::kGood, "found by its name and by where it lies"};
+      return {palette::kGood, "found by its name and its position"};
     case SlotConfidence::kGiven:
-      return {palette::kAccent, "as you said"};
+      return {palette::kAccent, "set by you"};
   }
   return {palette::kLine, "not found"};
 }
@@ -71,7 +68,7 @@ std::vector<Slot> listedSlots(bool animal) {
   return slots;
 }
 
-/// What a list offers besides bones: back to what was found, or no such part.
+/// Choices besides bones: the bone that was found, or no such part.
 void offerOthers(PanelUi& ui, BodySlot slot, const std::string& id) {
   const auto& corrections = ui.state.document.rig().slots;
   const bool given = std::ranges::any_of(corrections, [&](const auto& each) { return each.slot == nameOf(slot); });
@@ -130,7 +127,7 @@ void drawTable(PanelUi& ui, const std::vector<Slot>& slots, int& hovered) {
   }
 }
 
-/// The bind pose seen from the front, of animals from their left side; fitted into a box.
+/// Projects the bind pose into a box: the front of people, the left side of animals.
 class Figure {
  public:
   Figure(const Character& character, const BodySlots& slots, bool animal, const ImVec2& corner, const ImVec2& size)
@@ -186,7 +183,7 @@ void drawFigure(PanelUi& ui, const std::vector<Slot>& slots, const ImVec2& size,
   for (const BodySlot slot : allBodySlots()) {
     const SlotBone& found = parts.slots[slot];
     if (found.bone < 0 || std::ranges::find(slots, slot.slot) == slots.end()) continue;
-    // A part may be a piece of a bone.
+    // A part may begin in the middle of a bone.
     const ImVec2 head = figure.head(found.bone);
     const ImVec2 tip = figure.tip(found.bone);
     const ImVec2 place{head.x + found.from * (tip.x - head.x), head.y + found.from * (tip.y - head.y)};
@@ -239,8 +236,7 @@ void drawInside(PanelUi& ui, float width) {
     ImGui::EndChild();
   }
   parts.hovered = hovered;
-  if (ImGui::Button("Close")) parts.shown = false;
-  ui.widgets.note("body-parts/close");
+  if (textButton(ui, "body-parts/close", "Close")) parts.shown = false;
 }
 
 }  // namespace
@@ -254,15 +250,10 @@ void drawBodyParts(PanelUi& ui) {
   const float wanted = rows * ImGui::GetFrameHeightWithSpacing() + ui.px(20);
   const float top = ui.px(kBodyPartsTop);
   const float height = std::min(wanted, v.w - top - ui.px(kFromEdges));
-  ImGui::SetCursorPos({ui.px(kBesideTools), top});
-  ImGui::PushStyleColor(ImGuiCol_ChildBg, palette::kPanel.faded(0.97f));
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {ui.px(10), ui.px(8)});
-  ImGui::BeginChild("body-parts", {std::min(width, v.z - ui.px(kBesideTools + kFromEdges)), height}, true,
-                    ImGuiWindowFlags_AlwaysUseWindowPadding);
+  beginInPicture(ui, "body-parts", {ui.px(kBesideTools), top},
+                 {std::min(width, v.z - ui.px(kBesideTools + kFromEdges)), height}, 0.97f, {10, 8});
   drawInside(ui, width);
-  ImGui::EndChild();
-  ImGui::PopStyleVar();
-  ImGui::PopStyleColor();
+  endInPicture();
 }
 
 }  // namespace sinew::app

@@ -2,7 +2,6 @@
 
 #include "app/panels/curve_editor.h"
 
-#include <imgui.h>
 #include <imgui_internal.h>  // NoNav: for the mouse alone.
 
 #include <algorithm>
@@ -20,24 +19,24 @@ constexpr float kHeight = 92.0f;  // Design pixels, as all here.
 constexpr float kInset = 6.0f;
 constexpr float kPoint = 3.5f;
 constexpr float kLeastGutter = 34.0f;
-constexpr float kReach = 9.0f;      // How near to a point a press takes it.
+constexpr float kReach = 9.0f;      // A press this near to a point grabs it.
 constexpr float kLabel = 0.84f;     // Fraction of the font.
 constexpr float kCurvePad = 0.08f;  // Fraction of the range, around the curve.
 constexpr int kCurveSteps = 96;
 
-/// Where the picture is and what it spans.
+/// The position of the plot and the ranges it shows.
 struct Plot {
   glm::vec2 low;  ///< Window coordinates of the plot, inside its frame.
   glm::vec2 high;
   glm::vec4 axes;
 
   [[nodiscard]] glm::vec2 at(const glm::vec2& point) const {
-    const glm::vec2 share = (point - glm::vec2(axes)) / (glm::vec2(axes.z, axes.w) - glm::vec2(axes));
-    return {low.x + share.x * (high.x - low.x), high.y - share.y * (high.y - low.y)};
+    const glm::vec2 fraction = (point - glm::vec2(axes)) / (glm::vec2(axes.z, axes.w) - glm::vec2(axes));
+    return {low.x + fraction.x * (high.x - low.x), high.y - fraction.y * (high.y - low.y)};
   }
   [[nodiscard]] glm::vec2 pointAt(const glm::vec2& place) const {
-    const glm::vec2 share((place.x - low.x) / (high.x - low.x), (high.y - place.y) / (high.y - low.y));
-    return glm::vec2(axes) + glm::clamp(share, 0.0f, 1.0f) * (glm::vec2(axes.z, axes.w) - glm::vec2(axes));
+    const glm::vec2 fraction((place.x - low.x) / (high.x - low.x), (high.y - place.y) / (high.y - low.y));
+    return glm::vec2(axes) + glm::clamp(fraction, 0.0f, 1.0f) * (glm::vec2(axes.z, axes.w) - glm::vec2(axes));
   }
 };
 
@@ -56,7 +55,7 @@ ImVec2 labelSize(const std::string& text) {
   return ImGui::GetFont()->CalcTextSizeA(kLabel * ImGui::GetFontSize(), FLT_MAX, 0.0f, text.c_str());
 }
 
-/// @param anchor  where `at` is in the text, 0..1
+/// @param anchor  the point of the text that is drawn at `at`, 0..1
 void drawLabel(const glm::vec2& at, const glm::vec2& anchor, const std::string& text) {
   const ImVec2 size = labelSize(text);
   ImGui::GetWindowDrawList()->AddText(ImGui::GetFont(), kLabel * ImGui::GetFontSize(),
@@ -75,7 +74,7 @@ glm::vec4 rangeOf(const Curve& curve) {
   return {low, high};
 }
 
-/// What the picture spans: least x, least y, most x, most y.
+/// The ranges to show: least x, least y, most x, most y.
 glm::vec4 axesOf(const Curve& curve, const std::optional<float>& now) {
   const glm::vec4 range = rangeOf(curve);
   glm::vec2 low(range);
@@ -95,7 +94,7 @@ glm::vec4 axesOf(const Curve& curve, const std::optional<float>& now) {
   return {low, high};
 }
 
-/// The points' range: values at the left, inputs below.
+/// Labels the range of the points: values at the left, inputs below.
 void drawLabels(PanelUi& ui, const Plot& plot, const glm::vec4& range, const CurveView& view) {
   const float left = plot.low.x - ui.px(kInset);
   drawLabel({left, plot.at({range.x, range.w}).y}, {1.0f, 0.5f}, view.valueText(range.w));
@@ -116,7 +115,7 @@ void drawPlot(PanelUi& ui, const Plot& plot, const Curve& curve, const CurveView
   for (int i = 0; i <= kCurveSteps; ++i) {
     const float x = plot.axes.x + (plot.axes.z - plot.axes.x) * static_cast<float>(i) / kCurveSteps;
     const float y = valueAt(curve, x);
-    // A step goes straight up.
+    // A step is drawn upright.
     if (curve.kind == CurveKind::kStep && !line.empty()) line.push_back({plot.at({x, y}).x, line.back().y});
     line.push_back(window(plot.at({x, y})));
   }
@@ -135,7 +134,7 @@ void drawPlot(PanelUi& ui, const Plot& plot, const Curve& curve, const CurveView
   }
 }
 
-/// The dragged point between its neighbors.
+/// Moves a point, between its neighbors.
 Curve withMoved(Curve curve, int index, glm::vec2 to, float least) {
   std::vector<glm::vec2>& points = curve.points;
   if (index > 0) to.x = std::max(to.x, points[static_cast<std::size_t>(index) - 1].x + least);
@@ -200,7 +199,7 @@ void drawCurveEditor(PanelUi& ui, const Curve& curve, const Curve& atStart, cons
     tooltip(ui, under >= 0 ? view.inputText(curve.points[static_cast<std::size_t>(under)].x) + ": " +
                                  view.valueText(curve.points[static_cast<std::size_t>(under)].y) +
                                  "\nDrag moves the point. Right click or Delete removes it"
-                           : "What the input makes of the number. Double-click adds a point. The upright line is now");
+                           : "The number for each input. Double-click adds a point. The upright line is now");
   }
   CurvePoint chosen = animate.chosen;
   const int chosenPoint = chosen.point;

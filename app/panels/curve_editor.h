@@ -12,7 +12,7 @@ namespace sinew::app {
 struct CurveView {
   std::string id;            ///< The widget's.
   CurvePoint place;          ///< Which curve; `point` is not read.
-  std::optional<float> now;  ///< The input where it is now.
+  std::optional<float> now;  ///< The current input.
   std::function<std::string(float)> inputText;
   std::function<std::string(float)> valueText;
   const char* label = "";  ///< The undo step's.
@@ -20,12 +20,12 @@ struct CurveView {
   std::function<Result<Rig>(const Curve&)> changed;
 };
 
-/// Fills the width. A drag of a point is one undo step, as are a double click that adds one and a right click that
-/// removes one.
-/// @param atStart  the curve before the gesture that is under way
+/// Fills the width. Dragging a point, adding one with a double click and removing one with a right click are one undo
+/// step each.
+/// @param atStart  the curve before the current gesture
 void drawCurveEditor(PanelUi& ui, const Curve& curve, const Curve& atStart, const CurveView& view);
 
-/// @return the curve with a point, in its place; as it is where one stands already
+/// @return the curve with a point inserted; unchanged if there is one at its x
 [[nodiscard]] Curve withPoint(Curve curve, const glm::vec2& point);
 
 }  // namespace sinew::app

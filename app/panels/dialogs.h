@@ -1,5 +1,7 @@
-// app/panels/dialogs.h: what stands in front of everything else.
+// app/panels/dialogs.h: dialogs, and the rows that they share.
 #pragma once
+
+#include <string>
 
 #include "app/panels/panel_ui.h"
 
@@ -10,7 +12,6 @@ void drawUnsavedQuestion(PanelUi& ui);
 void drawExportDialog(PanelUi& ui);
 void drawFarmDialog(PanelUi& ui);
 void drawPicturesDialog(PanelUi& ui);
-/// Quitting while something is exported.
 void drawExportQuestion(PanelUi& ui);
 void drawLocateQuestion(PanelUi& ui);
 void drawKeepMusclesQuestion(PanelUi& ui);
@@ -23,5 +24,22 @@ void drawKeysPage(PanelUi& ui);
 /// Radio buttons; each notes itself as `id` and the keymap's name.
 void drawKeymapChoice(PanelUi& ui, const std::string& id);
 void drawPalette(PanelUi& ui);
+
+// Rows that the export, farm and pictures dialogs share.
+inline constexpr float kExportLabels = 96.0f;  ///< Design pixels: the column of names.
+/// A slider for an integer that fills the current row. @return whether it has changed
+bool countSlider(PanelUi& ui, const char* id, int& count, const char* format, int least, int most);
+/// Enter presses the dialog's button, unless it ends the editing of a field. Call before drawing the fields.
+[[nodiscard]] bool enterConfirms();
+/// The error, or the question whether to overwrite.
+void dialogComplaint(const std::string& error, const std::string& question);
+/// Changes by a place row: typing clears the error and the question, the button sets `browse`.
+struct PlaceChanges {
+  std::string& error;
+  bool& overwriteAsked;
+  bool& browse;
+};
+/// Name and folder of a file to write. @param id  "export/place"  @return whether Enter was pressed in the name
+bool placeRow(PanelUi& ui, const char* id, const char* label, ExportPlace& place, PlaceChanges changes);
 
 }  // namespace sinew::app

@@ -1,8 +1,11 @@
-// app/panels/field_edit.h: a number or text field whose edits are one undo step.
+// app/panels/field_edit.h: fields whose edits are one undo step, and the keys and drivers of their numbers.
 #pragma once
 
+#include <optional>
 #include <string>
+#include <vector>
 
+#include "app/editor/animate.h"
 #include "app/editor/edit.h"
 #include "app/panels/panel_ui.h"
 #include "app/ui/number_field.h"
@@ -10,25 +13,51 @@
 
 namespace sinew::app {
 
-/// Right after a field: makes one undo step of everything between its activation and its end; Esc cancels it.
-/// @param edited  what the field returned.
-/// @param makeRig  () -> Result<Rig>: called only when edited; refusals as in edit().
-template <class MakeRig>
-void editField(PanelUi& ui, const std::string& id, const char* label, bool edited, MakeRig makeRig);
+// Keys and drivers of a field's numbers: colors, tooltip, menu, and edits while driven keys are set.
 
-/// The same for a number: what was typed and refused is said, and the step names the values, "Tightness 0.3 to 0.4".
-/// @param shown  (const Rig&) -> std::string: the number as the field shows it.
-template <class MakeRig, class Shown>
-void editNumber(PanelUi& ui, const std::string& id, const char* label, bool edited, const Typing& typing,
-                MakeRig makeRig, Shown shown);
+/// The numbers behind a field.
+struct AnimatedField {
+  std::vector<NumberRef> refs;  ///< In the document's rig, of one parameter, the shown one first; empty: none.
+  std::vector<float> scales;    ///< [refs] shown units per unit of the rig.
+  const char* format = "%.3f";  ///< For shown units.
+};
 
-/// The parts of editField that know no types.
+/// How keys and drivers change the shown number.
+struct AnimatedLook {
+  bool driven = false;
+  bool keyedHere = false;       ///< In the current clip.
+  bool keyedElsewhere = false;  ///< In other clips only.
+  bool keyNow = false;          ///< There is a key at the current time.
+  bool beingSet = false;        ///< Its driven keys are being set.
+  std::string words;            ///< For the tooltip, with a line end; empty: not animated.
+};
+[[nodiscard]] AnimatedLook lookOf(PanelUi& ui, const AnimatedField& field);
+
+/// Around the field: its background, then its border and the mark of a key.
+void pushAnimatedColors(const AnimatedLook& look);
+void popAnimatedColors(PanelUi& ui, const AnimatedLook& look);
+
+/// Call right after the item: remembers the number under the pointer for the action edit/key.
+void notePointed(PanelUi& ui, const AnimatedField& field);
+
+/// Rows of an open menu: key, drive, set driven key.
+void animationMenu(PanelUi& ui, const AnimatedField& field);
+
+/// Replaces the field while its driven keys are set: an edit adds a point at the current input. The caller sets the
+/// width. Notes itself as `id`.
+/// @param look  without `typing`
+void drawDrivenKeyField(PanelUi& ui, const std::string& id, const AnimatedField& field, NumberLook look);
+
+/// The first and last part of editField.
 void beginFieldEdit(PanelUi& ui, const std::string& id, const char* label);
-/// @param label  of the step, if its values are to be named; "": as it began.
+/// @param label  of the step, with its values; "": as it began
 void endFieldEdit(PanelUi& ui, const std::string& label = {});
-/// Once a frame, after all panels: ends the step of a field that has vanished while it was being edited.
+/// Call once a frame, after all panels: ends the step of a field that has vanished while it was edited.
 void endAbandonedEdit(EditorState& state);
 
+/// Call right after a field: everything between its activation and its end is one undo step; Esc cancels it.
+/// @param edited  as the field returned it
+/// @param makeRig  () -> Result<Rig>: called only if edited; errors as in edit()
 template <class MakeRig>
 void editField(PanelUi& ui, const std::string& id, const char* label, bool edited, MakeRig makeRig) {
   beginFieldEdit(ui, id, label);
@@ -36,6 +65,8 @@ void editField(PanelUi& ui, const std::string& id, const char* label, bool edite
   endFieldEdit(ui);
 }
 
+/// The same for a number: reports a refused number; the step names the values, "Tightness 0.3 to 0.4".
+/// @param shown  (const Rig&) -> std::string: the number as the field shows it
 template <class MakeRig, class Shown>
 void editNumber(PanelUi& ui, const std::string& id, const char* label, bool edited, const Typing& typing,
                 MakeRig makeRig, Shown shown) {

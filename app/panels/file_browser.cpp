@@ -1,6 +1,5 @@
-// app/panels/file_browser.cpp: places and folders in the path dialog.
+// app/panels/file_browser.cpp: the path dialog's places, folders and files.
 
-#include <imgui.h>
 #include <imgui_stdlib.h>
 
 #include <string>
@@ -41,20 +40,20 @@ void drawPlaces(PanelUi& ui, float height) {
   ImGui::PopStyleColor();
 }
 
-/// Every folder of the way to here, to be clicked.
+/// The folders of the path, as buttons.
 void drawCrumbs(PanelUi& ui) {
   FileDialogState& dialog = ui.state.dialogs.file;
-  std::vector<std::filesystem::path> way;
+  std::vector<std::filesystem::path> path;
   for (std::filesystem::path at = dialog.folder; !at.empty(); at = at.parent_path()) {
-    way.push_back(at);
+    path.push_back(at);
     if (at == at.parent_path()) break;
   }
-  // The nearest ones, as many as there is room for.
+  // The last ones, as many as there is room for.
   const float room = ImGui::GetContentRegionAvail().x - ui.px(70);
   float used = 0.0f;
   std::size_t shown = 0;
-  while (shown < way.size()) {
-    used += ImGui::CalcTextSize(way[shown].filename().c_str()).x + ui.px(18);
+  while (shown < path.size()) {
+    used += ImGui::CalcTextSize(path[shown].filename().c_str()).x + ui.px(18);
     if (shown > 0 && used > room) break;
     ++shown;
   }
@@ -62,18 +61,18 @@ void drawCrumbs(PanelUi& ui) {
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {ui.px(4), ImGui::GetStyle().FramePadding.y});
   for (std::size_t i = shown; i-- > 0;) {
     ImGui::SameLine(0.0f, ui.px(1));
-    const std::string name = way[i].has_relative_path() ? way[i].filename().string() : "/";
+    const std::string name = path[i].has_relative_path() ? path[i].filename().string() : "/";
     ImGui::PushStyleColor(ImGuiCol_Text, i == 0 ? palette::kText : palette::kMuted);
-    // One alone may be longer than the room.
+    // A single one may be longer than the room.
     const std::string text = shown == 1 ? fitted(name, room - ui.px(18)) : inReadingOrder(name);
     const bool chosen = ImGui::Button((text + "##crumb" + std::to_string(i)).c_str());
     ImGui::PopStyleColor();
     ui.widgets.note("dialog/crumb/" + std::to_string(i));
-    if (i > 0 && way[i].has_relative_path()) {
+    if (i > 0 && path[i].has_relative_path()) {
       ImGui::SameLine(0.0f, ui.px(1));
       mutedText("/");
     }
-    if (chosen) enterFolder(dialog, way[i]);
+    if (chosen) enterFolder(dialog, path[i]);
   }
   ImGui::PopStyleVar();
   ImGui::PopStyleColor();
@@ -120,8 +119,7 @@ void drawNewFolder(PanelUi& ui) {
                                                 ImGuiInputTextFlags_EnterReturnsTrue);
   ui.widgets.note("dialog/new-folder-name");
   ImGui::SameLine();
-  const bool pressed = ImGui::Button("Create", {ui.px(96), 0.0f});
-  ui.widgets.note("dialog/create-folder");
+  const bool pressed = textButton(ui, "dialog/create-folder", "Create", {ui.px(96), 0.0f});
   if (!(entered || pressed) || dialog.newFolder.empty()) return;
   const std::filesystem::path made = dialog.folder / dialog.newFolder;
   std::error_code failed;
@@ -132,7 +130,7 @@ void drawNewFolder(PanelUi& ui) {
   else enterFolder(dialog, made);
 }
 
-/// A column's title that sorts by it.
+/// A column's title; a click sorts by the column.
 void sortTitle(PanelUi& ui, const char* id, const char* title, bool newestFirst) {
   const bool active = ui.state.session.preferences.newestFirst == newestFirst;
   ImGui::PushStyleColor(ImGuiCol_Text, active ? palette::kText : palette::kMuted);
@@ -157,13 +155,13 @@ void drawTitles(PanelUi& ui) {
   sortTitle(ui, "dialog/sort-date", "Changed", true);
 }
 
-/// @param number  in the list, from 1: what it is called where no font has its letters
+/// @param number  in the list, from 1: shown if no font has the letters of the name
 void drawEntry(PanelUi& ui, const FolderEntry& entry, int number) {
   FileDialogState& dialog = ui.state.dialogs.file;
   ImGui::TableNextRow();
   ImGui::TableNextColumn();
   const ImVec2 corner = ImGui::GetCursorScreenPos();
-  const bool tall = !entry.folder && dialog.kind == DialogKind::kOpen;  // All alike: rows do not jump when scrolled.
+  const bool tall = !entry.folder && dialog.kind == DialogKind::kOpen;  // With or without a thumbnail.
   const bool onScreen = ImGui::IsRectVisible({1.0f, ui.px(kThumbnailHeight)});
   const ImTextureID thumbnail =
       tall && onScreen ? thumbnailOf(ui, dialog.folder / entry.name, entry.when) : ImTextureID{};
@@ -207,7 +205,7 @@ void drawEntry(PanelUi& ui, const FolderEntry& entry, int number) {
     enterFolder(dialog, dialog.folder / entry.name);
     return;
   }
-  // A rig beside its character: never over it.
+  // Saves a rig beside its character, never over it.
   const bool saves = dialog.kind == DialogKind::kSaveAs;
   dialog.text = saves ? withRigEnding(entry.name).string() : entry.name;
   const bool opens = dialog.kind == DialogKind::kOpen || dialog.kind == DialogKind::kReference;

@@ -2,7 +2,6 @@
 
 #include "app/panels/file_dialog.h"
 
-#include <imgui.h>
 #include <imgui_stdlib.h>
 
 #define GLFW_INCLUDE_NONE
@@ -19,9 +18,12 @@
 #include "app/editor/open_file.h"
 #include "app/editor/picture_commands.h"
 #include "app/editor/reference_commands.h"
-#include "app/panels/dialog_parts.h"
 #include "app/panels/dialogs.h"
 #include "app/ui/reading_order.h"
+
+#define GLFW_INCLUDE_NONE
+
+
 
 namespace sinew::app {
 namespace {
@@ -34,7 +36,7 @@ void close(EditorState& state) {
   ImGui::CloseCurrentPopup();
 }
 
-/// It names a file that is there.
+/// Whether it chooses an existing file.
 bool opens(const FileDialogState& dialog) {
   return dialog.kind == DialogKind::kOpen || dialog.kind == DialogKind::kReference;
 }
@@ -49,19 +51,19 @@ void showFolder(FileDialogState& dialog, const std::filesystem::path& folder) {
   dialog.appearing = true;
 }
 
-/// The file Save As would write.
+/// The file that would be written.
 std::filesystem::path saveTarget(const FileDialogState& dialog) {
   const std::filesystem::path typed = resolveTyped(dialog.folder, dialog.text);
   return dialog.kind == DialogKind::kSavePicture ? withPictureEnding(typed) : withRigEnding(typed);
 }
 
-/// The export dialog asked for a place; it asks itself before it replaces anything.
+/// Whether it chooses a file for another dialog, which asks before it replaces files.
 bool choosesPlace(const FileDialogState& dialog) {
   return dialog.kind == DialogKind::kExportPlace || dialog.kind == DialogKind::kJobPlace ||
          dialog.kind == DialogKind::kPicturesPlace;
 }
 
-/// Save As would overwrite a file that is not this document's own.
+/// Whether it would overwrite a file that is not this document's own.
 bool replaces(const EditorState& state) {
   std::error_code ignored;
   const std::filesystem::path target = saveTarget(state.dialogs.file);
@@ -152,7 +154,7 @@ void confirmSave(EditorState& state) {
   perform(state, then);
 }
 
-/// Up and Down walk through the list, Tab completes; both inside of the field that is being edited.
+/// Keys in the path field: Up and Down walk through the list, Tab completes.
 int editPath(ImGuiInputTextCallbackData* data) {
   EditorState& state = *static_cast<EditorState*>(data->UserData);
   FileDialogState& dialog = state.dialogs.file;
@@ -199,7 +201,7 @@ const char* hintOf(DialogKind kind) {
 void drawPathField(PanelUi& ui) {
   FileDialogState& dialog = ui.state.dialogs.file;
   if (dialog.appearing && !dialog.naming) ImGui::SetKeyboardFocusHere();
-  if (!dialog.naming) dialog.appearing = false;  // What follows may ask for the focus again.
+  if (!dialog.naming) dialog.appearing = false;  // Set again by what follows.
   const bool wasEmpty = dialog.text.empty();
   ImGui::SetNextItemWidth(dialog.kind == DialogKind::kOpen ? -ui.px(158) : -1.0f);
   const bool entered =
@@ -262,11 +264,9 @@ void drawButtons(PanelUi& ui) {
   const char* verb = opens(dialog) ? opening : saving;
   const float width = ui.px(96);
   ImGui::SetCursorPosX(ImGui::GetContentRegionMax().x - 2.0f * width - ui.px(8));
-  const bool canceled = ImGui::Button(dialog.overwriteAsked ? "Keep" : "Cancel", {width, 0.0f});
-  ui.widgets.note("dialog/cancel");
+  const bool canceled = textButton(ui, "dialog/cancel", dialog.overwriteAsked ? "Keep" : "Cancel", {width, 0.0f});
   ImGui::SameLine(0.0f, ui.px(8));
-  const bool confirmed = accentButton(verb, {width, 0.0f});
-  ui.widgets.note("dialog/ok");
+  const bool confirmed = accentButton(ui, "dialog/ok", verb, {width, 0.0f});
   if (confirmed) confirmPath(state);
   else if (canceled || escapePressed(ui)) leave(state);
 }
@@ -340,22 +340,18 @@ void drawFileDialog(PanelUi& ui) {
   FileDialogState& dialog = ui.state.dialogs.file;
   if (dialog.kind == DialogKind::kNone) return;
   const char* title = titleOf(dialog);
-  if (!ImGui::IsPopupOpen(title)) ImGui::OpenPopup(title);
-  const ImVec2 display = ImGui::GetIO().DisplaySize;
   placeDialog(ui, kFileDialogWidth);
-  pushDialogStyle(ui);
-  if (ImGui::BeginPopupModal(title, nullptr, ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove)) {
+  drawModal(ui, title, [&] {
     takeKeys(ui.state);
-    drawFolderBrowser(ui, std::clamp(display.y - ui.px(240), ui.px(90), ui.px(kListHeight)));
+    drawFolderBrowser(ui, std::clamp(ImGui::GetIO().DisplaySize.y - ui.px(240), ui.px(90), ui.px(kListHeight)));
     if (dialog.kind != DialogKind::kNone) {
       drawPathField(ui);
       drawFilter(ui);
     }
     if (dialog.kind != DialogKind::kNone) drawFileDialogComplaint(ui);
     if (dialog.kind != DialogKind::kNone) drawButtons(ui);
-    ImGui::EndPopup();
-  }
-  popDialogStyle();
+    return false;  // close() closes it.
+  });
 }
 
 }  // namespace sinew::app

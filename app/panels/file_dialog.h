@@ -1,23 +1,23 @@
-// app/panels/file_dialog.h: the path dialog: what is in a folder, what becomes of a path.
+// app/panels/file_dialog.h: the parts of the path dialog.
 #pragma once
 
 #include "app/panels/panel_ui.h"
 
 namespace sinew::app {
 
-/// What the list shows, by the user's preferences and the dialog's filter.
+/// Filter and order of the list, from the preferences and the dialog.
 [[nodiscard]] ListingOptions listingOptions(const EditorState& state);
 
-/// Goes there; the folder before can be gone back to.
+/// Enters the folder; goBack() returns.
 void enterFolder(FileDialogState& dialog, const std::filesystem::path& folder);
 void goBack(FileDialogState& dialog);
 void goForward(FileDialogState& dialog);
 void goUp(FileDialogState& dialog);
 
-/// Opens, saves or enters what the path field says; asks before it overwrites.
+/// Opens, saves or enters the path in the field; asks before it overwrites.
 void confirmPath(EditorState& state);
 
-/// Places at the left, the folder's files at the right, `height` tall in window coordinates.
+/// Places at the left, the folder's files at the right. @param height  window coordinates
 void drawFolderBrowser(PanelUi& ui, float height);
 
 }  // namespace sinew::app

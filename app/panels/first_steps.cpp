@@ -1,6 +1,4 @@
-// app/panels/first_steps.cpp: the list of first steps, with what to press for the one that comes next.
-
-#include <imgui.h>
+// app/panels/first_steps.cpp: the list of first steps, with instructions for the next one.
 
 #include <algorithm>
 #include <array>
@@ -34,7 +32,7 @@ std::array<StepText, kFirstSteps> textsOf(const PanelUi& ui) {
            {"compare", "Look without muscles", capital(start("view/before")) + ", held down"}}};
 }
 
-/// A ring, or a tick once it is done.
+/// A tick if the step is done, else a ring.
 void drawMark(PanelUi& ui, bool done, bool next) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const ImVec2 at = ImGui::GetCursorScreenPos();
@@ -48,7 +46,7 @@ void drawMark(PanelUi& ui, bool done, bool next) {
   list.AddPolyline(tick.data(), static_cast<int>(tick.size()), palette::kGood.packed(), 0, ui.px(2));
 }
 
-/// Each thing in a line; of the next one, in the line below, what to press.
+/// A line for each step, and the instructions below the next one.
 void drawSteps(PanelUi& ui) {
   const FirstStepsState& steps = ui.state.view.firstSteps;
   const auto next = std::ranges::find(steps.done, false) - steps.done.begin();
@@ -82,27 +80,17 @@ void drawFirstSteps(PanelUi& ui) {
   const float lines = 1.0f + (done ? 2.0f : static_cast<float>(kFirstSteps) + 1.0f);
   const float height = lines * ImGui::GetTextLineHeightWithSpacing() + ImGui::GetFrameHeightWithSpacing() + ui.px(20);
   const float width = widthInPicture(ui, kFirstStepsWidth);
-  ImGui::SetCursorPos({ui.px(kBesideTools), std::max(lowestInPicture(ui) - height, 0.0f)});
-  ImGui::PushStyleColor(ImGuiCol_ChildBg, palette::kPanel.faded(0.94f));
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {ui.px(12), ui.px(10)});
-  ImGui::BeginChild("first-steps", {width, height}, true,
-                    ImGuiWindowFlags_AlwaysUseWindowPadding | ImGuiWindowFlags_NoScrollbar);
-  ImGui::PushFont(ui.fonts.strong);
-  ImGui::TextUnformatted(done ? "That was all" : "First steps");
-  ImGui::PopFont();
+  beginInPicture(ui, "first-steps", {ui.px(kBesideTools), std::max(lowestInPicture(ui) - height, 0.0f)},
+                 {width, height}, 0.94f, {12, 10}, ImGuiWindowFlags_NoScrollbar);
+  heading(ui, done ? "That was all" : "First steps");
   if (done) {
-    ImGui::PushTextWrapPos(0.0f);
-    mutedText("Drop your own character on the window, or open one from the File menu.");
-    ImGui::PopTextWrapPos();
+    mutedParagraph("Drop your own character on the window, or open one from the File menu.");
   } else {
     drawSteps(ui);
   }
   ImGui::Dummy({0.0f, ui.px(2)});
-  if (ImGui::Button(done ? "Close" : "Leave")) state.view.firstSteps.shown = false;
-  ui.widgets.note("first-steps/leave");
-  ImGui::EndChild();
-  ImGui::PopStyleVar();
-  ImGui::PopStyleColor();
+  if (textButton(ui, "first-steps/leave", done ? "Close" : "Leave")) state.view.firstSteps.shown = false;
+  endInPicture();
 }
 
 }  // namespace sinew::app

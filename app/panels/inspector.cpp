@@ -1,11 +1,11 @@
 // app/panels/inspector.cpp: the selected muscles: name, bone, group, placement, effect, territory.
+
 #include "app/panels/inspector.h"
 
 #include <algorithm>
 #include <span>
 #include <string>
 
-#include <imgui.h>
 #include <imgui_stdlib.h>
 
 #include "app/document/shown_names.h"
@@ -14,8 +14,6 @@
 #include "app/editor/edit.h"
 #include "app/editor/outliner.h"
 #include "app/editor/symmetry_commands.h"
-#include "app/panels/bone_list.h"
-#include "app/panels/inspector_lines.h"
 #include "app/ui/code_points.h"
 #include "app/ui/number_field.h"
 #include "app/ui/reading_order.h"
@@ -34,7 +32,7 @@ const Control kAmount{"inspector/amount", "Amount", "strength weight opacity", n
 const Control kSign{"inspector/adds", "Effect", "adds or carves sign subtract negative positive", nullptr,
                     kEffectSection.id};
 
-/// What fits into a drop-down list of the row's width, beside its arrow.
+/// The text cut to the room in a drop-down list beside its arrow.
 std::string comboText(const std::string& text) {
   const float frame = ImGui::GetFrameHeight() + 2.0f * ImGui::GetStyle().FramePadding.x;
   return fitted(text, ImGui::GetContentRegionAvail().x - frame);
@@ -116,7 +114,7 @@ void groupRow(PanelUi& ui, const Subjects& subjects) {
   ImGui::EndCombo();
 }
 
-/// What the reach does not allow of the shape is lessened, and that said.
+/// Also reduces shape numbers that the new reach does not allow, and reports it.
 void setReach(PanelUi& ui, Primitive& primitive, float reach) {
   primitive.reach = reach;
   Shape& shape = primitive.placement.shape;
@@ -132,18 +130,9 @@ void setReach(PanelUi& ui, Primitive& primitive, float reach) {
 
 void reachRow(PanelUi& ui, const Subjects& subjects) {
   beginRow(ui, kMuscleReach);
-  NumberField field{kMuscleReach.id,
-                    "Reach of",
-                    "%.3f",
-                    0.005f,
-                    1.01f,
-                    8.0f,
-                    {},
-                    {},
-                    {},
-                    kNewReach,
-                    Together::kAdd,
-                    "How far the muscle's influence reaches, in radii. A larger reach fades out more softly."};
+  NumberField field{kMuscleReach.id, "Reach of", "%.3f", 0.005f, 1.01f, 8.0f};
+  field.initial = kNewReach;
+  field.hint = "How far the muscle's influence reaches, in radii. A larger reach fades out more softly.";
   field.get = [](const Primitive& p) { return p.reach; };
   field.set = [&ui](Primitive& p, float value) { setReach(ui, p, value); };
   field.step = 0.1f;
@@ -156,18 +145,9 @@ void reachRow(PanelUi& ui, const Subjects& subjects) {
 void amountRow(PanelUi& ui, const Subjects& subjects) {
   constexpr float kPercent = 100.0f;
   beginRow(ui, kAmount);
-  NumberField field{kAmount.id,
-                    "Amount of",
-                    "%.0f %%",
-                    0.5f,
-                    0.0f,
-                    kPercent * kMostAmount,
-                    {},
-                    {},
-                    {},
-                    kPercent,
-                    Together::kAdd,
-                    "How strongly the muscle works: at 0 % it is not there, at 200 % twice as strong where it blends."};
+  NumberField field{kAmount.id, "Amount of", "%.0f %%", 0.5f, 0.0f, kPercent * kMostAmount};
+  field.initial = kPercent;
+  field.hint = "How strongly the muscle works: at 0 % it is not there, at 200 % twice as strong where it blends.";
   field.get = [](const Primitive& p) { return p.amount; };
   field.set = [](Primitive& p, float value) { p.amount = value; };
   field.scale = [](const Primitive&) { return kPercent; };
@@ -181,28 +161,19 @@ void amountRow(PanelUi& ui, const Subjects& subjects) {
 void signRow(PanelUi& ui, const Subjects& subjects) {
   beginRow(ui, kSign);
   const bool differ = subjects.differ([](const Primitive& p) { return p.sign; });
-  constexpr const char* kSigns[] = {"Adds", "Carves"};
   const int now = differ ? -1 : (subjects.shown().sign > 0 ? 0 : 1);
-  const int chosen = segmented(ui, "inspector", kSigns, 2, now, ImGui::GetContentRegionAvail().x);
+  const int chosen = chooseWord(ui, "inspector", {"Adds", "Carves"}, now);
   if (chosen < 0 || chosen == now) return;
   const int sign = chosen == 0 ? 1 : -1;
   editSubjects(ui, subjects, sign > 0 ? "Add with" : "Carve with", [sign](Primitive& p) { p.sign = sign; });
 }
 
 void nothingSelected(PanelUi& ui) {
-  ImGui::PushTextWrapPos(0.0f);
   const int bone = ui.state.document.selection.bone;
-  if (bone >= 0) {
-    const std::string name = shownBoneName(ui.state.character().skeleton, bone);
-    mutedText(("Bone " + name + ". Add a muscle on it with + in the list, or " +
-               howToStart(ui, action("tool/add-muscle")) + " and drag on the skin.")
-                  .c_str());
-  } else {
-    mutedText(("Nothing selected. Click a muscle, or " + howToStart(ui, action("tool/add-muscle")) +
-               " and drag on the skin to add one.")
-                  .c_str());
-  }
-  ImGui::PopTextWrapPos();
+  const std::string start = howToStart(ui, action("tool/add-muscle"));
+  mutedParagraph(bone < 0 ? "Nothing selected. Click a muscle, or " + start + " and drag on the skin to add one."
+                          : "Bone " + shownBoneName(ui.state.character().skeleton, bone) +
+                                ". Add a muscle on it with + in the list, or " + start + " and drag on the skin.");
 }
 
 }  // namespace
@@ -234,7 +205,7 @@ void drawInspector(PanelUi& ui) {
   ImGui::PopID();
 }
 
-// What makes a capsule, an egg or a bent spindle of a muscle.
+// The numbers that turn an ellipsoid into a capsule, an egg or a bent spindle.
 
 namespace {
 
@@ -246,9 +217,7 @@ const Control kShapeRows[] = {
     {"inspector/bend.x", "Bend", "curve spindle shape sideways", nullptr, kShapeRow.id},
 };
 
-constexpr const char* kFormat = "%.2f";
-
-/// Sets one number of the shape. An ellipsoid's longest axis becomes its y first: it is the one that shapes go along.
+/// Sets one number of the shape. Makes the longest axis of an ellipsoid its y first, because shapes lie along y.
 void reshape(Primitive& primitive, const ShapeNumber& number, float value) {
   primitive.placement = withLongAxisY(primitive.placement);
   Shape& shape = primitive.placement.shape;
@@ -260,18 +229,9 @@ void shapeField(PanelUi& ui, const Subjects& subjects, int index) {
   const ShapeNumber& number = shapeNumbers()[static_cast<std::size_t>(index)];
   const Primitive& shown = subjects.shown();
   const auto [low, high] = number.range(shown.placement.shape, shown.reach);
-  NumberField field{std::string("inspector/") + number.name,
-                    number.change,
-                    kFormat,
-                    0.005f,
-                    low,
-                    high,
-                    {},
-                    {},
-                    {},
-                    0.0f,
-                    Together::kAdd,
-                    number.hint};
+  NumberField field{std::string("inspector/") + number.name, number.change, "%.2f", 0.005f, low, high};
+  field.initial = 0.0f;
+  field.hint = number.hint;
   field.get = [&number](const Primitive& p) { return number.of(p.placement.shape); };
   field.set = [&number](Primitive& p, float value) { reshape(p, number, value); };
   field.step = 0.1f;
@@ -293,8 +253,7 @@ void shapeRow(PanelUi& ui, const Subjects& subjects, std::span<const ShapeNumber
   }
 }
 
-/// What the muscles are: "ellipsoid", or what it is made into; "mixed" where they differ. The bones are named where all
-/// ride one.
+/// "ellipsoid" or "shaped", "mixed" where the muscles differ; also says if all of them ride one bone.
 std::string shapeText(const Subjects& subjects, bool anyRigid) {
   const bool mixed = subjects.differ([](const Primitive& p) { return p.placement.shape; });
   const char* shape = mixed ? "mixed" : (subjects.shown().placement.shape.isPlain() ? "ellipsoid" : "shaped");
@@ -303,7 +262,7 @@ std::string shapeText(const Subjects& subjects, bool anyRigid) {
   return std::string(shape) + (subjects.several() ? ", each on one bone" : ", on one bone");
 }
 
-/// A click unfolds the rows that change the shape.
+/// The row that shows or hides the rows of the shape. @return whether they are shown
 bool foldRow(PanelUi& ui, const Subjects& subjects) {
   bool& open = ui.state.view.inspector.shapeOpen;
   const bool anyRigid = std::ranges::any_of(
@@ -330,14 +289,22 @@ void drawShapeRows(PanelUi& ui, const Subjects& subjects) {
 
 namespace {
 
+Possible withTwin(const EditorState& state) {
+  const int active = state.document.activePrimitive();
+  return withMuscle(state)
+      .also(state.document.selection.primitives.size() == 1, "Select one muscle")
+      .also(active >= 0 && !at(state.document.rig().primitives, active).mirror.empty(), "The muscle has no twin");
+}
+
+const Control kTwin{"inspector/twin", "Twin", "mirror other side linked", withTwin};
+
 /// A button for an action at the end of the row.
 void rowButton(PanelUi& ui, const char* text, const std::string& id, const char* actionId, float width) {
   const Action& item = action(actionId);
   const bool enabled = item.enabled(ui.state);
   ImGui::BeginDisabled(!enabled);
   const float room = width - 2.0f * ImGui::GetStyle().FramePadding.x;
-  const bool pressed = ImGui::Button((fitted(text, room) + "##" + id).c_str(), {width, 0.0f});
-  ui.widgets.note(id);
+  const bool pressed = textButton(ui, id, (fitted(text, room) + "##" + id).c_str(), {width, 0.0f});
   ImGui::EndDisabled();
   tooltip(ui, tooltipOf(ui, item));
   if (pressed && enabled) run(item, ui.state);
@@ -347,7 +314,7 @@ void rowButton(PanelUi& ui, const char* text, const std::string& id, const char*
 
 void drawTwinRow(PanelUi& ui, const Subjects& subjects) {
   if (subjects.several() || (!canMirror(ui.state.document) && subjects.shown().mirror.empty())) return;
-  beginRow(ui, "Twin");
+  beginRow(ui, kTwin);
   const float room = ImGui::GetContentRegionAvail().x;
   const std::string& twin = subjects.shown().mirror;
   if (twin.empty()) {
@@ -355,7 +322,7 @@ void drawTwinRow(PanelUi& ui, const Subjects& subjects) {
     return;
   }
   const float gap = ui.px(4);
-  const float unlink = ImGui::CalcTextSize("Unlink").x + 2.0f * ImGui::GetStyle().FramePadding.x;
+  const float unlink = buttonWidth("Unlink");
   const std::string why = whyTwinStays(ui.state.document);
   if (!why.empty()) ImGui::PushStyleColor(ImGuiCol_Text, palette::kWarning);
   ImGui::PushStyleVar(ImGuiStyleVar_ButtonTextAlign, {0.0f, 0.5f});
@@ -364,7 +331,7 @@ void drawTwinRow(PanelUi& ui, const Subjects& subjects) {
   const bool chosen = ImGui::Button((shown + "##twin").c_str(), {width, 0.0f});
   ImGui::PopStyleVar();
   if (!why.empty()) ImGui::PopStyleColor();
-  ui.widgets.note("inspector/twin");
+  ui.widgets.note(kTwin.id);
   tooltip(ui, why.empty() ? twin + "\nThe linked twin follows every edit, mirrored. Click to select it."
                           : twin + "\nThe twin stays where it is: " + why + ".");
   ImGui::SameLine(0.0f, gap);

@@ -1,4 +1,4 @@
-// app/panels/inspector.h: what the parts of the inspector share: its muscles and their number fields.
+// app/panels/inspector.h: the inspector's panels, and what its parts share: the muscles and their number fields.
 #pragma once
 
 #include <cfloat>
@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "app/editor/line_commands.h"
 #include "app/panels/panel_ui.h"
 #include "core/geometry/at.h"
 #include "sinew/rig/parameter.h"
@@ -20,16 +21,16 @@ void drawSurfacePanel(PanelUi& ui);
 void drawSmoothingPanel(PanelUi& ui);
 void drawLayersPanel(PanelUi& ui);
 
-/// The muscles that the inspector shows, while it is drawn: the rig stays as it was when drawing began.
+/// The muscles that the inspector shows, with the rig as it was when drawing began.
 struct Subjects {
   std::shared_ptr<const Rig> rig;
-  std::vector<int> indices;  ///< Rig indices of all selected, ascending.
-  int active = -1;           ///< The one whose values are shown where they differ.
-  int bone = -1;             ///< The active one's; -1: unattached.
+  std::vector<int> indices;  ///< Rig indices of all selected muscles, ascending.
+  int active = -1;           ///< The muscle whose values are shown where they differ.
+  int bone = -1;             ///< The active muscle's; -1: unattached.
 
   [[nodiscard]] const Primitive& shown() const { return at(rig->primitives, active); }
   [[nodiscard]] bool several() const { return indices.size() > 1; }
-  /// Whether what `part` gives is not the same for all.
+  /// Whether `part` gives different values for the muscles.
   template <class Part>
   [[nodiscard]] bool differ(Part part) const {
     for (const int index : indices) {
@@ -39,7 +40,7 @@ struct Subjects {
   }
 };
 
-/// How a drag changes muscles whose values differ; a typed number is the same for all.
+/// How a drag changes muscles whose values differ; a typed number is assigned to all.
 enum class Together { kAdd, kMultiply };
 
 /// A number of a muscle as a field.
@@ -50,33 +51,32 @@ struct NumberField {
   float speed = 0.01f;     ///< Shown units per pixel.
   float least = -FLT_MAX;  ///< Shown units.
   float most = FLT_MAX;
-  std::function<float(const Primitive&)> get;
-  std::function<void(Primitive&, float)> set;
-  std::function<float(const Primitive&)> scale;  ///< Shown units per unit of the rig; empty: 1.
-  std::optional<float> initial;                  ///< Shown units; what Reset gives.
+  std::function<float(const Primitive&)> get = {};
+  std::function<void(Primitive&, float)> set = {};
+  std::function<float(const Primitive&)> scale = {};  ///< Shown units per unit of the rig; empty: 1.
+  std::optional<float> initial = {};                  ///< Shown units; the value that Reset sets.
   Together together = Together::kAdd;
-  std::string hint;
-  float step = 0.0f;                        ///< Shown units: where Ctrl stops.
+  std::string hint = {};
+  float step = 0.0f;                        ///< Shown units: the steps of a drag with Ctrl.
   std::string name = {};                    ///< "Radius Y": in the history, before the values.
-  std::optional<Parameter> parameter = {};  ///< What keys and drivers call it; none: they do not change it.
+  std::optional<Parameter> parameter = {};  ///< None: keys and drivers cannot change it.
 };
 
-/// One undo step for a drag or what is typed, for all muscles; a right click resets, copies and pastes. The item's
-/// width is the caller's. Notes itself as its id.
+/// A drag or a typed number is one undo step for all muscles; a right click resets, copies and pastes. The caller sets
+/// the item's width. Notes itself as its id.
 void drawNumberField(PanelUi& ui, const Subjects& subjects, const NumberField& field);
 
-/// Rows of a menu that is open: reset, copy, paste. @param shown, initial  shown units
-/// @return the number that was chosen
+/// Rows of an open menu: reset, copy, paste. @param shown, initial  shown units
+/// @return the number to set, if one was chosen
 [[nodiscard]] std::optional<float> numberMenu(PanelUi& ui, const char* format, float shown,
                                               std::optional<float> initial);
 
-/// Changes all subjects, in the gesture of the field that is being edited or as a step of its own.
-/// @param label  what is done; the muscles follow
+/// Changes all subjects, in the current gesture or as a step of its own. @param label  the muscles' names are appended
 void editSubjects(PanelUi& ui, const Subjects& subjects, const char* label,
                   const std::function<void(Primitive&)>& change);
 
-/// A quiet title between groups of rows; a click folds what is under it, which is remembered with the layout. @param
-/// room  kept free at its right end, design pixels
+/// A title between groups of rows; a click folds the rows under it, which is saved with the layout.
+/// @param room  left free at its right end, design pixels
 /// @return whether it is unfolded
 [[nodiscard]] bool section(PanelUi& ui, const Control& control, const char* title, float room = 0.0f);
 
@@ -90,5 +90,15 @@ void drawAnimationRows(PanelUi& ui, const Subjects& subjects);
 void drawSurfaceAnimation(PanelUi& ui);
 /// @param morph  index into Rig::morphs
 void drawMorphAnimation(PanelUi& ui, int morph);
+
+// The inspector's rows about the lines of the selected muscles.
+
+/// Ends, length and buttons.
+void drawLineRows(PanelUi& ui, const Subjects& subjects);
+void drawFlexRow(PanelUi& ui, const SelectedLines& lines);
+/// The rest of their numbers.
+void drawLineNumbers(PanelUi& ui);
+/// For muscles that ride one bone.
+void drawOtherEndRow(PanelUi& ui, const Subjects& subjects);
 
 }  // namespace sinew::app

@@ -1,12 +1,9 @@
 // app/panels/inspector_animation.cpp: drivers and keys of the active muscle, its line and the surface.
 
-#include <imgui.h>
-
 #include <algorithm>
 #include <array>
 
 #include "app/editor/animate.h"
-#include "app/panels/animated_field.h"
 #include "app/panels/curve_editor.h"
 #include "app/panels/field_edit.h"
 #include "app/panels/inspector.h"
@@ -24,7 +21,26 @@ const char* wordFor(DriverMode mode) {
   return kWords[static_cast<int>(mode)];
 }
 
-/// A number with what animates it, as it was when drawing began.
+bool anyAnimated(const EditorState& state) {
+  const Rig& rig = state.document.rig();
+  const int active = state.document.activePrimitive();
+  if (active < 0) return false;
+  const int line = findLine(rig, at(rig.primitives, active).line);
+  return !at(rig.primitives, active).animated.empty() || (line >= 0 && !at(rig.lines, line).animated.empty());
+}
+Possible withAnimation(const EditorState& state) {
+  return withMuscle(state).also(anyAnimated(state), "The muscle has neither keys nor drivers");
+}
+Possible withSurfaceAnimation(const EditorState& state) {
+  return withCharacter(state).also(!state.document.rig().surface.animated.empty(),
+                                   "The surface has neither keys nor drivers");
+}
+
+const Control kAnimation{"inspector/animation", "Animation", "of the muscle drivers keys driven keyed", withAnimation};
+const Control kSurfaceAnimation{"surface/animation", "Animation", "of the surface drivers keys driven keyed",
+                                withSurfaceAnimation};
+
+/// A number with its keys and drivers, as they were when drawing began.
 struct Animated {
   NumberRef ref;
   AnimatedNumber number;
@@ -50,7 +66,7 @@ struct Shown {
   const char* format = "%.3g";
 };
 
-/// Per cent where the field shows per cent; lengths in the bone's units. A factor is a factor.
+/// Percent where the field shows percent; lengths in the bone's units; factors as they are.
 Shown shownValues(Parameter parameter, DriverMode mode) {
   if (mode == DriverMode::kMultiply) return {1.0f, "x %.3g"};
   const bool percent = parameter == Parameter::kAmount || parameter == Parameter::kFlexHeight ||
@@ -78,7 +94,7 @@ std::string valueText(Parameter parameter, DriverMode mode, float value) {
   return (mode == DriverMode::kAdd && value > 0.0f ? "+" : "") + numberText(shown.format, shown.scale * value);
 }
 
-/// The rest of the row keeps room for a button.
+/// The width of the row without room for a button.
 float besideButton() {
   return ImGui::GetContentRegionAvail().x - ImGui::GetFrameHeight() - ImGui::GetStyle().ItemSpacing.x;
 }
@@ -88,7 +104,7 @@ bool removeButton(PanelUi& ui, const std::string& id, const std::string& hint) {
   return iconButton(ui, id, Icon::kClose, false, ImGui::GetFrameHeight(), hint);
 }
 
-/// @return the chosen one, if another
+/// @return the choice, if it differs from `now`
 template <class Kind, std::size_t kCount>
 std::optional<Kind> choice(PanelUi& ui, const std::string& id, Kind now, const std::array<Kind, kCount>& kinds,
                            float width, const char* hint) {
@@ -110,9 +126,10 @@ std::optional<Kind> choice(PanelUi& ui, const std::string& id, Kind now, const s
 }
 
 constexpr const char* kModeHint =
-    "Add: what the curve says is added to the number. Multiply: the number times that. Replace: that in its place.";
+    "Add: the curve's value is added to the number. Multiply: the number is multiplied by it. Replace: it replaces the "
+    "number.";
 constexpr const char* kKindHint =
-    "Between two points. Smooth: without going beyond them. Linear: straight. Step: as the point before.";
+    "Between two points. Smooth: without overshooting. Linear: a straight line. Step: the value of the point before.";
 
 /// A driver while it is drawn.
 struct DriverRow {
@@ -134,7 +151,7 @@ struct DriverRow {
   }
 };
 
-/// The curve before the gesture that is under way.
+/// The curve before the current gesture.
 Curve curveAtStart(const DriverRow& row) {
   const Rig& start = row.ui.state.document.commands.rigOfStep();
   const std::optional<NumberRef> ref = refOf(start, held(row.ui.state.document.rig(), row.of.ref));
@@ -166,7 +183,7 @@ void pointFields(const DriverRow& row, int point) {
       return row.with(changed);
     });
     if (!typing.refusal.empty()) refuse(row.ui.state, errorAt({}, typing.refusal));
-    tooltip(row.ui, axis == 0 ? "Where the input is at the chosen point" : "What the curve gives there");
+    tooltip(row.ui, axis == 0 ? "The input at the chosen point" : "The curve's value at the chosen point");
   }
 }
 
@@ -189,7 +206,7 @@ void driverCurve(const DriverRow& row) {
   if (chosen == view.place) pointFields(row, point);
 }
 
-/// @return false: it is gone, and what was read of the rig is old.
+/// @return false if the rig has changed, so that what was read from it is outdated
 bool driverRow(const DriverRow& row) {
   PanelUi& ui = row.ui;
   const Driver& driver = row.driver();
@@ -225,13 +242,13 @@ bool driverRow(const DriverRow& row) {
   return true;
 }
 
-/// To the key before or after this moment.
-void jump(PanelUi& ui, const KeyTrack& track, int way) {
+/// To the key before (-1) or after (1) the current time.
+void jump(PanelUi& ui, const KeyTrack& track, int direction) {
   const float now = timeNow(ui.state);
   std::optional<float> found;
   for (const glm::vec2& key : track.curve.points) {
-    const float ahead = static_cast<float>(way) * (key.x - now);
-    if (ahead > kSameKey && (!found || ahead < static_cast<float>(way) * (*found - now))) found = key.x;
+    const float ahead = static_cast<float>(direction) * (key.x - now);
+    if (ahead > kSameKey && (!found || ahead < static_cast<float>(direction) * (*found - now))) found = key.x;
   }
   Transport& transport = ui.state.open.transport;
   if (!found) return;
@@ -281,9 +298,7 @@ bool numberRows(PanelUi& ui, const Animated& of) {
   std::string words = wordsFor(ui.state.document.rig(), refs);
   const std::string title = sinew::wordsFor(of.ref.parameter);
   const std::string now = valueText(of.ref.parameter, DriverMode::kReplace, numberNow(ui.state, of.ref));
-  ImGui::PushFont(ui.fonts.strong);
-  ImGui::TextUnformatted(title.c_str());
-  ImGui::PopFont();
+  heading(ui, title.c_str());
   tooltip(ui, words);
   ImGui::SameLine(ImGui::GetContentRegionMax().x - ImGui::CalcTextSize(now.c_str()).x);
   mutedText(now.c_str());
@@ -316,14 +331,14 @@ std::string countText(const std::vector<Animated>& all) {
   return text;
 }
 
-/// Whether the section of these owners is wanted.
+/// Whether the section of these owners was requested.
 bool isAsked(const AnimateState& animate, bool ofSurface) {
   const ParameterOwner owner = ownerOf(animate.chosen.number.parameter);
   if (!animate.sectionWanted || owner == ParameterOwner::kMorph) return false;
   return ofSurface == (owner == ParameterOwner::kSurface);
 }
 
-/// @param of  whose keys and drivers
+/// @param of  the owner of the keys and drivers
 void drawSection(PanelUi& ui, const std::string& id, const std::vector<Animated>& all, bool ofSurface,
                  const std::string& of) {
   AnimateState& animate = ui.state.open.animate;
@@ -333,14 +348,14 @@ void drawSection(PanelUi& ui, const std::string& id, const std::vector<Animated>
     return;
   }
   bool& open = ui.state.view.inspector.animationOpen;
-  beginRow(ui, "Animation");
+  beginRow(ui, kAnimation);
   const std::string text = countText(all);
   if (ImGui::Button((fitted(text, ImGui::GetContentRegionAvail().x - ui.px(12)) + "##" + id).c_str(), {-1.0f, 0})) {
     open = !open;
   }
   ui.widgets.note(id);
   tooltip(ui, text + "\nShow or hide the drivers and keys " + of + ".");
-  if (asked && open) {  // Once the rows are there to be scrolled to.
+  if (asked && open) {  // Once there are rows to scroll to.
     ImGui::SetScrollHereY(0.0f);
     animate.sectionWanted = false;
   }
@@ -357,13 +372,13 @@ void drawSection(PanelUi& ui, const std::string& id, const std::vector<Animated>
 }  // namespace
 
 void drawAnimationRows(PanelUi& ui, const Subjects& subjects) {
-  drawSection(ui, "inspector/animation", animatedOf(subjects), false, "of the active muscle and its line");
+  drawSection(ui, kAnimation.id, animatedOf(subjects), false, "of the active muscle and its line");
 }
 
 void drawSurfaceAnimation(PanelUi& ui) {
   std::vector<Animated> all;
   addAll(all, ui.state.document.rig().surface.animated, 0);
-  drawSection(ui, "surface/animation", all, true, "of the surface");
+  drawSection(ui, kSurfaceAnimation.id, all, true, "of the surface");
 }
 
 void drawMorphAnimation(PanelUi& ui, int morph) {

@@ -1,6 +1,5 @@
 // app/panels/inspector_fields.cpp: number fields that change one muscle or many.
 
-#include <imgui.h>
 #include <imgui_internal.h>  // TempInputIsActive: whether a number is typed or dragged.
 
 #include <algorithm>
@@ -9,7 +8,6 @@
 
 #include "app/document/shown_names.h"
 #include "app/editor/commands.h"
-#include "app/panels/animated_field.h"
 #include "app/panels/field_edit.h"
 #include "app/panels/inspector.h"
 #include "app/ui/number_field.h"
@@ -30,13 +28,13 @@ float shownValue(const NumberField& field, const Primitive& primitive) {
 
 float clamped(const NumberField& field, float shown) { return std::clamp(shown, field.least, field.most); }
 
-/// The same number for all.
+/// The same number for all muscles.
 void assign(PanelUi& ui, const Subjects& subjects, const NumberField& field, float shown) {
   editSubjects(ui, subjects, field.undoLabel,
                [&](Primitive& primitive) { field.set(primitive, clamped(field, shown) / scaleOf(field, primitive)); });
 }
 
-/// A drag from one shown number to the next: the active muscle gets the number, the others the same change.
+/// One step of a drag: the active muscle gets the number, the others the same change.
 void follow(PanelUi& ui, const Subjects& subjects, const NumberField& field, float from, float to) {
   const std::string active = subjects.shown().name;
   editSubjects(ui, subjects, field.undoLabel, [&](Primitive& primitive) {
@@ -47,14 +45,14 @@ void follow(PanelUi& ui, const Subjects& subjects, const NumberField& field, flo
   });
 }
 
-/// The muscle as it was before the gesture that is under way.
+/// The muscle as it was before the current gesture.
 const Primitive& atStart(const PanelUi& ui, const Primitive& primitive) {
   const Rig& rig = ui.state.document.commands.rigOfStep();
   const int index = findPrimitive(rig, primitive.id());
   return index < 0 ? primitive : at(rig.primitives, index);
 }
 
-/// The same change for all, of what they were before the gesture: `from` of the active one becomes `to`.
+/// The same change for all, from their values before the gesture: the active one's `from` becomes `to`.
 void followFromStart(PanelUi& ui, const Subjects& subjects, const NumberField& field, float from, float to) {
   const PrimitiveId active = subjects.shown().id();
   editSubjects(ui, subjects, field.undoLabel, [&](Primitive& primitive) {
@@ -78,8 +76,7 @@ std::optional<float> numberIn(const char* text) {
   return value;
 }
 
-/// "Radius Y 0.12 to 0.15 on biceps L" where one number, or the same of all, became another; else as the gesture was
-/// called.
+/// "Radius Y 0.12 to 0.15 on biceps L" if all muscles had the same number and have the same now; else `plain`.
 std::string stepName(const PanelUi& ui, const Subjects& subjects, const NumberField& field, const std::string& plain) {
   std::string text;
   for (const int index : subjects.indices) {
@@ -96,7 +93,7 @@ std::string stepName(const PanelUi& ui, const Subjects& subjects, const NumberFi
   return field.name + " " + text + namedMuscles(*subjects.rig, subjects.indices);
 }
 
-/// What keys and drivers may change of it: the active muscle's number first.
+/// The numbers that keys and drivers may change, the active muscle's first.
 AnimatedField animatedOf(const Subjects& subjects, const NumberField& field) {
   AnimatedField animated{{}, {}, field.format};
   if (!field.parameter) return animated;
@@ -126,17 +123,14 @@ void fieldMenu(PanelUi& ui, const Subjects& subjects, const NumberField& field, 
 std::optional<float> numberMenu(PanelUi& ui, const char* format, float shown, std::optional<float> initial) {
   std::optional<float> chosen;
   const std::string reset = initial ? "Reset to " + numberText(format, *initial) : "Reset";
-  if (ImGui::MenuItem(reset.c_str(), nullptr, false, initial.has_value())) chosen = initial;
-  ui.widgets.note("context/reset");
+  if (contextItem(ui, reset.c_str(), "reset", initial.has_value())) chosen = initial;
   ImGui::Separator();
   char exact[32];
   const auto written = std::to_chars(exact, exact + sizeof exact - 1, shown);
   *written.ptr = '\0';
-  if (ImGui::MenuItem("Copy", nullptr)) ImGui::SetClipboardText(exact);
-  ui.widgets.note("context/copy");
+  if (contextItem(ui, "Copy", "copy")) ImGui::SetClipboardText(exact);
   const std::optional<float> pasted = numberIn(ImGui::GetClipboardText());
-  if (ImGui::MenuItem("Paste", nullptr, false, pasted.has_value())) chosen = pasted;
-  ui.widgets.note("context/paste");
+  if (contextItem(ui, "Paste", "paste", pasted.has_value())) chosen = pasted;
   return chosen;
 }
 
@@ -161,10 +155,10 @@ void drawNumberField(PanelUi& ui, const Subjects& subjects, const NumberField& f
   const bool mixed = differ && ImGui::GetActiveID() != id;
   const float before = shownValue(field, subjects.shown());
   float value = before;
-  const bool muted = mixed && !animation.driven && !animation.keyedHere;  // On amber and violet it could not be read.
+  const bool muted = mixed && !animation.driven && !animation.keyedHere;  // Unreadable on amber and violet.
   if (muted) ImGui::PushStyleColor(ImGuiCol_Text, palette::kMuted);
   NumberLook look{mixed ? "mixed" : field.format, field.speed, field.least, field.most, field.step};
-  look.clampTyped = false;  // What is out of range is refused with its reason.
+  look.clampTyped = false;  // A number out of range is refused with the reason.
   Typing typed;
   look.typing = &typed;
   pushAnimatedColors(animation);

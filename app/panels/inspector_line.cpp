@@ -1,7 +1,5 @@
 // app/panels/inspector_line.cpp: the lines that carry the muscles: ends, lengths, via points.
 
-#include <imgui.h>
-
 #include <algorithm>
 #include <cmath>
 #include <set>
@@ -9,8 +7,7 @@
 #include <vector>
 
 #include "app/document/shown_names.h"
-#include "app/panels/bone_list.h"
-#include "app/panels/inspector_lines.h"
+#include "app/panels/inspector.h"
 #include "app/viewport/tools/line_handles.h"
 #include "core/geometry/at.h"
 #include "core/rig/line_pose.h"
@@ -26,8 +23,7 @@ const Control kLength{"inspector/line/length", "Length", "of the muscle line str
 const Control kOtherEnd{"inspector/other-end", "Other end", "attach bone line insertion stretch", rigidMuscle,
                         "inspector/shape"};
 
-/// The line's lengths in the clip that is shown; none in the bind pose. A drag waits for its end: long clips take a
-/// while.
+/// The line's lengths in the current clip; null in the bind pose. Not updated during a drag: long clips take a while.
 const LineLengths* rangeInClip(PanelUi& ui, const MuscleLine& line) {
   EditorState& state = ui.state;
   LineRangeState& known = state.open.lineRange;
@@ -43,7 +39,7 @@ const LineLengths* rangeInClip(PanelUi& ui, const MuscleLine& line) {
   return known.clip == clip && known.lengths.poses > 0 ? &known.lengths : nullptr;
 }
 
-/// Of lines whose bones are here; the active one first, then in order.
+/// Lines whose bones this character has; the active one first.
 std::vector<int> usableLines(PanelUi& ui, const SelectedLines& lines) {
   const PosedRig& posed = ui.state.document.posedRig(ui.state.live->pose());
   std::vector<int> usable;
@@ -54,7 +50,9 @@ std::vector<int> usableLines(PanelUi& ui, const SelectedLines& lines) {
   return usable;
 }
 
-std::string linePercent(float share) { return std::to_string(static_cast<int>(std::lround(100.0f * share))) + " %"; }
+std::string linePercent(float fraction) {
+  return std::to_string(static_cast<int>(std::lround(100.0f * fraction))) + " %";
+}
 
 /// "74 %", or "62 % to 80 %"
 std::string span(float least, float most) {
@@ -63,7 +61,7 @@ std::string span(float least, float most) {
   return from == to ? from : from + " to " + to;
 }
 
-/// From half to one and a half of the rest length, by pixels.
+/// Maps lengths from 0.5 to 1.5 rest lengths to pixels.
 struct LengthScale {
   ImVec2 corner;
   float width;
@@ -78,7 +76,7 @@ struct LengthScale {
   [[nodiscard]] float bottom() const { return corner.y + height; }
 };
 
-/// The shaded part activates, ticks are the lines now; the active one's numbers are those that are marked.
+/// The underlined interval is where shortening activates the muscle; ticks show the lines now.
 void drawLengths(PanelUi& ui, const LengthScale& scale, const std::vector<int>& lines, const LineLengths* range) {
   const EditorState& state = ui.state;
   const std::vector<PosedLine>& posed = state.document.posedRig(state.live->pose()).lines;
@@ -88,7 +86,7 @@ void drawLengths(PanelUi& ui, const LengthScale& scale, const std::vector<int>& 
   const ImVec2 low = scale.corner;
   const ImVec2 high{scale.right(), scale.bottom()};
   list.AddRectFilled(low, high, ImGui::GetColorU32(ImGuiCol_FrameBg), round);
-  // The redder, the more active.
+  // Redder means more active.
   list.AddRectFilled(low, high, palette::kAccent.faded(0.45f * active.activation).packed(), round);
   if (range) {
     list.AddRectFilled({scale.x(range->least), low.y + ui.px(4)}, {scale.x(range->most), low.y + ui.px(7)},
@@ -133,9 +131,7 @@ void lengthBar(PanelUi& ui, const std::vector<int>& lines) {
 }
 
 bool smallButton(PanelUi& ui, const char* label, const char* id, const char* hint, float width) {
-  const bool pressed = ImGui::Button(label, {width, 0.0f});
-  ui.widgets.note(std::string("inspector/line/") + id);
-  tooltip(ui, hint);
+  const bool pressed = textButton(ui, std::string("inspector/line/") + id, label, {width, 0.0f}, hint);
   return pressed;
 }
 
@@ -163,7 +159,7 @@ void lengthButtons(PanelUi& ui) {
   }
 }
 
-/// Both buttons where only some lines have one.
+/// Shows both buttons if only some lines have a via point.
 void viaRow(PanelUi& ui, const SelectedLines& lines) {
   EditorState& state = ui.state;
   const auto withVia = std::ranges::count_if(
@@ -187,7 +183,7 @@ void viaRow(PanelUi& ui, const SelectedLines& lines) {
   if (remove) removeViaPoints(state);
 }
 
-/// "upper arm L to forearm L", or how many lines go between different bones.
+/// "upper arm L to forearm L"; the lines' names if they connect different bones.
 std::string endsText(const EditorState& state, const SelectedLines& lines) {
   const Skeleton& skeleton = state.character().skeleton;
   const auto shown = [&](const LineAnchor& anchor) {
@@ -207,7 +203,7 @@ void endsRow(PanelUi& ui, const Subjects& subjects, const SelectedLines& lines) 
   const std::size_t rigid = subjects.indices.size() - lines.muscles;
   if (rigid > 0) text += ", " + std::to_string(rigid) + " rigid";
   beginRow(ui, "Ends");
-  const float clear = ImGui::CalcTextSize("Rigid").x + 2.0f * ImGui::GetStyle().FramePadding.x;
+  const float clear = buttonWidth("Rigid");
   ImGui::AlignTextToFramePadding();
   ImGui::TextUnformatted(
       fitted(text, ImGui::GetContentRegionAvail().x - clear - ImGui::GetStyle().ItemSpacing.x).c_str());
@@ -246,7 +242,7 @@ void drawLineRows(PanelUi& ui, const Subjects& subjects) {
   SelectedLines lines = selectedLines(ui.state.document);
   if (lines.indices.empty()) return;
   endsRow(ui, subjects, lines);
-  lines = selectedLines(ui.state.document);  // What was pressed may have taken them off.
+  lines = selectedLines(ui.state.document);  // The button may have made muscles rigid.
   const std::vector<int> usable = usableLines(ui, lines);
   if (usable.empty()) return;
   lengthBar(ui, usable);

@@ -1,6 +1,5 @@
-// app/panels/inspector_line_numbers.cpp: the numbers of a muscle line, of one or of many at once.
+// app/panels/inspector_line_numbers.cpp: the number fields of muscle lines, one or several at once.
 
-#include <imgui.h>
 #include <imgui_internal.h>  // TempInputIsActive: whether a number is typed or dragged.
 
 #include <algorithm>
@@ -9,9 +8,8 @@
 #include <string>
 
 #include "app/editor/line_commands.h"
-#include "app/panels/animated_field.h"
 #include "app/panels/field_edit.h"
-#include "app/panels/inspector_lines.h"
+#include "app/panels/inspector.h"
 #include "core/geometry/at.h"
 
 namespace sinew::app {
@@ -19,7 +17,7 @@ namespace {
 
 /// A number of a line. All in shown units.
 struct LineNumber {
-  Control control;  ///< Its label names the number in the history, too.
+  Control control;  ///< Its label is also the number's name in the history.
   const char* format;
   float speed;
   float least;
@@ -27,8 +25,8 @@ struct LineNumber {
   float scale;  ///< Shown units per unit of the rig.
   float& (*of)(LineSettings&);
   const char* hint;
-  std::optional<Parameter> parameter = std::nullopt;  ///< What keys and drivers call it.
-  const char* word = "";                              ///< In the field, where several share a row.
+  std::optional<Parameter> parameter = std::nullopt;  ///< None: keys and drivers cannot change it.
+  const char* word = "";                              ///< Shown in the field if several share a row.
 };
 
 using S = LineSettings;
@@ -83,7 +81,7 @@ float shownNumber(const LineNumber& number, const MuscleLine& line) {
   return number.of(settings) * number.scale;
 }
 
-/// A line as it was before the edit that is under way.
+/// The line as it was before the current edit.
 const MuscleLine& atStart(const EditorState& state, const MuscleLine& line) {
   const Rig& rig = state.document.commands.rigOfStep();
   const int index = findLine(rig, line.id());
@@ -105,11 +103,11 @@ AnimatedField animatedOf(const SelectedLines& lines, const LineNumber& number) {
   return animated;
 }
 
-/// What an edit makes of the lines' numbers: typed, the same for all; dragged, the same change for all.
+/// An edit of the lines' numbers: a typed number is assigned to all, a drag makes the same change to all.
 struct LineEdit {
   bool same = false;
-  bool fromStart = false;  ///< "+=0.1": of what they were before the edit.
-  float from = 0.0f;       ///< The active one's; shown units.
+  bool fromStart = false;  ///< "+=0.1": relative to the values before the edit.
+  float from = 0.0f;       ///< The active line's; shown units.
   float to = 0.0f;
 };
 
@@ -119,13 +117,13 @@ Result<Rig> edited(const EditorState& state, const SelectedLines& lines, const L
   return editLines(state.document.rig(), lines.indices, [&](MuscleLine& line) {
     const float own = shownNumber(number, change.fromStart ? atStart(state, line) : line);
     const bool exact = change.same || line.id() == active;
-    // Others stop at the ends of their range; what is typed is refused with its reason.
+    // The others stop at the ends of the range; a typed number out of range is refused with the reason.
     const float shown = exact ? change.to : std::clamp(own + (change.to - change.from), number.least, number.most);
     number.of(line.settings) = shown / number.scale;
   });
 }
 
-/// "75 %"; "" where they differ or one is gone: then the history names no values.
+/// "75 %"; "" if the lines differ or one is gone: then the history names no values.
 std::string commonText(const EditorState& state, const SelectedLines& lines, const LineNumber& number, bool before) {
   const Rig& rig = state.document.rig();
   std::string text;
@@ -162,7 +160,7 @@ void hintOf(PanelUi& ui, const LineNumber& number, const std::string& animation,
   tooltip(ui, std::string(number.control.label) + "\n" + animation + number.hint + mixed + more);
 }
 
-/// The format with the number's word, where that fits.
+/// The format with the number's word, if that fits.
 std::string labelled(const LineNumber& number, float value, float width) {
   const std::string format = std::string(number.word) + (*number.word == '\0' ? "" : " ") + number.format;
   const float room = width - 2.0f * ImGui::GetStyle().ItemInnerSpacing.x;

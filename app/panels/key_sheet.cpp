@@ -1,6 +1,4 @@
-// app/panels/key_sheet.cpp: F1: what every key and every drag does, in the keymap that is chosen.
-
-#include <imgui.h>
+// app/panels/key_sheet.cpp: the sheet of keys and mouse gestures in the current keymap.
 
 #include <algorithm>
 #include <array>
@@ -20,48 +18,40 @@ constexpr float kKeySheetWidth = 860.0f;  // Design pixels.
 constexpr float kWideWidth = 1220.0f;
 constexpr float kTwoColumns = 640.0f;
 constexpr float kLineGap = 1.0f;
-constexpr float kAroundSheet = 136.0f;  // Height of all else in the window.
+constexpr float kAroundSheet = 136.0f;  // Height of everything else in the window.
 constexpr float kKeysAt = 0.60f;        // Fraction of a column's width.
 
-/// A heading with lines of what and how under it.
+/// A heading with lines: an action and its key or gesture.
 struct Section {
   std::string title;
   std::vector<std::pair<std::string, std::string>> lines;
 };
 
-const Section& pictureSection() {
-  static const Section section{"In the picture",
-                               {{"Orbit", "drag, Alt+drag or middle"},
-                                {"Pan", "right or Shift+middle"},
-                                {"Zoom to the pointer", "wheel"},
-                                {"Select, add to it", "click, Shift+click"},
-                                {"Select what lies behind", "click again"},
-                                {"Select in a box", "Ctrl+drag"},
-                                {"Menu of what lies there", "right click"},
-                                {"Add a muscle", "Add muscle, press, drag"}}};
-  return section;
-}
-
-const Section& dragSection() {
-  static const Section section{"While dragging a handle",
-                               {{"Along one axis", "X  Y  Z"},
-                                {"In steps", "Ctrl"},
-                                {"Precisely", "Shift"},
-                                {"By a typed number", "digits, Enter"},
-                                {"A pole from the middle", "Alt"},
-                                {"Cancel", "Esc or right button"}}};
-  return section;
-}
-
-const Section& fieldSection() {
-  static const Section section{"In fields",
-                               {{"Change a number", "drag"},
-                                {"Precisely", "Shift"},
-                                {"In steps", "Ctrl"},
-                                {"Type a number", "double click"},
-                                {"Complete a path", "Tab"},
-                                {"Cancel", "Esc"}}};
-  return section;
+const std::vector<Section>& mouseSections() {
+  static const std::vector<Section> sections{{"In the picture",
+                                              {{"Orbit", "drag, Alt+drag or middle"},
+                                               {"Pan", "right or Shift+middle"},
+                                               {"Zoom to the pointer", "wheel"},
+                                               {"Select, add to it", "click, Shift+click"},
+                                               {"Select what lies behind", "click again"},
+                                               {"Select in a box", "Ctrl+drag"},
+                                               {"Menu of what lies there", "right click"},
+                                               {"Add a muscle", "Add muscle, press, drag"}}},
+                                             {"While dragging a handle",
+                                              {{"Along one axis", "X  Y  Z"},
+                                               {"In steps", "Ctrl"},
+                                               {"Precisely", "Shift"},
+                                               {"By a typed number", "digits, Enter"},
+                                               {"A pole from the middle", "Alt"},
+                                               {"Cancel", "Esc or right button"}}},
+                                             {"In fields",
+                                              {{"Change a number", "drag"},
+                                               {"Precisely", "Shift"},
+                                               {"In steps", "Ctrl"},
+                                               {"Type a number", "double click"},
+                                               {"Complete a path", "Tab"},
+                                               {"Cancel", "Esc"}}}};
+  return sections;
 }
 
 std::vector<Section> sectionsOf(const Preferences& preferences) {
@@ -77,11 +67,11 @@ std::vector<Section> sectionsOf(const Preferences& preferences) {
     }
     if (!section.lines.empty()) sections.push_back(std::move(section));
   }
-  for (const Section& mouse : {pictureSection(), dragSection(), fieldSection()}) sections.push_back(mouse);
+  sections.insert(sections.end(), mouseSections().begin(), mouseSections().end());
   return sections;
 }
 
-/// In lines, with the room under it.
+/// In lines, with the gap below.
 std::size_t heightOf(const Section& section) { return section.lines.size() + 2; }
 
 std::size_t linesOf(std::span<const Section> sections) {
@@ -90,7 +80,7 @@ std::size_t linesOf(std::span<const Section> sections) {
   return all;
 }
 
-/// Which section each column begins with: the lowest columns that hold all sections in order.
+/// The first section of each column, for the lowest columns that hold all sections in order.
 std::vector<std::size_t> columnsOf(const std::vector<Section>& sections, std::size_t count) {
   for (std::size_t lines = linesOf(sections) / count;; ++lines) {
     std::vector<std::size_t> begins{0};
@@ -149,7 +139,7 @@ void drawColumns(PanelUi& ui, const std::vector<Section>& sections, const std::v
   ImGui::EndChild();
 }
 
-/// Two columns; a third where two are too tall for the window and there is room for it; one where two have none.
+/// Two columns; three if two are too tall and there is room; one in a narrow window.
 void drawSheet(PanelUi& ui) {
   const std::vector<Section> sections = sectionsOf(ui.state.session.preferences);
   const ImVec2 display = ImGui::GetIO().DisplaySize;
@@ -174,8 +164,7 @@ void drawSheet(PanelUi& ui) {
   ImGui::AlignTextToFramePadding();
   mutedText((std::string("Sinew ") + programVersion()).c_str());
   ImGui::SameLine(ImGui::GetContentRegionMax().x - ui.px(104));
-  const bool closed = ImGui::Button("Close", {ui.px(104), 0.0f});
-  ui.widgets.note("keys/close");
+  const bool closed = textButton(ui, "keys/close", "Close", {ui.px(104), 0.0f});
   if (closed || !open || toggled || escapePressed(ui) || ImGui::IsMouseClicked(1)) {
     ui.state.dialogs.keySheet = false;
     ImGui::CloseCurrentPopup();

@@ -2,8 +2,6 @@
 
 #include "app/panels/inspector.h"
 
-#include <imgui.h>
-
 #include <algorithm>
 #include <optional>
 #include <string>
@@ -31,15 +29,15 @@ Possible withSetLayers(const EditorState& state) {
 const Control kGuessAll{"layers/guess-all", "Guess all layers", "parts of the mesh skin cloth rigid reset automatic",
                         withSetLayers};
 
-constexpr float kOneLine = 390.0f;  // Design pixels, as all here. With less room a name stands above its layers.
+constexpr float kOneLine = 390.0f;  // Design pixels, as all here. In a narrower panel the name is above its layers.
 constexpr float kLayers = 140.0f;   // Width in one line.
 constexpr float kOrigin = 62.0f;
-constexpr float kSmall = 220.0f;  // With less room an icon goes back to the guess.
+constexpr float kSmall = 220.0f;  // In a narrower panel "Guess" is an icon.
 constexpr float kLayersPanelGap = 6.0f;
 constexpr float kDot = 18.0f;
 constexpr float kBetween = 5.0f;  // Between parts that take two lines.
 
-/// What all rows share.
+/// Data that all rows share.
 struct LayerList {
   std::vector<std::string> names;
   std::vector<SkinLayer> layers;
@@ -67,7 +65,7 @@ std::string partHint(const PanelUi& ui, const LayerList& list, int part) {
          ".\nClick marks it in the picture.";
 }
 
-/// Dot, name and number of triangles; a click marks the part in the picture, or no longer.
+/// Dot, name and number of triangles; a click toggles the part's highlight in the picture.
 void drawPartName(PanelUi& ui, const LayerList& list, int part, float width, bool oneLine) {
   int& chosen = ui.state.open.layers.chosen;
   const ImVec2 low = ImGui::GetCursorScreenPos();
@@ -98,7 +96,7 @@ void drawPartName(PanelUi& ui, const LayerList& list, int part, float width, boo
   if (counted) draw.AddText({right, y}, palette::kMuted.packed(), count.c_str());
 }
 
-/// "guessed", or the button that goes back to the guess. @param small  an icon, and nothing where it is guessed
+/// "guessed", or the button that restores the guess. @param small  an icon, or nothing if the layer is guessed
 void drawOrigin(PanelUi& ui, int part, float width, bool small) {
   if (!isLayerSet(ui.state, part)) {
     ImGui::AlignTextToFramePadding();
@@ -106,15 +104,9 @@ void drawOrigin(PanelUi& ui, int part, float width, bool small) {
     return;
   }
   const std::string id = "layers/guess/" + at(ui.state.character().parts, part).name;
-  const std::string hint = std::string("Back to what is guessed: ") + nameOf(at(ui.state.live->guessedLayers(), part));
-  bool pressed = false;
-  if (small) {
-    pressed = iconButton(ui, id, Icon::kReset, false, width, hint);
-  } else {
-    pressed = ImGui::Button("Guess", {width, 0.0f});
-    ui.widgets.note(id);
-    tooltip(ui, hint);
-  }
+  const std::string hint = std::string("Reset to the guess: ") + nameOf(at(ui.state.live->guessedLayers(), part));
+  const bool pressed =
+      small ? iconButton(ui, id, Icon::kReset, false, width, hint) : textButton(ui, id, "Guess", {width, 0.0f}, hint);
   if (pressed) setPartLayer(ui.state, part, std::nullopt);
 }
 
@@ -140,11 +132,11 @@ void drawPart(PanelUi& ui, const LayerList& list, int part) {
   ImGui::PopID();
   const ImVec2 high{low.x + room, ImGui::GetCursorScreenPos().y};
   if (ImGui::IsWindowHovered() && ImGui::IsMouseHoveringRect(low, high)) ui.state.frame.hoveredPart = part;
-  // What is guessed already can be set to stay.
+  // A guessed layer can be set, so that it stays.
   if (clicked >= 0 && (clicked != now || !isSet)) setPartLayer(ui.state, part, static_cast<SkinLayer>(clicked));
 }
 
-/// What the rig says of parts that another character has.
+/// Layers of parts that only another character has.
 void drawMissing(PanelUi& ui) {
   const std::vector<std::string> missing = missingParts(ui.state.document.rig(), ui.state.character());
   if (missing.empty()) return;
@@ -165,8 +157,7 @@ void drawMissing(PanelUi& ui) {
     tooltipWhile(ui, ImGui::IsWindowHovered() && ImGui::IsMouseHoveringRect(low, end),
                  text + "\nThis character has no part of that name. It is kept for one that has.");
     ImGui::SetCursorScreenPos({end.x + ui.px(kLayersPanelGap), low.y});
-    const bool pressed = ImGui::Button("Forget", {button, 0.0f});
-    ui.widgets.note("layers/forget/" + name);
+    const bool pressed = textButton(ui, "layers/forget/" + name, "Forget", {button, 0.0f});
     ImGui::PopID();
     if (pressed) forgetPart(ui.state, name);
   }
@@ -188,7 +179,7 @@ void drawLayersPanel(PanelUi& ui) {
   ImGui::EndDisabled();
   ui.widgets.note(kGuessAll.id);
   tooltip(ui,
-          any ? "Every part becomes what is guessed" : "Every part becomes what is guessed. Not available: all are");
+          any ? "Resets every part to its guess" : "Resets every part to its guess. Not available: all are guessed");
   if (pressed) guessAllLayers(ui.state);
 }
 

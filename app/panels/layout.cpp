@@ -1,17 +1,15 @@
-// app/panels/layout.cpp: where panels stand, and the splitters between them.
-
-#include <imgui.h>
-#include <imgui_internal.h>  // ActiveIdClickOffset, which 1.86 keeps to itself.
-
+// app/panels/layout.cpp: the window: regions, splitters, status line, and the highlight of a revealed control.
 #include <algorithm>
 #include <string>
 
+#include <imgui_internal.h>  // ActiveIdClickOffset, which 1.86 keeps to itself.
+
 #include "app/editor/commands.h"
 #include "app/panels/field_edit.h"
-#include "app/panels/layout_sizes.h"
+#include "app/panels/layout.h"
 #include "app/panels/overlay.h"
 #include "app/panels/panels.h"
-#include "app/panels/timeline_keys.h"
+#include "app/panels/timeline.h"
 #include "app/ui/keyboard_focus.h"
 #include "app/viewport/tools/axis_triad.h"
 
@@ -25,14 +23,13 @@ const Control kHeaders[] = {
     {"layers/header", "Panel Layers", "parts of the mesh skin cloth rigid clothes hair eyes"},
 };
 
-constexpr float kBadgeRoom = 90.0f;  // Design pixels: what the count of messages takes of the status line.
+constexpr float kBadgeRoom = 90.0f;  // Design pixels: width of the count of messages in the status line.
+constexpr float kExportGap = 16.0f;  // Left of the background export.
 
-constexpr double kMarkSeconds = 1.6;  // What the palette has brought into sight is marked.
+constexpr double kMarkSeconds = 1.6;  // Duration of the highlight.
 constexpr double kMarkStep = 0.04;
-constexpr int kMostTries = 30;        // Frames that a dialog may take to come up.
-constexpr double kOpeningStep = 0.5;  // Looks whether the desktop has opened a page.
-
-constexpr float kExportGap = 16.0f;  // Left of what is exported in the background.
+constexpr int kMostTries = 30;        // Frames that a dialog may take to open.
+constexpr double kOpeningStep = 0.5;  // Seconds between checks whether the desktop has opened a page.
 
 constexpr ImGuiWindowFlags kFixed = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
                                     ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings |
@@ -87,15 +84,15 @@ void beginRegion(const char* name, const Box& box, ImGuiWindowFlags more) {
   ImGui::Begin(name, nullptr, kFixed | more);
 }
 
-/// A panel's size along the way its bar moves, design pixels.
+/// A panel's size in the direction in which its splitter moves, design pixels.
 struct Sized {
   float shown;  ///< In this frame.
   float least;
-  float spare;    ///< What the neighbor can give.
-  float& wished;  ///< What is remembered; a drag makes it what is shown, moved with the pointer.
+  float spare;    ///< The most that the neighbor can shrink.
+  float& wished;  ///< The saved size; a drag sets it from the shown size and the pointer.
 };
 
-/// A bar between two panels. @param sign  which way the panel grows
+/// A bar between two panels. @param sign  of the direction in which the panel grows
 void splitter(PanelUi& ui, const std::string& id, const Box& box, bool upright, float sign, const Sized& size) {
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0.0f, 0.0f});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, {1.0f, 1.0f});
@@ -111,7 +108,7 @@ void splitter(PanelUi& ui, const std::string& id, const Box& box, bool upright, 
                                               palette::kAccent.faded(0.7f).packed(), 2.0f);
   }
   if (ImGui::IsItemActive() && ImGui::IsMouseDragging(0, 1.0f)) {
-    // From where the bar was taken: at the end of its way it waits for the pointer.
+    // Relative to the grip: a bar at its limit waits for the pointer to come back.
     const ImVec2 grip = ImGui::GetCurrentContext()->ActiveIdClickOffset;
     const ImVec2 mouse = ImGui::GetMousePos();
     const float moved = upright ? mouse.x - grip.x - box.x : mouse.y - grip.y - box.y;
@@ -124,7 +121,7 @@ void splitter(PanelUi& ui, const std::string& id, const Box& box, bool upright, 
 
 bool isDrawn(const PanelUi& ui, const Panel& panel) { return panel.always || ui.state.hasCharacter(); }
 
-/// Panels of one region that share it: a title, then the panel.
+/// The panels of a region, each below its title.
 void drawTitled(PanelUi& ui, Region region) {
   for (const Panel& panel : panels()) {
     if (panel.region != region) continue;
@@ -149,7 +146,7 @@ void drawLeft(PanelUi& ui, const Box& box, float history) {
   ImGui::End();
 }
 
-/// A title that folds its panel away; which ones are is remembered. @return whether it is unfolded.
+/// A title that folds its panel, which is saved. @return whether it is unfolded
 bool foldingTitle(PanelUi& ui, const Panel& panel) {
   std::vector<std::string>& folded = ui.state.view.layout.folded;
   const bool wasOpen = std::ranges::find(folded, panel.id) == folded.end();
@@ -219,12 +216,10 @@ void drawWelcome(PanelUi& ui, const Box& box) {
   ImGui::PopStyleColor();
   const ImVec2 size{std::min(ui.px(150), box.width - ui.px(16)), ui.px(32)};
   ImGui::SetCursorPos({0.5f * (box.width - size.x), middle + ui.px(24)});
-  if (ImGui::Button("Open a file...", size)) showOpenDialog(ui.state);
-  ui.widgets.note("viewport/open");
+  if (textButton(ui, "viewport/open", "Open a file...", size)) showOpenDialog(ui.state);
 }
 
-/// What lies over the picture now, until the next frame: the panels in it, which are windows in its window, what was
-/// drawn by hand, and the axes in its corner.
+/// Records what covers the picture: panels, which are child windows, boxes drawn by hand, and the axes in the corner.
 void noteCovered(PanelUi& ui, const Box& box) {
   std::vector<glm::vec4>& covered = ui.state.frame.covered;
   covered.clear();
@@ -243,7 +238,7 @@ void noteCovered(PanelUi& ui, const Box& box) {
     cover({box.x + box.width - ball, box.y + box.height - ball, box.x + box.width, box.y + box.height});
 }
 
-/// The picture itself is drawn behind all windows once this frame's edits are known; here is what lies over it.
+/// The panels over the picture, which itself is drawn later. @return whether the mouse is over the free picture
 bool drawViewport(PanelUi& ui, const Box& box) {
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0.0f, 0.0f});
   beginRegion("region-viewport", box,
@@ -279,20 +274,20 @@ void drawSplitters(PanelUi& ui, const LayoutState& shown, const LayoutSizes& siz
   }
 }
 
-/// Before the panels: a control that is to be brought into sight gets the keyboard when it is first seen.
+/// Before the panels: the revealed control gets the keyboard focus when it is first seen.
 void seekRevealed(PanelUi& ui) {
   const RevealState& reveal = ui.state.dialogs.reveal;
   if (!reveal.id.empty()) ui.widgets.seek(reveal.id, reveal.until < 0.0);
 }
 
-/// Windows that come up with it take the keyboard from it, until they have all come.
+/// Windows that open with the control may take the keyboard focus from it at first.
 bool lacksKeyboard(const PanelUi& ui, const std::string& id) {
   const auto& all = ui.widgets.laidOut();
   const auto found = std::ranges::find(all, id, &LaidOut::id);
   return found != all.end() && found->item != 0 && focusedControl(ui.widgets) != id;
 }
 
-/// After them: it is marked for a moment.
+/// After the panels: highlights the control for a moment.
 void markRevealed(PanelUi& ui) {
   RevealState& reveal = ui.state.dialogs.reveal;
   if (reveal.id.empty()) return;
@@ -333,7 +328,7 @@ bool drawLayout(PanelUi& ui) {
   const ImVec2 pixelsPerUnit = ImGui::GetIO().DisplayFramebufferScale;
   ui.state.frame.viewportPixels = {std::max(1, static_cast<int>(v.width * pixelsPerUnit.x)),
                                    std::max(1, static_cast<int>(v.height * pixelsPerUnit.y))};
-  // What a panel puts away, it puts away with the next frame.
+  // A panel that hides a region does so in the next frame.
   const LayoutState shown = ui.state.view.layout;
   if (shown.leftShown) drawLeft(ui, regions.left, sizes.history);
   if (shown.rightShown) drawRight(ui, regions.right);
@@ -353,6 +348,40 @@ bool drawLayout(PanelUi& ui) {
   markRevealed(ui);
   if (ui.state.session.opener.busy()) ui.wakeIn(kOpeningStep);
   return free;
+}
+
+namespace {
+
+/// Fits two sizes into a room: shrinks both in proportion to what each has above its least size.
+void fit(float& a, float& b, float leastA, float leastB, float room) {
+  const float spare = (a - leastA) + (b - leastB);
+  const float over = a + b - std::max(room, leastA + leastB);
+  if (over <= 0.0f || spare <= 0.0f) return;
+  const float part = std::min(over / spare, 1.0f);
+  a -= part * (a - leastA);
+  b -= part * (b - leastB);
+}
+
+}  // namespace
+
+LayoutSizes shownSizes(const LayoutState& wished, float width, float height) {
+  LayoutSizes sizes;
+  const float leastLeft = wished.leftShown ? kPanelNarrowest : 0.0f;
+  const float leastRight = wished.rightShown ? kPanelNarrowest : 0.0f;
+  const float bars = (wished.leftShown ? kSplitter : 0.0f) + (wished.rightShown ? kSplitter : 0.0f);
+  if (wished.leftShown) sizes.left = std::max(wished.left, kPanelNarrowest);
+  if (wished.rightShown) sizes.right = std::max(wished.right, kPanelNarrowest);
+  fit(sizes.left, sizes.right, leastLeft, leastRight, width - bars - kViewportNarrowest);
+  const float bottomBar = wished.bottomShown ? kSplitter : 0.0f;
+  const float upright = height - kStatusHeight - bottomBar;
+  if (wished.bottomShown) {
+    sizes.bottom = std::clamp(wished.bottom, kBottomLowest, std::max(kBottomLowest, upright - kViewportLowest));
+  }
+  const float column = upright - sizes.bottom - kSplitter;
+  sizes.history = std::clamp(wished.history, kHistoryLowest, std::max(kHistoryLowest, column - kOutlinerLowest));
+  // In a very low window the outliner gets the larger half.
+  sizes.history = std::max(0.0f, std::min(sizes.history, 0.45f * column));
+  return sizes;
 }
 
 }  // namespace sinew::app

@@ -1,8 +1,4 @@
-// app/panels/legend.cpp: what the colors in the picture mean, and which mode it is in.
-
-#include "app/panels/legend.h"
-
-#include <imgui.h>
+// app/panels/legend.cpp: legends of the colors in the picture, and the line that names the mode.
 
 #include <algorithm>
 #include <array>
@@ -21,6 +17,12 @@
 namespace sinew::app {
 namespace {
 
+Possible withAnatomy(const EditorState& state) {
+  return withCharacter(state).also(state.view.display.anatomy, "Show the anatomy first");
+}
+
+const Control kClearSkin{"legend/glass", "Clear skin", "anatomy transparent glass opacity", withAnatomy};
+
 constexpr float kMargin = 10.0f;  // Design pixels, as all here.
 constexpr float kScaleWidth = 220.0f;
 constexpr float kUnderTools = 110.0f;  // Height that the display bar and the shortest strip of tools need.
@@ -32,12 +34,12 @@ struct LegendBox {
   ImVec2 high;
 };
 
-/// Whether the line across the picture's lower edge is there: see drawMode.
+/// Whether drawMode draws its line.
 bool modeShown(const EditorState& state) {
   return state.document.visibility.bare || editsTerritory(state) || state.document.visibility.isolated;
 }
 
-/// From the picture's lower edge to the plate, window coordinates.
+/// Distance of the plate from the picture's lower edge, window coordinates.
 float underPlate(PanelUi& ui) { return modeShown(ui.state) ? ImGui::GetFrameHeight() + ui.px(22) : ui.px(kMargin); }
 
 float heatHeight(PanelUi& ui) { return 3.0f * ImGui::GetTextLineHeight() + ui.px(46); }
@@ -64,7 +66,7 @@ struct ZoneRow {
   int triangles;
 };
 
-/// The classes of skin, and the layers of other parts where there are any.
+/// The classes of skin, and the layers of other parts if there are any.
 std::vector<ZoneRow> zoneRows(const EditorState& state) {
   const std::array<int, kZones> counts = zoneCounts(state);
   std::vector<ZoneRow> rows;
@@ -84,7 +86,7 @@ float classesHeight(PanelUi& ui) {
   return lines * (ImGui::GetTextLineHeight() + ui.px(4)) + ui.px(16);
 }
 
-/// A panel at the picture's lower left corner, above the line of the mode, drawn by hand.
+/// Draws the background of a legend at the picture's lower left corner, above the line of the mode.
 LegendBox plate(PanelUi& ui, float width, float height) {
   const glm::vec4& v = ui.state.frame.viewport;
   const ImVec2 low{v.x + ui.px(kMargin), v.y + v.w - underPlate(ui) - height};
@@ -102,7 +104,7 @@ std::string number(float value, const char* unit) {
   return text;
 }
 
-/// Largest and least displacement of the surface on the screen, character units.
+/// Least and largest displacement of the current surface, character units.
 std::array<float, 2> measured(const Surface& surface) {
   std::array<float, 2> range{0.0f, 0.0f};
   for (const float d : surface.displacement) range = {std::min(range[0], d), std::max(range[1], d)};
@@ -115,7 +117,7 @@ void drawTick(PanelUi& ui, ImDrawList& list, float x, float top, float bar, cons
   list.AddText({x - align * extent.x, top + bar + ui.px(5)}, palette::kText.packed(), text.c_str());
 }
 
-/// The scale with its ends in per cent of H, and how far this surface really goes.
+/// The scale with its ends in percent of H, and the range of the current surface.
 void drawHeat(PanelUi& ui) {
   const float line = ImGui::GetTextLineHeight();
   const float room = ui.state.frame.viewport.z - ui.px(2 * kMargin + 2 * 12);
@@ -127,16 +129,10 @@ void drawHeat(PanelUi& ui) {
   list.AddText({left, box.low.y + ui.px(8)}, palette::kMuted.packed(), "Displacement");
   const float top = box.low.y + ui.px(12) + line;
   const float bar = ui.px(10);
-  const auto color = [](float x) {
-    const glm::vec3 c = heatColor(x);
+  drawRamp({left, top}, width, top + bar, kLegendSteps, [](float x) {
+    const glm::vec3 c = heatColor(2.0f * x - 1.0f);
     return Tint{c.r, c.g, c.b}.packed();
-  };
-  for (int i = 0; i < kLegendSteps; ++i) {
-    const float a = static_cast<float>(i) / kLegendSteps;
-    const float b = static_cast<float>(i + 1) / kLegendSteps;
-    list.AddRectFilledMultiColor({left + a * width, top}, {left + b * width, top + bar}, color(2.0f * a - 1.0f),
-                                 color(2.0f * b - 1.0f), color(2.0f * b - 1.0f), color(2.0f * a - 1.0f));
-  }
+  });
   const float range = ui.state.view.display.heatRange;
   const float height = ui.state.character().height;
   drawTick(ui, list, left, top, bar, number(-100.0f * range, "% H"), 0.0f);
@@ -157,7 +153,7 @@ void drawHeat(PanelUi& ui) {
   ui.widgets.note("legend/heat", {box.low.x, box.low.y, box.high.x - box.low.x, box.high.y - box.low.y});
 }
 
-/// "Pieces along a side", and a swatch for each level: darker is finer.
+/// A swatch for each level of subdivision: darker is finer.
 void drawLevels(PanelUi& ui, const LegendBox& box, float y, bool over) {
   constexpr std::array kLevels{1, 2, 3, 4, 6, 12};
   ImDrawList& list = *ImGui::GetWindowDrawList();
@@ -205,7 +201,7 @@ void drawClasses(PanelUi& ui) {
   ui.widgets.note("legend/classes", {box.low.x, box.low.y, box.high.x - box.low.x, box.high.y - box.low.y});
 }
 
-/// How clear the skin is, to be drawn, and what the colors of the muscles say.
+/// A slider for the clearness of the skin, and the colors of the muscles.
 void drawAnatomy(PanelUi& ui) {
   const float line = ImGui::GetTextLineHeight();
   const float room = ui.state.frame.viewport.z - ui.px(2 * kMargin + 2 * 12);
@@ -215,7 +211,7 @@ void drawAnatomy(PanelUi& ui) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const ImVec2 corner{box.low.x + ui.px(12), box.low.y + ui.px(10)};
   const float slider = 0.62f * width;
-  list.AddText({corner.x, corner.y + ImGui::GetStyle().FramePadding.y}, palette::kMuted.packed(), "Clear skin");
+  list.AddText({corner.x, corner.y + ImGui::GetStyle().FramePadding.y}, palette::kMuted.packed(), kClearSkin.label);
   ImGui::SetCursorScreenPos({corner.x + width - slider, corner.y});
   ImGui::SetNextItemWidth(slider);
   float percent = 100.0f * ui.state.view.display.glass;
@@ -225,18 +221,13 @@ void drawAnatomy(PanelUi& ui) {
   look.most = 100.0f;
   look.step = 10.0f;
   if (numberSlider(ui, "##glass", percent, look)) ui.state.view.display.glass = percent / 100.0f;
-  ui.widgets.note("legend/glass");
+  ui.widgets.note(kClearSkin.id);
   tooltip(ui, "How clear the skin over the muscles is. 0%: as without Anatomy, 100%: only a faint rim is left.");
   const float top = corner.y + ImGui::GetFrameHeight() + ui.px(8);
-  const auto color = [](float activation) {
+  drawRamp({corner.x, top}, width, top + ui.px(10), kLegendSteps, [](float activation) {
     const glm::vec3 c = fleshColor(activation);
     return Tint{c.r, c.g, c.b}.packed();
-  };
-  for (int i = 0; i < kLegendSteps; ++i) {
-    const float a = static_cast<float>(i) / kLegendSteps, b = static_cast<float>(i + 1) / kLegendSteps;
-    list.AddRectFilledMultiColor({corner.x + a * width, top}, {corner.x + b * width, top + ui.px(10)}, color(a),
-                                 color(b), color(b), color(a));
-  }
+  });
   const ImVec2 below{corner.x, top + ui.px(13)};
   list.AddText(below, palette::kMuted.packed(), "loose");
   list.AddText({corner.x + width - ImGui::CalcTextSize("flexed").x, below.y}, palette::kMuted.packed(), "flexed");
@@ -246,8 +237,9 @@ void drawAnatomy(PanelUi& ui) {
   ui.widgets.note("legend/anatomy", {box.low.x, box.low.y, box.high.x - box.low.x, box.high.y - box.low.y});
 }
 
-/// A line across the picture's lower edge while it does not show everything, with the way out.
-/// @param color  of what the text speaks of, in the picture; null: of nothing
+/// A line at the picture's lower edge that names the mode, with a button that leaves it.
+/// @param button  null: none
+/// @param color  of the swatch before the text; null: none
 void drawMode(PanelUi& ui, const std::string& text, const char* button, const char* id, void (*leave)(EditorState&),
               const Tint* color = nullptr) {
   const glm::vec4& v = ui.state.frame.viewport;
@@ -269,11 +261,10 @@ void drawMode(PanelUi& ui, const std::string& text, const char* button, const ch
   ui.widgets.note(std::string(id) + "/banner", {low.x, low.y, width - buttonWidth, height});
   if (button == nullptr) return;
   ImGui::SetCursorScreenPos({low.x + width - buttonWidth, low.y + ui.px(4)});
-  if (ImGui::Button(button, {buttonWidth - ui.px(4), 0.0f})) leave(ui.state);
-  ui.widgets.note(std::string(id) + "/done");
+  if (textButton(ui, std::string(id) + "/done", button, {buttonWidth - ui.px(4), 0.0f})) leave(ui.state);
 }
 
-/// 0: there is none. The panels of a set, of what was found and of clip files lie where it would.
+/// Height of the legend; 0: none, or a panel takes its place.
 float plateHeight(PanelUi& ui) {
   const DocumentView& open = ui.state.open;
   if (open.check.shown || open.muscleSet.shown || open.clipList.shown || open.reference.shown) return 0.0f;
@@ -289,7 +280,7 @@ float legendHeight(PanelUi& ui) {
   const float below = modeShown(ui.state) ? underPlate(ui) : 0.0f;
   const float plate = plateHeight(ui);
   const float all = plate > 0.0f ? underPlate(ui) + plate : below;
-  // Where both have no room the tools go first.
+  // If there is no room for both, only the tools are hidden.
   return ui.state.frame.viewport.w - all >= ui.px(kUnderTools) ? all : below;
 }
 

@@ -1,7 +1,5 @@
-// app/panels/library.cpp: search, saving a set, and the tiles of each set.
-#include "app/panels/library.h"
+// app/panels/library.cpp: the tab Library: sets of muscles for this body, with a picture of each muscle.
 
-#include <imgui.h>
 #include <imgui_internal.h>  // ClearActiveID, which 1.86 keeps to itself.
 #include <imgui_stdlib.h>
 
@@ -18,9 +16,14 @@
 #include "app/editor/muscle_set_commands.h"
 #include "app/editor/outliner.h"
 #include "app/panels/muscle_picture.h"
+#include "app/panels/panels.h"
 #include "app/ui/reading_order.h"
 #include "app/viewport/render/thumbnails.h"
 #include "core/geometry/at.h"
+
+#define GLFW_INCLUDE_NONE
+
+
 
 namespace sinew::app {
 namespace {
@@ -29,13 +32,13 @@ const Control kFindSets{"library/search", "Search the library", "find presets se
 
 constexpr float kLibraryGap = 6.0f;  // Design pixels, as all here.
 constexpr float kRound = 4.0f;
-constexpr float kCarried = 104.0f;       ///< Width of what hangs at the pointer.
+constexpr float kCarried = 104.0f;       ///< Width of the picture beside the pointer.
 constexpr float kShownOfPeople = 0.36f;  ///< Of H.
 constexpr float kShownOfAnimals = 0.8f;
 constexpr float kLibraryFold = 14.0f;
 constexpr int kColumns = 2;
 
-/// The muscle as it lies on this body: the left one, then its twin. Empty: it has no place here.
+/// The muscle on this body: the left one, then its twin. Empty: it does not fit.
 std::vector<Primitive> laidOf(const LibraryState& library, int set, const std::string& name) {
   const auto& primitives = at(library.laid, set).rig.primitives;
   std::vector<Primitive> found;
@@ -75,7 +78,7 @@ float pictureHeight(float width) {
   return width * static_cast<float>(kMusclePicture.y) / static_cast<float>(kMusclePicture.x);
 }
 
-/// A click lays the muscle where it belongs; the pointer can take it to the picture.
+/// A click adds the muscle where it belongs; it can also be dragged into the picture.
 void drawTile(PanelUi& ui, int set, int muscle, float width) {
   EditorState& state = ui.state;
   LibraryState& library = state.open.library;
@@ -97,7 +100,7 @@ void drawTile(PanelUi& ui, int set, int muscle, float width) {
   const Tint color = !why.empty() ? palette::kMuted.faded(0.6f) : hovered ? palette::kText : palette::kMuted;
   clippedText(list, {low.x + ui.px(2), corner.y + ui.px(2)}, width - ui.px(4), color.packed(), name);
   if (!why.empty()) return tooltip(ui, name + " has no place here: " + why);
-  tooltip(ui, name + ": click to lay it where it belongs, or drag it onto the character");
+  tooltip(ui, name + ": click to add it where it belongs, or drag it onto the character");
   const bool dragging = ImGui::IsItemActive() && ImGui::IsMouseDragging(0);
   if (dragging && library.drag.set < 0) takeFromLibrary(state, set, muscle);
   else if (pressed && library.drag.set < 0) layFromLibrary(state, set, muscle);
@@ -119,7 +122,7 @@ bool drawHeader(PanelUi& ui, int set, std::optional<int>& removed) {
   const Preset& own = at(library.sets, set);
   const bool folded = library.folded.contains(own.name);
   const float height = ImGui::GetFrameHeight();
-  const float button = ImGui::CalcTextSize("Add all").x + 2.0f * ImGui::GetStyle().FramePadding.x;
+  const float button = buttonWidth("Add all");
   const ImVec2 low = ImGui::GetCursorScreenPos();
   const float width = ImGui::GetContentRegionAvail().x - button - ui.px(kLibraryGap);
   const bool pressed = ImGui::InvisibleButton("##header", {width, height});
@@ -141,9 +144,8 @@ bool drawHeader(PanelUi& ui, int set, std::optional<int>& removed) {
   ImGui::PopFont();
   list.AddText({low.x + ui.px(18 + kLibraryGap) + title, y}, palette::kMuted.packed(), count.c_str());
   ImGui::SameLine(0.0f, ui.px(kLibraryGap));
-  if (ImGui::Button("Add all")) addMuscleSetNamed(ui.state, own.name);
-  ui.widgets.note("library/add/" + own.name);
-  tooltip(ui, "Add the whole set, with its sliders");
+  if (textButton(ui, "library/add/" + own.name, "Add all", {}, "Add the whole set, with its sliders"))
+    addMuscleSetNamed(ui.state, own.name);
   return !folded;
 }
 
@@ -173,11 +175,9 @@ void drawNaming(PanelUi& ui) {
     ImGui::TextWrapped("%s", library.notice.c_str());
     ImGui::PopStyleColor();
   }
-  const bool save = ImGui::Button("Save");
-  ui.widgets.note("library/save");
+  const bool save = textButton(ui, "library/save", "Save");
   ImGui::SameLine();
-  const bool cancel = ImGui::Button("Cancel");
-  ui.widgets.note("library/cancel");
+  const bool cancel = textButton(ui, "library/cancel", "Cancel");
   if (cancel || escapePressed(ui)) library.naming = false;
   else if (save || entered) saveNewSet(ui.state);
 }
@@ -198,14 +198,12 @@ void drawTop(PanelUi& ui) {
 }
 
 void drawWhy(PanelUi& ui) {
-  ImGui::PushTextWrapPos(0.0f);
-  mutedText(ui.state.open.library.why.c_str());
-  ImGui::PopTextWrapPos();
+  mutedParagraph(ui.state.open.library.why);
   if (ImGui::Button("Parts of the body") && !ui.state.open.bodyParts.shown) toggleBodyParts(ui.state);
   ui.widgets.note("library/body-parts");
 }
 
-/// What the pointer carries, and what letting go would do.
+/// The dragged muscle beside the pointer, and the effect of dropping it.
 void drawCarried(PanelUi& ui) {
   LibraryState& library = ui.state.open.library;
   if (library.drag.set < 0) return;

@@ -1,6 +1,4 @@
-// app/panels/menu_bar.cpp: the action table as menus, recent files and samples among them.
-
-#include <imgui.h>
+// app/panels/menu_bar.cpp: the menu bar: actions, recent files, samples and help pages.
 
 #include <algorithm>
 #include <iterator>
@@ -27,7 +25,7 @@ bool beginFiles(PanelUi& ui, const std::string& id, const char* title, bool any)
   return open;
 }
 
-/// Beside the next menu item. Where there is none, its place stays empty.
+/// Beside the next menu item; empty space without a thumbnail.
 void drawThumbnail(PanelUi& ui, const std::filesystem::path& document) {
   std::error_code failed;
   const auto changed = std::filesystem::last_write_time(document, failed);
@@ -86,11 +84,11 @@ void drawPages(PanelUi& ui) {
   ImGui::EndMenu();
 }
 
-/// Rows of the table that share the beginning of their id and stand in a menu of their own.
+/// A submenu for actions whose ids begin alike.
 struct Submenu {
-  std::string_view begin;  ///< How their ids begin; without the last letter, the submenu's.
+  std::string_view begin;  ///< Of their ids; without the last letter, the submenu's id.
   const char* title;
-  std::string_view further = "";  ///< Other ids, each between spaces.
+  std::string_view further = "";  ///< Ids of further actions, each between spaces.
 };
 constexpr Submenu kSubmenus[] = {
     {"file/export-", "Export"},
@@ -118,7 +116,7 @@ void drawItem(PanelUi& ui, const Action& item) {
 }
 
 void drawSubmenu(PanelUi& ui, const Submenu& submenu) {
-  // Before it opens, which it does when hovered: then the last item is one of its own.
+  // Noted by rectangle: once it is open, the last item is one of its own.
   const ImVec2 place = ImGui::GetCursorScreenPos();
   const glm::vec4 row(place.x, place.y, ImGui::GetContentRegionAvail().x, ImGui::GetTextLineHeight());
   const bool open = ImGui::BeginMenu(submenu.title);
@@ -173,7 +171,7 @@ void drawMenus(PanelUi& ui) {
   ImGui::EndMenu();
 }
 
-/// The document's, in the middle of the bar or of what the menus leave.
+/// The document's name, in the middle of the bar or beside the menus.
 void drawName(PanelUi& ui) {
   const std::string name = ui.state.document.name() + (ui.state.document.commands.modified() ? " *" : "");
   const float left = ImGui::GetCursorPosX() + ui.px(12);

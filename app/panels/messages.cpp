@@ -1,10 +1,10 @@
-// app/panels/messages.cpp: what an import left out, what failed. Stays until it is read, and then in the status
-// line.
-
-#include <imgui.h>
-
+// app/panels/messages.cpp: the list of messages and its count in the status line; the toast; common parts of panels
+// over the picture.
 #include <algorithm>
+#include <optional>
 #include <string>
+
+#include <imgui_internal.h>  // Position of a dialog: internal in 1.86.
 
 #include "app/panels/overlay.h"
 #include "app/ui/reading_order.h"
@@ -16,7 +16,7 @@ constexpr float kMessagesWidth = 450.0f;  // Design pixels.
 constexpr float kMessagesHighest = 230.0f;
 constexpr float kMessagesButton = 20.0f;
 constexpr float kTextLeft = 24.0f;
-constexpr float kMessagesNarrowest = 0.85f;  ///< Of its width: what a panel over the picture gives up for the axes.
+constexpr float kMessagesNarrowest = 0.85f;  ///< Fraction of its width that a panel keeps beside the axes.
 
 float textHeight(const std::string& text, float width) {
   return ImGui::CalcTextSize(text.c_str(), nullptr, false, width).y;
@@ -26,57 +26,38 @@ std::string shown(const Message& message) {
   return message.count > 1 ? message.text + "  (" + std::to_string(message.count) + " times)" : message.text;
 }
 
-Tint tintOf(MessageKind kind) {
+struct KindLook {
+  const char* name;
+  Icon icon;
+  Tint tint;
+};
+KindLook lookOf(MessageKind kind) {
   switch (kind) {
     case MessageKind::kError:
-      return palette::kError;
+      return {"error: ", Icon::kError, palette::kError};
     case MessageKind::kWarning:
-      return palette::kWarning;
+      return {"warning: ", Icon::kWarning, palette::kWarning};
     case MessageKind::kNote:
       break;
   }
-  return palette::kMuted;
-}
-
-Icon iconOf(MessageKind kind) {
-  switch (kind) {
-    case MessageKind::kError:
-      return Icon::kError;
-    case MessageKind::kWarning:
-      return Icon::kWarning;
-    case MessageKind::kNote:
-      break;
-  }
-  return Icon::kNote;
-}
-
-const char* nameOf(MessageKind kind) {
-  switch (kind) {
-    case MessageKind::kError:
-      return "error: ";
-    case MessageKind::kWarning:
-      return "warning: ";
-    case MessageKind::kNote:
-      break;
-  }
-  return "note: ";
+  return {"note: ", Icon::kNote, palette::kMuted};
 }
 
 std::string allText(const std::vector<Message>& messages) {
   std::string text;
-  for (const Message& message : messages) text += nameOf(message.kind) + shown(message) + "\n";
+  for (const Message& message : messages) text += lookOf(message.kind).name + shown(message) + "\n";
   return text;
 }
 
-/// @return whether it was dismissed.
+/// @return whether it was dismissed
 bool drawMessage(PanelUi& ui, const Message& message, std::size_t index) {
   const float button = ui.px(kMessagesButton);
   const float wrap = ImGui::GetContentRegionAvail().x - 2.0f * button - ui.px(kTextLeft + 8);
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   const std::string text = shown(message);
   const std::string place = std::to_string(index);
-  drawIcon(*ImGui::GetWindowDrawList(), iconOf(message.kind), {corner.x, corner.y + ui.px(1)}, ui.px(15),
-           tintOf(message.kind).packed());
+  const KindLook look = lookOf(message.kind);
+  drawIcon(*ImGui::GetWindowDrawList(), look.icon, {corner.x, corner.y + ui.px(1)}, ui.px(15), look.tint.packed());
   ImGui::SetCursorPosX(ImGui::GetCursorPosX() + ui.px(kTextLeft));
   ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + wrap);
   ImGui::TextUnformatted(inReadingOrder(text).c_str());
@@ -99,19 +80,17 @@ float wantedHeight(PanelUi& ui) {
   return height;
 }
 
-/// Right-aligned, from right to left. @return whether all are to go.
+/// The title, and buttons at the right. @return whether to clear all
 bool drawMessagesHead(PanelUi& ui) {
   ImGui::AlignTextToFramePadding();
   heading(ui, "Messages");
-  const ImGuiStyle& style = ImGui::GetStyle();
-  const auto widthOf = [&](const char* label) { return ImGui::CalcTextSize(label).x + 2.0f * style.FramePadding.x; };
   const float size = ImGui::GetFrameHeight();
-  ImGui::SameLine(ImGui::GetContentRegionMax().x - widthOf("Copy all") - widthOf("Clear") - size - 2.0f * ui.px(4));
-  if (ImGui::Button("Copy all")) ImGui::SetClipboardText(allText(ui.state.session.messages).c_str());
-  ui.widgets.note("messages/copy-all");
+  ImGui::SameLine(ImGui::GetContentRegionMax().x - buttonWidth("Copy all") - buttonWidth("Clear") - size -
+                  2.0f * ui.px(4));
+  if (textButton(ui, "messages/copy-all", "Copy all"))
+    ImGui::SetClipboardText(allText(ui.state.session.messages).c_str());
   ImGui::SameLine(0.0f, ui.px(4));
-  const bool all = ImGui::Button("Clear");
-  ui.widgets.note("messages/dismiss-all");
+  const bool all = textButton(ui, "messages/dismiss-all", "Clear");
   ImGui::SameLine(0.0f, ui.px(4));
   if (iconButton(ui, "messages/hide", Icon::kMinimize, false, size)) ui.state.session.messagesShown = false;
   tooltip(ui, "Hide; the status line still counts them");
@@ -138,6 +117,29 @@ float widthInPicture(const PanelUi& ui, float wanted) {
   return std::min(ui.px(wanted), fits ? besideAxes : picture - ui.px(kBesideTools + kFromEdges));
 }
 
+void beginInPicture(PanelUi& ui, const char* name, const ImVec2& at, const ImVec2& size, float opacity,
+                    const ImVec2& padding, ImGuiWindowFlags flags) {
+  ImGui::SetCursorPos(at);
+  ImGui::PushStyleColor(ImGuiCol_ChildBg, palette::kPanel.faded(opacity));
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {ui.px(padding.x), ui.px(padding.y)});
+  ImGui::BeginChild(name, size, true, flags | ImGuiWindowFlags_AlwaysUseWindowPadding);
+}
+
+void endInPicture() {
+  ImGui::EndChild();
+  ImGui::PopStyleVar();
+  ImGui::PopStyleColor();
+}
+
+void drawRamp(const ImVec2& low, float width, float bottom, int steps, ImU32 (*color)(float)) {
+  for (int i = 0; i < steps; ++i) {
+    const float a = static_cast<float>(i) / static_cast<float>(steps);
+    const float b = static_cast<float>(i + 1) / static_cast<float>(steps);
+    ImGui::GetWindowDrawList()->AddRectFilledMultiColor({low.x + a * width, low.y}, {low.x + b * width, bottom},
+                                                        color(a), color(b), color(b), color(a));
+  }
+}
+
 void drawMessages(PanelUi& ui) {
   std::vector<Message>& messages = ui.state.session.messages;
   const float height = messagesHeight(ui);
@@ -148,7 +150,7 @@ void drawMessages(PanelUi& ui) {
   ImGui::BeginChild("messages", {std::min(ui.px(kMessagesWidth), ui.state.frame.viewport.z - ui.px(20)), height}, true,
                     ImGuiWindowFlags_AlwaysUseWindowPadding);
   ImGui::PopStyleVar();
-  if (ui.state.session.messagesSaid != ui.state.open.messagesSeen) ImGui::SetScrollY(0.0f);  // What is new is on top.
+  if (ui.state.session.messagesSaid != ui.state.open.messagesSeen) ImGui::SetScrollY(0.0f);  // The newest is on top.
   ui.state.open.messagesSeen = ui.state.session.messagesSaid;
   const bool all = drawMessagesHead(ui);
   std::size_t dismissed = messages.size();
@@ -163,7 +165,7 @@ void drawMessages(PanelUi& ui) {
   const bool over = ImGui::IsWindowHovered(ImGuiHoveredFlags_ChildWindows);
   ImGui::EndChild();
   ImGui::PopStyleColor();
-  // They have been seen once work in the picture goes on; the status line still counts them.
+  // A click in the picture hides them; the status line still counts them.
   const bool work = ImGui::IsMouseClicked(0) || ImGui::IsMouseClicked(1) || ImGui::IsMouseClicked(2);
   if (work && !over && ImGui::IsWindowHovered(ImGuiHoveredFlags_ChildWindows)) ui.state.session.messagesShown = false;
 }
@@ -171,7 +173,7 @@ void drawMessages(PanelUi& ui) {
 float drawMessageBadge(PanelUi& ui) {
   const std::vector<Message>& messages = ui.state.session.messages;
   if (messages.empty()) return 0.0f;
-  const MessageKind worst = std::ranges::max(messages, {}, &Message::kind).kind;
+  const KindLook look = lookOf(std::ranges::max(messages, {}, &Message::kind).kind);
   const std::string count = std::to_string(messages.size());
   const float height = ImGui::GetTextLineHeight() + ui.px(4);
   const float width = ImGui::CalcTextSize(count.c_str()).x + ui.px(34);
@@ -184,12 +186,100 @@ float drawMessageBadge(PanelUi& ui) {
   const bool lit = ImGui::IsItemHovered() || ui.state.session.messagesShown;
   tooltip(ui, ui.state.session.messagesShown ? "Hide the messages" : "Show the messages");
   ImDrawList& list = *ImGui::GetWindowDrawList();
-  list.AddRectFilled(corner, {corner.x + width, corner.y + height}, tintOf(worst).faded(lit ? 0.30f : 0.16f).packed(),
+  list.AddRectFilled(corner, {corner.x + width, corner.y + height}, look.tint.faded(lit ? 0.30f : 0.16f).packed(),
                      0.5f * height);
-  drawIcon(list, iconOf(worst), {corner.x + ui.px(7), corner.y + 0.5f * (height - ui.px(14))}, ui.px(14),
-           tintOf(worst).packed());
+  drawIcon(list, look.icon, {corner.x + ui.px(7), corner.y + 0.5f * (height - ui.px(14))}, ui.px(14),
+           look.tint.packed());
   list.AddText({corner.x + ui.px(26), corner.y + ui.px(2)}, palette::kText.packed(), count.c_str());
   return width;
+}
+
+// The toast: a short message at the bottom of the picture.
+
+namespace {
+
+constexpr float kPadX = 14.0f;  // Design pixels, as all here.
+constexpr float kPadY = 8.0f;
+constexpr float kWidest = 520.0f;
+constexpr float kAboveBottom = 14.0f;
+constexpr float kFromPointer = 22.0f;
+constexpr float kFromDialog = 6.0f;
+constexpr float kIcon = 15.0f;
+constexpr float kIconGap = 8.0f;
+
+bool near(const ImVec2& point, const ImVec2& low, const ImVec2& high, float distance) {
+  return point.x > low.x - distance && point.x < high.x + distance && point.y > low.y - distance &&
+         point.y < high.y + distance;
+}
+
+/// The toast's y below or above a dialog that would overlap it; none without such a dialog.
+std::optional<float> besideDialog(const PanelUi& ui, const ImVec2& low, const ImVec2& size) {
+  const ImGuiWindow* const dialog = ImGui::GetTopMostPopupModal();
+  if (dialog == nullptr) return std::nullopt;
+  const ImRect taken = dialog->Rect();
+  if (!taken.Overlaps(ImRect(low, {low.x + size.x, low.y + size.y}))) return std::nullopt;
+  const float gap = ui.px(kFromDialog);
+  const float below = taken.Max.y + gap;
+  const bool fits = below + size.y + gap <= ImGui::GetIO().DisplaySize.y;
+  return fits ? below : std::max(taken.Min.y - gap - size.y, 0.0f);
+}
+
+/// The toast's y above plates at the bottom of the picture that it would cover.
+float abovePlates(const PanelUi& ui, const ImVec2& low, const ImVec2& size) {
+  const glm::vec4& picture = ui.state.frame.viewport;
+  float y = low.y;
+  for (const glm::vec4& box : ui.covered) {
+    const bool isPlate = box.y > picture.y + 0.4f * picture.w;
+    const bool covers = low.x < box.z && low.x + size.x > box.x && low.y < box.w && low.y + size.y > box.y;
+    if (isPlate && covers) y = std::min(y, box.y - ui.px(kAboveBottom) - size.y);
+  }
+  return y;
+}
+
+/// Top left corner: at the bottom center of the picture, above the messages, and not under the pointer.
+ImVec2 placeOf(PanelUi& ui, const ImVec2& size) {
+  const glm::vec4& picture = ui.state.frame.viewport;
+  const float below = messagesHeight(ui);
+  ImVec2 low{picture.x + 0.5f * (picture.z - size.x), picture.y + picture.w - ui.px(kAboveBottom) - size.y -
+                                                          (below > 0.0f ? below + ui.px(kAboveBottom) : 0.0f)};
+  low.y = abovePlates(ui, low, size);
+  const ImVec2 mouse = ImGui::GetIO().MousePos;
+  if (const std::optional<float> y = besideDialog(ui, low, size)) return {low.x, *y};
+  const float distance = ui.px(kFromPointer);
+  if (!near(mouse, low, {low.x + size.x, low.y + size.y}, distance)) return low;
+  low.y = mouse.y - distance - size.y;
+  if (low.y < picture.y) low.y = mouse.y + distance;
+  return low;
+}
+
+}  // namespace
+
+/// Drawn in front of all windows; takes neither pointer nor keyboard.
+void drawToast(PanelUi& ui) {
+  std::optional<Toast>& toast = ui.state.session.toast;
+  if (!toast) return;
+  const std::optional<double> change = secondsToChange(*toast, ui.state.frame.now);
+  if (!change) {
+    toast.reset();
+    return;
+  }
+  ui.wakeIn(*change);
+  const float shown = opacity(*toast, ui.state.frame.now);
+  const float widest = std::min(ui.px(kWidest), ui.state.frame.viewport.z - ui.px(2 * kPadX + kIcon + kIconGap + 20));
+  const std::string words = inReadingOrder(toast->text);
+  const ImVec2 text = ImGui::CalcTextSize(words.c_str(), nullptr, false, widest);
+  const ImVec2 size{text.x + ui.px(2 * kPadX + kIcon + kIconGap), text.y + ui.px(2 * kPadY)};
+  const ImVec2 low = placeOf(ui, size);
+  const ImVec2 high{low.x + size.x, low.y + size.y};
+  const Tint tint = toast->refusal ? palette::kWarning : palette::kGood;
+  ImDrawList& list = *ImGui::GetForegroundDrawList();
+  list.AddRectFilled(low, high, palette::kRaised.faded(0.97f * shown).packed(), ui.px(6));
+  list.AddRect(low, high, tint.faded(0.55f * shown).packed(), ui.px(6));
+  drawIcon(list, toast->refusal ? Icon::kWarning : Icon::kNote, {low.x + ui.px(kPadX), low.y + ui.px(kPadY)},
+           ui.px(kIcon), tint.faded(shown).packed());
+  list.AddText(ImGui::GetFont(), ImGui::GetFontSize(), {low.x + ui.px(kPadX + kIcon + kIconGap), low.y + ui.px(kPadY)},
+               palette::kText.faded(shown).packed(), words.c_str(), nullptr, widest);
+  ui.widgets.note("toast", {low.x, low.y, size.x, size.y});
 }
 
 }  // namespace sinew::app

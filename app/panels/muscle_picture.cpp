@@ -17,22 +17,22 @@
 namespace sinew::app {
 namespace {
 
-constexpr int kFiner = 2;              ///< Pixels along an edge of each of the picture's.
-constexpr float kAroundMuscle = 4.0f;  ///< Or so many of its longest radii.
-constexpr float kNearSkin = 1.45f;     ///< Radii from the center: skin so near is the muscle's.
+constexpr int kFiner = 2;              ///< Samples per pixel, along an edge.
+constexpr float kAroundMuscle = 4.0f;  ///< Least height of the picture, in longest radii of the muscle.
+constexpr float kNearSkin = 1.45f;     ///< Radii from the center: skin this near is red.
 constexpr glm::vec3 kClay{0.62f, 0.60f, 0.58f};
 constexpr glm::vec3 kFlesh{0.86f, 0.33f, 0.27f};
 constexpr glm::vec3 kPictureBackground{0.150f, 0.163f, 0.188f};
 constexpr glm::vec3 kLight{-0.35f, 0.55f, 0.75f};  ///< In the picture's axes: from the left, above, in front.
 constexpr float kAmbient = 0.28f;
 
-/// A muscle as what maps the world to its unit ball.
+/// The map from the world to the unit ball of a muscle.
 struct Ball {
   glm::mat3 toUnit{1.0f};
   glm::vec3 center{0.0f};
 
   /// 1 well inside, 0 outside.
-  [[nodiscard]] float shareAt(const glm::vec3& point) const {
+  [[nodiscard]] float weightAt(const glm::vec3& point) const {
     const float away = glm::length(toUnit * (point - center));
     return glm::smoothstep(kNearSkin, 0.85f * kNearSkin, away);
   }
@@ -55,7 +55,7 @@ Ball ballOf(const Placement& placement) {
   return ball;
 }
 
-/// Level, from where the skin over the muscle looks to.
+/// A level view along the normal of the skin over the muscle.
 struct PictureCamera {
   glm::vec3 right{1.0f, 0.0f, 0.0f};
   glm::vec3 up{0.0f, 1.0f, 0.0f};
@@ -64,11 +64,11 @@ struct PictureCamera {
   float pixelsPerUnit = 1.0f;
   glm::vec2 middle{0.0f};
 
-  /// Pixels, and how near.
+  /// Pixels, and nearness to the viewer.
   [[nodiscard]] glm::vec3 of(const glm::vec3& world) const {
-    const glm::vec3 way = world - target;
-    return {middle.x + pixelsPerUnit * glm::dot(way, right), middle.y - pixelsPerUnit * glm::dot(way, up),
-            glm::dot(way, towards)};
+    const glm::vec3 offset = world - target;
+    return {middle.x + pixelsPerUnit * glm::dot(offset, right), middle.y - pixelsPerUnit * glm::dot(offset, up),
+            glm::dot(offset, towards)};
   }
 };
 
@@ -78,8 +78,7 @@ glm::vec3 outwards(const ControlMesh& mesh, const Ball& ball) {
   float nearest = std::numeric_limits<float>::max();
   glm::vec3 ofNearest(0.0f, 0.0f, 1.0f);
   for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
-    const float share = ball.shareAt(mesh.positions[v]);
-    sum += share * mesh.normals[v];
+    sum += ball.weightAt(mesh.positions[v]) * mesh.normals[v];
     const float away = glm::distance(mesh.positions[v], ball.center);
     if (away < nearest) {
       nearest = away;
@@ -92,7 +91,7 @@ glm::vec3 outwards(const ControlMesh& mesh, const Ball& ball) {
 PictureCamera cameraFor(const Character& character, const Placement& muscle, float least, const glm::ivec2& pixels) {
   PictureCamera camera;
   glm::vec3 from = outwards(character.mesh, ballOf(muscle));
-  from.y = std::clamp(from.y, -0.35f, 0.35f);  // Level, or nearly so.
+  from.y = std::clamp(from.y, -0.35f, 0.35f);  // Nearly level.
   camera.towards = normalizeOr(from, {0.0f, 0.0f, 1.0f});
   camera.right = normalizeOr(glm::cross(glm::vec3(0.0f, 1.0f, 0.0f), camera.towards), {1.0f, 0.0f, 0.0f});
   camera.up = glm::cross(camera.towards, camera.right);
@@ -162,9 +161,9 @@ class Painter {
     const glm::vec3 seen(glm::dot(normal, camera_.right), glm::dot(normal, camera_.up),
                          glm::dot(normal, camera_.towards));
     const float light = kAmbient + (1.0f - kAmbient) * std::max(glm::dot(seen, glm::normalize(kLight)), 0.0f);
-    float share = 0.0f;
-    for (const Ball& muscle : muscles_) share = std::max(share, muscle.shareAt(point));
-    return light * glm::mix(kClay, kFlesh, share);
+    float weight = 0.0f;
+    for (const Ball& muscle : muscles_) weight = std::max(weight, muscle.weightAt(point));
+    return light * glm::mix(kClay, kFlesh, weight);
   }
 
   const ControlMesh& mesh_;

@@ -1,4 +1,4 @@
-// app/panels/muscle_picture.h: a small picture of where a muscle is on a body.
+// app/panels/muscle_picture.h: a small picture of a muscle on a body.
 #pragma once
 
 #include "app/viewport/render/viewport.h"
@@ -10,10 +10,10 @@ namespace sinew::app {
 
 inline constexpr glm::ivec2 kMusclePicture{208, 140};
 
-/// The bind pose in clay, seen level from the side that the muscle lies on, with the skin over it and its twin in red.
-/// Drawn by the processor: no OpenGL context is needed.
-/// @param muscles  attached to bones of the character; the first one is in the middle
-/// @param least    of H: the picture is at least so high
+/// The bind pose in clay, in a level view of the muscle's side, with the skin over it and its twin in red. Needs no
+/// OpenGL context.
+/// @param muscles  attached to bones of the character; the first is in the middle
+/// @param least    least height of the picture, fraction of H
 [[nodiscard]] Image musclePicture(const Character& character, std::span<const Primitive> muscles, float least);
 
 }  // namespace sinew::app

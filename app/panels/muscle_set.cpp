@@ -1,6 +1,5 @@
-// app/panels/muscle_set.cpp: the set of muscles that was added last: which one, Mass and Definition.
+// app/panels/muscle_set.cpp: the panel of the muscle set that was added last: set, Mass and Definition.
 
-#include <imgui.h>
 #include <imgui_internal.h>  // GetItemID, which 1.86 keeps to itself.
 
 #define GLFW_INCLUDE_NONE
@@ -20,7 +19,7 @@ namespace {
 
 constexpr float kMuscleSetWidth = 300.0f;  // Design pixels, as all here.
 constexpr float kMuscleSetLabel = 84.0f;
-constexpr float kRows = 4.0f;  // Besides one of text.
+constexpr float kRows = 4.0f;  // Besides a line of text.
 
 std::string counted(std::size_t count, const char* one, const char* several) {
   return std::to_string(count) + ' ' + (count == 1 ? one : several);
@@ -65,7 +64,7 @@ void drawSets(PanelUi& ui) {
   if (chosen != set.chosen) chooseSet(ui.state, chosen);
 }
 
-/// Dragged, the set follows at once; let go, it is mended; Esc takes the change back.
+/// The set follows a drag at once and is mended at its end; Esc cancels the change.
 void slider(PanelUi& ui, const char* text, const char* id, float value, const NumberLook& look, const char* hint,
             PresetTuning (*with)(PresetTuning, float)) {
   EditorState& state = ui.state;
@@ -112,27 +111,18 @@ void drawMuscleSet(PanelUi& ui) {
   if (!state.open.muscleSet.shown) return;
   const float width = widthInPicture(ui, kMuscleSetWidth);
   const float height = kRows * ImGui::GetFrameHeightWithSpacing() + ImGui::GetTextLineHeightWithSpacing() + ui.px(12);
-  ImGui::SetCursorPos({ui.px(kBesideTools), std::max(lowestInPicture(ui) - height, 0.0f)});
-  ImGui::PushStyleColor(ImGuiCol_ChildBg, palette::kPanel.faded(0.94f));
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {ui.px(10), ui.px(8)});
-  ImGui::BeginChild("muscle-set", {width, height}, true,
-                    ImGuiWindowFlags_AlwaysUseWindowPadding | ImGuiWindowFlags_NoScrollbar);
+  beginInPicture(ui, "muscle-set", {ui.px(kBesideTools), std::max(lowestInPicture(ui) - height, 0.0f)}, {width, height},
+                 0.94f, {10, 8}, ImGuiWindowFlags_NoScrollbar);
   drawSets(ui);
   drawSliders(ui);
   const std::string summary = summaryOf(state.open.muscleSet);
   mutedText(fitted(summary, ImGui::GetContentRegionAvail().x).c_str());
   ui.widgets.note("muscle-set/summary");
   if (const std::string details = detailsOf(state.open.muscleSet); !details.empty()) tooltip(ui, details);
-  const bool done = ImGui::Button("Done");
-  ui.widgets.note("muscle-set/done");
-  tooltip(ui, "Keep the muscles as they are");
+  const bool done = textButton(ui, "muscle-set/done", "Done", {}, "Keep the muscles as they are");
   ImGui::SameLine();
-  const bool removed = ImGui::Button("Remove");
-  ui.widgets.note("muscle-set/remove");
-  tooltip(ui, "Take the set away again");
-  ImGui::EndChild();
-  ImGui::PopStyleVar();
-  ImGui::PopStyleColor();
+  const bool removed = textButton(ui, "muscle-set/remove", "Remove", {}, "Remove the set");
+  endInPicture();
   if (removed) removeSet(state);
   else if (done) closeSet(state);
 }

@@ -1,7 +1,5 @@
 // app/panels/numbers.cpp: frame times and counts over the picture.
 
-#include <imgui.h>
-
 #include <algorithm>
 #include <array>
 #include <cstdio>
@@ -21,7 +19,7 @@ constexpr float kFoldedWidth = 168.0f;
 constexpr float kHeadWidth = 100.0f;
 constexpr float kGraphHeight = 34.0f;
 constexpr float kFold = 14.0f;
-constexpr float kSmallWidth = 420.0f;  // A picture smaller than this, either way, is kept free.
+constexpr float kSmallWidth = 420.0f;  // A narrower or lower picture shows only the frame rate.
 constexpr float kSmallHeight = 300.0f;
 constexpr std::size_t kFoldedRows = 3;
 
@@ -31,7 +29,7 @@ std::string milliseconds(double value) {
   return text;
 }
 
-/// A name and its value. The numbers let the mouse through, so what says more watches the pointer itself.
+/// A name and its value. The panel takes no mouse input, so the tooltip checks the pointer itself.
 void row(PanelUi& ui, const char* name, const std::string& value, const char* hint = "") {
   const ImVec2 low = ImGui::GetCursorScreenPos();
   const ImVec2 high{low.x + ImGui::GetContentRegionAvail().x, low.y + ImGui::GetTextLineHeight()};
@@ -44,7 +42,7 @@ void row(PanelUi& ui, const char* name, const std::string& value, const char* hi
 
 constexpr double kSmoothFrame = 1000.0 / 60.0;  ///< Milliseconds; the line to stay under.
 
-/// Frames of the last seconds, oldest left; the line is a sixtieth of a second.
+/// Frame times of the last seconds, oldest at the left; the line is at 1/60 s.
 void graph(PanelUi& ui) {
   const FrameStats& stats = ui.state.session.stats;
   const ImVec2 corner = ImGui::GetCursorScreenPos();
@@ -53,7 +51,7 @@ void graph(PanelUi& ui) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   list.AddRectFilled(corner, {corner.x + width, corner.y + height}, palette::kBackground.faded(0.7f).packed(),
                      ui.px(3));
-  // Both the line and the worst frame are in sight.
+  // The line and the worst frame are always visible.
   const double top = std::max(stats.worst(), kSmoothFrame) * 1.15;
   const auto heightOf = [&](double ms) { return corner.y + height * (1.0f - static_cast<float>(ms / top)); };
   std::vector<ImVec2> points;
@@ -77,8 +75,7 @@ void graph(PanelUi& ui) {
   ImGui::Dummy({width, height});
 }
 
-/// The head, which folds the rest away: a mark, the frame rate and the time of a frame.
-/// @param brief  the frame rate alone
+/// The head, which folds the rest: frame rate and frame time. @param brief  the frame rate only
 void head(PanelUi& ui, bool brief) {
   const FrameStats& stats = ui.state.session.stats;
   char text[64];
@@ -97,7 +94,7 @@ struct Stage {
   const char* hint;
 };
 
-/// Of the surface: the processor's stages, or the graphics card's parts by its own clock.
+/// The surface's stages on the processor, or its parts on the graphics card, measured by the card.
 std::vector<Stage> surfaceStages(const EditorState& state) {
   StageSeconds shown = state.session.stats.stages;
   double heights = 0.0, drawn = 0.0;
@@ -150,8 +147,7 @@ struct Count {
   const char* hint = "";
 };
 
-/// From top to bottom.
-/// @param onCard  what only the processor counts is left out
+/// @param onCard  leaves out the counts that only the processor makes
 std::vector<Count> counts(const SmoothingReport& report, bool culling, bool onCard) {
   std::vector<Count> rows{
       {"triangles", grouped(report.refinedTriangles)},
@@ -181,7 +177,7 @@ constexpr const char* kAuto = "auto";
 
 ImVec2 autoDepthSize(PanelUi& ui) { return {ImGui::CalcTextSize(kAuto).x + ui.px(10), ImGui::GetTextLineHeight()}; }
 
-/// Beside the word depth: whether it follows the size on screen. @return its place on the screen.
+/// The switch beside the word depth: whether it follows the size on screen. @return its position on the screen
 ImVec2 drawAutoDepth(PanelUi& ui) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const ImVec2 corner{at.x + ImGui::CalcTextSize("depth").x + ui.px(8), at.y};
@@ -194,7 +190,7 @@ ImVec2 drawAutoDepth(PanelUi& ui) {
   return corner;
 }
 
-/// The numbers let the mouse through to the picture, so what is pressed lies in the viewport behind them.
+/// The panel takes no mouse input, so the button is in the viewport behind it.
 void pressAutoDepth(PanelUi& ui, const ImVec2& corner) {
   ImGui::SetCursorScreenPos(corner);
   const bool pressed = ImGui::InvisibleButton("auto-depth", autoDepthSize(ui));
@@ -203,7 +199,7 @@ void pressAutoDepth(PanelUi& ui, const ImVec2& corner) {
   if (pressed) run(action("view/auto-depth"), ui.state);
 }
 
-/// The numbers let the mouse through to the picture, so the head is pressed in the viewport behind them.
+/// The same for the head.
 void pressHead(PanelUi& ui, const ImVec2& low, float width) {
   ImGui::SetCursorScreenPos(low);
   const bool pressed = ImGui::InvisibleButton("numbers-fold", {width, ImGui::GetTextLineHeight() + ui.px(6)});
@@ -224,7 +220,7 @@ void foldedRows(PanelUi& ui) {
              : "Time to compute the surface of a frame");
 }
 
-/// @return where the switch of the depth lies on the screen.
+/// @return the position of the depth's switch on the screen
 ImVec2 unfoldedRows(PanelUi& ui, const std::vector<Stage>& stages, const std::vector<Count>& lines) {
   stageRows(ui, stages);
   ImGui::Dummy({0.0f, ui.px(2)});
@@ -254,13 +250,13 @@ void drawNumbers(PanelUi& ui) {
   const float line = ImGui::GetTextLineHeightWithSpacing();
   const float all = static_cast<float>(stages.size() + 2 + lines.size()) * line + ui.px(kGraphHeight + 3 + 14 + 8);
   const glm::vec4& viewport = ui.state.frame.viewport;
-  // In a small picture the frame rate alone, until more is asked for.
+  // A small picture shows only the frame rate, until it is unfolded.
   const bool headOnly = isSmall(ui, viewport) && !ui.state.view.layout.stages;
   const float few = static_cast<float>(headOnly ? 1 : kFoldedRows) * line + ui.px(headOnly ? 11 : 16);
   const float room = viewport.w - ui.px(54 + 10);
   const bool unfolded = ui.state.view.layout.stages && all <= room && ui.px(kNumbersWidth + 70) <= viewport.z;
   const float width = ui.px(unfolded ? kNumbersWidth : (headOnly ? kHeadWidth : kFoldedWidth));
-  // Beside the tools, or not at all.
+  // Hidden if there is no room beside the tools.
   if (few <= room && width + ui.px(70) <= viewport.z) {
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {ui.px(10), ui.px(8)});
     ImGui::PushStyleColor(ImGuiCol_ChildBg, palette::kPanel.faded(0.80f));

@@ -1,7 +1,5 @@
-// app/panels/outliner.cpp: bones as a tree with their muscles under them; tabs that share its place with the
-// groups.
+// app/panels/outliner.cpp: the tab Muscles: bones as a tree with their muscles, and the context menus of both.
 
-#include <imgui.h>
 #include <imgui_stdlib.h>
 
 #define GLFW_INCLUDE_NONE
@@ -15,11 +13,15 @@
 #include "app/editor/commands.h"
 #include "app/editor/outliner.h"
 #include "app/editor/visibility_commands.h"
-#include "app/panels/outliner.h"
 #include "app/panels/outliner_row.h"
+#include "app/panels/panels.h"
 #include "app/ui/keyboard_focus.h"
+#include "app/ui/readable_names.h"
 #include "app/ui/reading_order.h"
 #include "core/geometry/at.h"
+
+#define GLFW_INCLUDE_NONE
+
 
 namespace sinew::app {
 namespace {
@@ -92,12 +94,10 @@ void drawSearch(PanelUi& ui) {
   ImGui::EndDisabled();
 }
 
-/// What the muscles stand under.
+/// The switch between bones, regions and groups.
 void drawOrder(PanelUi& ui) {
-  constexpr const char* kWords[] = {"Bones", "Regions", "Groups"};
   OutlinerOrder& order = ui.state.view.outliner.order;
-  const int chosen =
-      segmented(ui, "outliner/order", kWords, 3, static_cast<int>(order), ImGui::GetContentRegionAvail().x);
+  const int chosen = chooseWord(ui, "outliner/order", {"Bones", "Regions", "Groups"}, static_cast<int>(order));
   if (chosen >= 0) order = static_cast<OutlinerOrder>(chosen);
 }
 
@@ -115,7 +115,7 @@ void reveal(PanelUi& ui, const OutlinerContent& frame) {
     if (bone < 0) state.view.outliner.unattachedFolded = false;
     unfoldTo(state, bone);
     unfoldParts(state, index);
-    // Found with the next frame, unless the search leaves it out.
+    // The next frame finds it, unless the search hides it.
     if (!state.view.outlinerFilter.empty()) state.open.revealed = active;
     return;
   }
@@ -143,12 +143,10 @@ void drawRows(PanelUi& ui) {
   keyboard(ui, frame);
   if (frame.rows.empty()) {
     ImGui::Dummy({0.0f, ui.px(6)});
-    ImGui::PushTextWrapPos(0.0f);
     const std::string start = howToStart(ui, action("tool/add-muscle"));
-    mutedText(ui.state.view.outlinerFilter.empty() ? ("No muscles yet: " + start + " and drag on the skin.").c_str()
-              : frame.hiddenBones.empty()          ? "Nothing found."
-                                                   : "Nothing found. Helper bones are hidden.");
-    ImGui::PopTextWrapPos();
+    mutedParagraph(ui.state.view.outlinerFilter.empty() ? "No muscles yet: " + start + " and drag on the skin."
+                   : frame.hiddenBones.empty()          ? "Nothing found."
+                                                        : "Nothing found. Helper bones are hidden.");
   }
   ImGuiListClipper clipper;
   clipper.Begin(static_cast<int>(frame.rows.size()), frame.rowHeight);
@@ -157,11 +155,11 @@ void drawRows(PanelUi& ui) {
   }
 }
 
-/// What is hidden, and a button that shows it again.
+/// Names what is hidden, with a button that shows it.
 void drawFooter(PanelUi& ui, const std::string& text) {
   ImGui::Separator();
   ImGui::AlignTextToFramePadding();
-  const float button = ImGui::CalcTextSize("Show all").x + 2.0f * ImGui::GetStyle().FramePadding.x;
+  const float button = buttonWidth("Show all");
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float room = ImGui::GetContentRegionAvail().x - button - ui.px(6);
   const bool cut = clippedText(*ImGui::GetWindowDrawList(), {at.x, at.y + ImGui::GetStyle().FramePadding.y}, room,
@@ -169,8 +167,7 @@ void drawFooter(PanelUi& ui, const std::string& text) {
   const ImVec2 end{at.x + room, at.y + ImGui::GetFrameHeight()};
   tooltipWhile(ui, cut && ImGui::IsWindowHovered() && ImGui::IsMouseHoveringRect(at, end), text);
   ImGui::SetCursorScreenPos({at.x + room + ui.px(6), at.y});
-  if (ImGui::Button("Show all")) showAll(ui.state.document);
-  ui.widgets.note("outliner/show-all");
+  if (textButton(ui, "outliner/show-all", "Show all")) showAll(ui.state.document);
 }
 
 }  // namespace
@@ -178,15 +175,131 @@ void drawFooter(PanelUi& ui, const std::string& text) {
 void drawOutliner(PanelUi& ui) {
   drawSearch(ui);
   drawOrder(ui);
-  const std::string away = anythingHidden(ui.state.document) ? hiddenText(ui.state.document) : "";
   const bool footer = anythingHidden(ui.state.document);
+  const std::string hidden = footer ? hiddenText(ui.state.document) : "";
   const float below = footer ? ImGui::GetFrameHeightWithSpacing() + ImGui::GetStyle().ItemSpacing.y : 0.0f;
   ImGui::BeginChild("outliner-tree", {0.0f, -below});
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0.0f, 0.0f});
   drawRows(ui);
   ImGui::PopStyleVar();
   ImGui::EndChild();
-  if (footer) drawFooter(ui, away.empty() ? "Some bones are hidden" : away);
+  if (footer) drawFooter(ui, hidden.empty() ? "Some bones are hidden" : hidden);
+}
+
+// The context menus of muscles and bones.
+
+namespace {
+
+/// Uses the menu bar's spacing, which is wider than the outliner's. If true, call endContextMenu().
+bool beginContextMenu(PanelUi& ui) {
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ui.px(8), ui.px(6)});
+  const bool open = ImGui::BeginPopupContextItem();
+  if (!open) ImGui::PopStyleVar();
+  return open;
+}
+
+void endContextMenu() {
+  ImGui::EndPopup();
+  ImGui::PopStyleVar();
+}
+
+void actionItem(PanelUi& ui, const char* id) {
+  const Action& item = action(id);
+  const std::string keys = "   " + keyText(item, ui.state);
+  const bool chosen = ImGui::MenuItem(item.label, keys.c_str(), false, item.enabled(ui.state));
+  ui.widgets.note(std::string("context/") + id);
+  tooltip(ui, hintOf(ui, item));
+  if (chosen) run(item, ui.state);
+}
+
+/// A menu entry with the group's color before its name.
+bool groupItem(PanelUi& ui, const Rig& rig, int group, bool chosen) {
+  const std::string& name = at(rig.groups, group).name;
+  const ImVec2 corner = ImGui::GetCursorScreenPos();
+  const bool clicked = ImGui::MenuItem(("     " + inReadingOrder(shownGroupName(rig, group))).c_str(), nullptr, chosen);
+  ui.widgets.note("context/group/" + name);
+  ImGui::GetWindowDrawList()->AddCircleFilled({corner.x + ui.px(7), corner.y + 0.5f * ImGui::GetTextLineHeight()},
+                                              ui.px(4), groupTint(rig, group).packed(), 16);
+  return clicked;
+}
+
+void groupSubmenu(PanelUi& ui, const OutlinerContent& frame, int index) {
+  const bool open = ImGui::BeginMenu("Move to group");
+  ui.widgets.note("context/group");
+  if (!open) return;
+  const std::string& own = at(frame.rig->primitives, index).group;
+  for (int group = 0; group < static_cast<int>(frame.rig->groups.size()); ++group) {
+    const std::string& name = at(frame.rig->groups, group).name;
+    if (groupItem(ui, *frame.rig, group, name == own)) moveToGroup(ui.state, selectedIndices(ui.state.document), name);
+  }
+  ImGui::Separator();
+  if (contextItem(ui, "     New group", "group-new")) groupSelection(ui.state);
+  ImGui::EndMenu();
+}
+
+void boneSubmenu(PanelUi& ui, const OutlinerContent& frame) {
+  const bool open = ImGui::BeginMenu("Move to bone");
+  ui.widgets.note("context/bone");
+  if (!open) return;
+  for (int bone = 0; bone < static_cast<int>(frame.skeleton.bones.size()); ++bone) {
+    if (isHidden(frame.hiddenBones, bone)) continue;
+    ImGui::PushID(bone);
+    const bool chosen = ImGui::MenuItem(inReadingOrder(at(frame.boneNames, bone)).c_str());
+    ImGui::PopID();
+    ui.widgets.note("context/bone/" + std::to_string(bone));
+    if (chosen) reparentMuscles(ui.state, selectedIndices(ui.state.document), bone);
+  }
+  ImGui::EndMenu();
+}
+
+}  // namespace
+
+void muscleMenu(PanelUi& ui, const OutlinerContent& frame, int index) {
+  if (!beginContextMenu(ui)) return;
+  const PrimitiveId muscle = at(frame.rig->primitives, index).id();
+  if (!ui.state.document.selection.contains(muscle)) ui.state.document.selection.set(muscle);
+  actionItem(ui, "view/frame");
+  actionItem(ui, "edit/rename");
+  actionItem(ui, "edit/duplicate");
+  actionItem(ui, "edit/delete");
+  ImGui::Separator();
+  groupSubmenu(ui, frame, index);
+  boneSubmenu(ui, frame);
+  actionItem(ui, "tool/territory");
+  ImGui::Separator();
+  actionItem(ui, "view/hide");
+  actionItem(ui, "view/lock");
+  actionItem(ui, "view/isolate");
+  actionItem(ui, "view/show-all");
+  endContextMenu();
+}
+
+void boneMenu(PanelUi& ui, const OutlinerContent& frame, int bone) {
+  if (!beginContextMenu(ui)) return;
+  ui.state.document.selection.bone = bone;
+  if (contextItem(ui, "Add muscle on this bone", "add-muscle")) addMuscle(ui.state, bone);
+  const std::vector<int> below = musclesUnder(bone, frame.skeleton, frame.boneOf);
+  if (contextItem(ui, "Select its muscles", "select-muscles", !below.empty())) selectMuscles(ui.state.document, below);
+  const std::vector<int> selected = selectedIndices(ui.state.document);
+  if (contextItem(ui, "Move selected muscles here", "move-here", !selected.empty())) {
+    reparentMuscles(ui.state, selected, bone);
+  }
+  ImGui::Separator();
+  const std::string& path = at(frame.skeleton.bones, bone).path;
+  Visibility& visibility = ui.state.document.visibility;
+  const bool hidden = visibility.hidden.bones.contains(path);
+  if (contextItem(ui, hidden ? "Show its muscles" : "Hide its muscles", "hide-bone")) {
+    visibility.setBone(Mark::kHidden, path, !hidden);
+  }
+  const bool locked = visibility.locked.bones.contains(path);
+  if (contextItem(ui, locked ? "Unlock its muscles" : "Lock its muscles", "lock-bone")) {
+    visibility.setBone(Mark::kLocked, path, !locked);
+  }
+  actionItem(ui, "view/show-all");
+  ImGui::Separator();
+  if (contextItem(ui, "Open all below", "unfold")) setFolded(ui.state, bone, false, true);
+  if (contextItem(ui, "Close all below", "fold")) setFolded(ui.state, bone, true, true);
+  endContextMenu();
 }
 
 }  // namespace sinew::app

@@ -2,7 +2,6 @@
 
 #include "app/panels/outliner_row.h"
 
-#include <imgui.h>
 #include <imgui_stdlib.h>
 
 #include <algorithm>
@@ -21,7 +20,7 @@ namespace {
 constexpr float kOutlinerRowIndent = 13.0f;  // Design pixels, as all here.
 constexpr float kCell = 18.0f;
 constexpr float kGlyph = 14.0f;
-constexpr float kNameFrom = 36.0f;  // From the row's indent: the fold mark and the picture.
+constexpr float kNameFrom = 36.0f;  // From the row's indent: the fold mark and the icon.
 
 /// One row while it is drawn.
 struct Row {
@@ -40,7 +39,7 @@ struct Row {
   [[nodiscard]] const Primitive& primitive() const { return at(frame.rig->primitives, row.index); }
   [[nodiscard]] const Bone& bone() const { return at(frame.skeleton.bones, row.index); }
   [[nodiscard]] bool isMuscle() const { return row.kind == RowKind::kMuscle; }
-  /// Where the switches that are seen begin.
+  /// The left edge of the visible switches.
   [[nodiscard]] float nameEnd() const {
     const Visibility& visibility = ui.state.document.visibility;
     int cells = 1;
@@ -56,7 +55,7 @@ struct Row {
   [[nodiscard]] std::string name() const { return isMuscle() ? primitive().name : frame.skeleton.fileName(row.index); }
 };
 
-/// A clickable square at the right end; column 0 is the rightmost. Drawn if it says something or the row is hovered.
+/// A clickable square at the right end; column 0 is the rightmost. @param always  draw it even if not hovered
 bool cell(Row& row, int column, const std::string& id, Icon glyph, const Tint& color, bool always,
           const std::string& hint) {
   PanelUi& ui = row.ui;
@@ -74,13 +73,13 @@ bool cell(Row& row, int column, const std::string& id, Icon glyph, const Tint& c
   return pressed;
 }
 
-/// One of the three switches of a row; acts on the row alone, or on all selected muscles if it is among them.
+/// One of the three switches of a row; changes the row, and all selected muscles if it is one of them.
 void switchCell(Row& row, int column, Mark mark, const char* word, Icon on, Icon off, const std::string& hint) {
   Visibility& visibility = row.ui.state.document.visibility;
   const bool set = row.isMuscle() ? visibility.marks(mark).muscles.contains(row.primitive().id())
                                   : visibility.marks(mark).bones.contains(row.bone().path);
   const std::string id = std::string("outliner/") + word + "/" + (row.isMuscle() ? "" : "bone/") + row.name();
-  // An open eye is the normal state and stays faint.
+  // An open eye is the normal state and is drawn faint.
   const bool eye = mark == Mark::kHidden;
   const Tint color = set ? (mark == Mark::kSolo ? palette::kAccent : palette::kText) : palette::kMuted.faded(0.45f);
   if (!cell(row, column, id, set ? on : off, color, set || eye, hint)) return;
@@ -166,14 +165,14 @@ void dropTarget(Row& row) {
   ImGui::EndDragDropTarget();
 }
 
-/// Whether the pointer is over the row's muscle in the picture, or over its bone and no muscle.
+/// Whether the pointer in the picture is over the row's muscle, or over its bone and no muscle.
 bool isPointedAt(const Row& row) {
   const ViewportHover& hover = row.ui.state.view.tools.hover;
   if (row.isMuscle()) return hover.primitive == row.row.index;
   return row.row.kind == RowKind::kBone && hover.primitive < 0 && hover.bone == row.row.index;
 }
 
-/// The bar behind the row: selection, hover, clicks, menu, drag and drop.
+/// The row's background: selection, hover, clicks, menu, drag and drop.
 void drawBar(Row& row, bool selected) {
   PanelUi& ui = row.ui;
   if (isPointedAt(row)) {
@@ -211,7 +210,7 @@ void drawBar(Row& row, bool selected) {
   }
 }
 
-/// The whole of a name that had no room; the switches at the row's end have tooltips of their own.
+/// The full name if it was cut; not over the switches, which have their own tooltips.
 void nameTooltip(const Row& row, bool cut, const std::string& name) {
   const bool over = row.hovered && !ImGui::IsMouseDown(0) && ImGui::GetMousePos().x < row.nameEnd();
   tooltipWhile(row.ui, cut && over, name);
@@ -274,7 +273,7 @@ void drawUnattachedHead(const Row& row) {
                                       palette::kWarning.packed(), "Unattached");
 }
 
-/// A group's name, where no font has its letters its number; or a part of the body.
+/// The name of a group, or its number if no font has the letters; or the part of the body.
 std::string partTitle(const Row& row) {
   const int group = findGroup(*row.frame.rig, row.row.part);
   return group < 0 ? row.row.part : shownGroupName(*row.frame.rig, group);

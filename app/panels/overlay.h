@@ -10,55 +10,59 @@ namespace sinew::app {
 void drawToolStrip(PanelUi& ui);
 void drawDisplayBar(PanelUi& ui);
 void drawNumbers(PanelUi& ui);
-/// What they take of the picture's upper right; 0 while they are not shown.
+/// Width at the picture's upper right; 0 if not shown.
 [[nodiscard]] float numbersWidth(const PanelUi& ui);
 void drawLegend(PanelUi& ui);
-/// Only where muscles have lines.
 void drawFlex(PanelUi& ui);
-/// What is being set, and where its input is now.
 void drawDrivenKey(PanelUi& ui);
-/// What Play > Check muscles found.
 void drawCheckList(PanelUi& ui);
-/// Which bone is which part of the body, with a figure.
 void drawBodyParts(PanelUi& ui);
-/// The files whose clips were added.
 void drawClipList(PanelUi& ui);
-/// The sliders of the set of muscles that was added last.
 void drawMuscleSet(PanelUi& ui);
-/// View > Reference picture.
 void drawReference(PanelUi& ui);
-/// Help > First steps.
 void drawFirstSteps(PanelUi& ui);
-/// The context menu that a right click asks for.
 void drawViewportMenu(PanelUi& ui);
 void drawMessages(PanelUi& ui);
-/// Height of the list at the picture's lower left; 0 while it is not shown.
+/// Height of the list at the picture's lower left; 0 if not shown.
 [[nodiscard]] float messagesHeight(PanelUi& ui);
 
-/// Design pixels, of panels over the picture: beside the tools, room for the axes at the right, and from its edges.
+// Panels over the picture.
+/// Design pixels: distance from the left edge, beside the tools; room for the axes at the right; other margins.
 inline constexpr float kBesideTools = 62.0f;
 inline constexpr float kBesideAxes = 110.0f;
 inline constexpr float kFromEdges = 12.0f;
-/// How wide such a panel is beside the tools: beside the axes as well unless that leaves too little to read.
-/// @param wanted  design pixels
+/// Width beside the tools, and beside the axes unless that leaves too little room. @param wanted  design pixels
 [[nodiscard]] float widthInPicture(const PanelUi& ui, float wanted);
-/// How low such a panel may reach: above the messages.
+/// The lowest y, above the messages.
 [[nodiscard]] float lowestInPicture(PanelUi& ui);
+/// Begins a child window with the frame of such a panel. @param padding  design pixels
+void beginInPicture(PanelUi& ui, const char* name, const ImVec2& at, const ImVec2& size, float opacity,
+                    const ImVec2& padding, ImGuiWindowFlags flags = 0);
+void endInPicture();
+/// A horizontal bar of colors. @param color  from 0 at the left to 1 at the right
+void drawRamp(const ImVec2& low, float width, float bottom, int steps, ImU32 (*color)(float));
 
 void drawToast(PanelUi& ui);
-/// How many messages there are, at the right end of the current line; a click shows or hides them. @return its width,
-/// 0 without messages.
+/// The number of messages, at the right end of the current line; a click shows or hides them. @return its width, 0
+/// without messages
 float drawMessageBadge(PanelUi& ui);
 
-/// View > Export error: its scale, which mesh is shown, and the way to the largest. @param low  of the plate
+/// The legend of View > Export error: scale, shown mesh, a button that goes to the largest error.
 void drawExportError(PanelUi& ui, const ImVec2& low);
-/// Of the plate.
 [[nodiscard]] ImVec2 exportErrorSize(PanelUi& ui);
 
-/// What is exported in the background, in the status line: file, progress, cancel; afterwards the largest distance of
-/// the last export, which a click shows. 0 wide while there is nothing.
+/// The background export in the status line: file, progress, cancel; afterwards the largest error of the last export,
+/// which a click shows. Width 0 without either.
 [[nodiscard]] float exportStatusWidth(PanelUi& ui);
 /// At the cursor.
 void drawExportStatus(PanelUi& ui);
+
+/// Height of the legend and the line of the mode, from the bottom of the picture; window coordinates.
+[[nodiscard]] float legendHeight(PanelUi& ui);
+/// Held with the mouse or by its key: shows the character without muscles. Call once a frame, for the key as well.
+void drawBeforeButton(PanelUi& ui, float size);
+/// The same where there is no room for the button. @param held  by the mouse
+void holdBefore(PanelUi& ui, bool held);
+void drawTerritoryButton(PanelUi& ui, float size);
 
 }  // namespace sinew::app

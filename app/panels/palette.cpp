@@ -1,6 +1,5 @@
-// app/panels/palette.cpp: Ctrl+P: everything that can be done or gone to, found by a few letters.
+// app/panels/palette.cpp: the palette (Ctrl+P), which finds actions, controls and things by a few letters.
 
-#include <imgui.h>
 #include <imgui_stdlib.h>
 
 #define GLFW_INCLUDE_NONE
@@ -23,11 +22,11 @@ constexpr float kPaletteWidth = 580.0f;  // Design pixels.
 constexpr int kPaletteRows = 11;
 constexpr std::size_t kMostFound = 200;
 
-/// The label, letters that were asked for in the accent's color.
+/// The label, with the matched letters in the accent color.
 void drawMarked(ImDrawList& list, ImVec2 at, const std::string& text, const std::vector<std::size_t>& marks,
                 Tint tint) {
   const std::string whole = inReadingOrder(text);
-  if (whole != text) {  // Its letters stand in another order than its bytes.
+  if (whole != text) {  // The order of the letters differs from that of the bytes.
     list.AddText(at, tint.packed(), whole.c_str());
     return;
   }
@@ -44,7 +43,7 @@ void drawMarked(ImDrawList& list, ImVec2 at, const std::string& text, const std:
   }
 }
 
-/// @return whether it was clicked.
+/// @return whether it was clicked
 bool drawRow(PanelUi& ui, const PaletteEntry& entry, const Candidate& candidate, const Found& found, bool chosen,
              float height) {
   const ImVec2 corner = ImGui::GetCursorScreenPos();
@@ -59,7 +58,7 @@ bool drawRow(PanelUi& ui, const PaletteEntry& entry, const Candidate& candidate,
   drawMarked(list, {corner.x + ui.px(30), middle}, candidate.label, found.marks,
              candidate.usable ? palette::kText : palette::kMuted.faded(0.6f));
   const float right = corner.x + ImGui::GetContentRegionAvail().x - ui.px(8);
-  // Where something cannot be done, the reason is worth more than the keys.
+  // The reason takes the place of the keys if the entry cannot be used.
   const bool usable = candidate.usable;
   const std::string keys = usable && entry.action != nullptr ? keyText(*entry.action, ui.state) : entry.why;
   const float keysWidth = keys.empty() ? 0.0f : ImGui::CalcTextSize(keys.c_str()).x;
@@ -72,7 +71,7 @@ bool drawRow(PanelUi& ui, const PaletteEntry& entry, const Candidate& candidate,
   return clicked;
 }
 
-/// Up, Down and the pages move the choice. @param chosen  -1: none. @return where it is now
+/// Up, Down, Page Up and Page Down move the choice. @param chosen  -1: none  @return the new choice
 int movedChoice(int chosen, int count) {
   if (count == 0) return -1;
   if (ImGui::IsKeyPressed(GLFW_KEY_DOWN)) return (chosen + 1) % count;
@@ -82,7 +81,7 @@ int movedChoice(int chosen, int count) {
   return chosen;
 }
 
-/// @return the row to take, or -1.
+/// @return the row that was clicked, or -1
 int drawFound(PanelUi& ui, const PaletteEntries& all, const std::vector<Found>& found, int lit, bool moved) {
   int taken = -1;
   const float height = ImGui::GetTextLineHeight() + ui.px(10);
@@ -127,7 +126,7 @@ void drawContents(PanelUi& ui) {
     ui.state.dialogs.palette = {};
     ImGui::CloseCurrentPopup();
   } else if (entered || taken >= 0) {
-    palette.appearing = true;  // What cannot be done now leaves the palette as it is.
+    palette.appearing = true;  // An entry that cannot be used leaves the palette open.
   }
   if (usable) chooseEntry(ui.state, all.entries[at(found, taken).index]);
 }
@@ -148,7 +147,7 @@ void drawPalette(PanelUi& ui) {
     drawContents(ui);
     ImGui::EndPopup();
   } else {
-    ui.state.dialogs.palette = {};  // A click beside it.
+    ui.state.dialogs.palette = {};  // Closed by a click beside it.
   }
   ImGui::PopStyleVar();
   popDialogStyle();

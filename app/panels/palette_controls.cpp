@@ -1,4 +1,4 @@
-// app/panels/palette_controls.cpp: where controls stand, and how each is brought into sight.
+// app/panels/palette_controls.cpp: the panels that controls are in, and how each is shown.
 
 #include "app/panels/palette_controls.h"
 
@@ -18,8 +18,7 @@ namespace {
 Possible withParts(const EditorState& state) {
   return withCharacter(state).also(hasParts(state), "This character is a single part");
 }
-Possible exportable(const EditorState& state) { return action("file/export-character").enabled(state); }
-Possible farmable(const EditorState& state) { return action("file/export-farm").enabled(state); }
+Possible withPictures(const EditorState& state) { return action("file/export-pictures").enabled(state); }
 
 template <LeftTab kTab>
 void openLeft(EditorState& state) {
@@ -41,10 +40,11 @@ void openPreferences(EditorState& state) {
 
 void openExport(EditorState& state) { run(action("file/export-character"), state); }
 void openFarm(EditorState& state) { run(action("file/export-farm"), state); }
+void openPictures(EditorState& state) { run(action("file/export-pictures"), state); }
 
-/// What has to be open for a control to be there.
+/// A panel or dialog with controls.
 struct Surrounding {
-  std::string_view begin;  ///< Of its controls' ids. A longer one stands before its own beginning.
+  std::string_view begin;  ///< Of its controls' ids. The longer of two that begin alike comes first.
   const char* title;
   Control::Needs needs;
   void (*open)(EditorState&);
@@ -62,8 +62,10 @@ constexpr Surrounding kSurroundings[] = {
     {"view/", "Picture", withCharacter, openNothing},
     {"preferences/keys/", "Preferences: Keys", nothing, openPreferences<PreferencesPage::kKeys>},
     {"preferences/", "Preferences", nothing, openPreferences<PreferencesPage::kGeneral>},
-    {"export/", "Export dialog", exportable, openExport},
-    {"farm/", "Farm dialog", farmable, openFarm},
+    {"legend/", "Picture", withCharacter, openNothing},
+    {"export/", "Export dialog", withExport, openExport},
+    {"farm/", "Farm dialog", withFarmJob, openFarm},
+    {"pictures/", "Pictures dialog", withPictures, openPictures},
 };
 
 const Surrounding& where(const Control& control) {
@@ -111,13 +113,17 @@ Possible withLine(const EditorState& state) {
                                 "Select a muscle that rides a line first");
 }
 
+Possible withExport(const EditorState& state) { return action("file/export-character").enabled(state); }
+Possible withFarmJob(const EditorState& state) { return action("file/export-farm").enabled(state); }
+
 void revealControl(EditorState& state, const Control& control) {
   const Surrounding& place = where(control);
   place.open(state);
   unfold(state, place.begin.substr(0, place.begin.size() - 1));
   unfold(state, control.section);
-  // Rows that a row of its own unfolds.
+  // Rows that unfold others.
   if (std::string_view(control.section) == "inspector/shape") state.view.inspector.shapeOpen = true;
+  if (std::string_view(control.section) == "export/advanced") state.dialogs.exporting.advanced = true;
   state.dialogs.reveal = {control.id};
 }
 

@@ -1,4 +1,5 @@
-// app/panels/palette_entries.cpp: the rows of the palette, kind by kind.
+// app/panels/palette_entries.cpp: the entries of the palette, kind by kind.
+
 #include "app/panels/palette_entries.h"
 
 #include <algorithm>
@@ -19,9 +20,6 @@
 #include "core/rig/mesh_layers.h"
 
 namespace sinew::app {
-
-// Buttons of panels as commands; what other programs call the actions.
-
 namespace {
 
 Possible onLines(const EditorState& state) {
@@ -117,12 +115,11 @@ std::string_view synonymsOf(std::string_view actionId) {
 
 namespace {
 
-// What stands behind what fits as well: what is done and set first, then what is in the document, then what it would
-// be replaced or added to by.
+// Order of entries that match equally well: actions, controls, things in the document, things outside it, files.
 constexpr int kControlsRank = 1;
 constexpr int kDocument = 3;
 constexpr int kElsewhere = 6;
-constexpr int kFiles = 30;  // Behind actions that another word for them finds, too.
+constexpr int kFiles = 30;  // Also behind actions that match by a synonym.
 
 int recentRank(const EditorState& state, const std::string& id) {
   const auto& recent = state.session.preferences.recentActions;

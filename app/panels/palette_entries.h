@@ -1,4 +1,4 @@
-// app/panels/palette_entries.h: everything that the palette can find, and what choosing it does.
+// app/panels/palette_entries.h: the entries of the palette, and what choosing one does.
 #pragma once
 
 #include <filesystem>
@@ -15,20 +15,18 @@
 
 namespace sinew::app {
 
-// What the palette finds besides the menus' actions, and other words for things.
-
-/// A button of a panel.
+/// A button of a panel, as a command.
 struct PanelCommand {
   const char* id;  ///< "panel/learn"
   const char* label;
-  const char* context;   ///< Where the button is.
-  const char* synonyms;  ///< What else one may call it, apart by spaces.
+  const char* context;   ///< "Inspector: Set > Learn": panel, row and text of the button.
+  const char* synonyms;  ///< Other names, separated by spaces.
   Possible (*enabled)(const EditorState&);
   void (*run)(EditorState&);
 };
 [[nodiscard]] std::span<const PanelCommand> panelCommands();
 
-/// What other programs call an action, apart by spaces; "" for most.
+/// Names of the action in other programs, separated by spaces; "" for most.
 [[nodiscard]] std::string_view synonymsOf(std::string_view actionId);
 
 enum class EntryKind { kAction, kPanel, kControl, kMuscle, kGroup, kBone, kPart, kClip, kSet, kPage, kFile };
@@ -43,10 +41,9 @@ struct PaletteEntry {
   PrimitiveId muscle = {};
   std::filesystem::path file = {};
   SetEntry set = {};
-  /// Of kPanel: into panelCommands(); kClip: the clip, -1: the bind pose; kBone; kPart; kGroup;
-  /// kPage: into helpPages().
+  /// Index of the command (kPanel), clip (-1: bind pose), bone, part, group or help page.
   int place = -1;
-  std::string why = {};  ///< Why it cannot be done now; "" if it can.
+  std::string why = {};  ///< Why it cannot be used now; "" if it can.
 };
 
 struct PaletteEntries {

@@ -16,12 +16,12 @@ constexpr int kSideBySide = 6;
 constexpr int kWordBegins = 8;
 constexpr int kTextBegins = 6;
 constexpr int kWholeText = 20;
-constexpr int kPrefixOfWord = 20;   ///< More for a word of the query that a word begins with ...
-constexpr int kPartOfWord = 8;      ///< ... or holds in one piece.
-constexpr int kOnlyInContext = 24;  ///< Less for a query that the label alone does not fit.
-constexpr int kRecentBonus = 4;     ///< For the one used last; a step less for every five before.
-constexpr int kUnusable = 6;        ///< Less for what cannot be done now.
-constexpr int kClearlyWorse = 8;    ///< By more than this: another entry was meant.
+constexpr int kPrefixOfWord = 20;   ///< Bonus for a word of the query that begins a word of the text ...
+constexpr int kPartOfWord = 8;      ///< ... or is in it in one piece.
+constexpr int kOnlyInContext = 24;  ///< Penalty if the label alone does not match.
+constexpr int kRecentBonus = 4;     ///< For the one used last; one less for every five before.
+constexpr int kUnusable = 6;        ///< Penalty for an unusable entry.
+constexpr int kClearlyWorse = 8;    ///< A larger difference means that the other entry was meant.
 constexpr int kWorst = -1000000;
 
 bool isWordCharacter(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || (c & 0x80) != 0; }
@@ -36,14 +36,14 @@ int weightAt(std::string_view text, std::size_t at) {
   return kLetter + (beginsWord(text, at) ? kWordBegins : 0) + (at == 0 ? kTextBegins : 0);
 }
 
-/// Best placing of one word's letters, by dynamic programming: best[i][j] is the best score of the first i + 1 letters
+/// The best match of a word's letters, by dynamic programming: best[i][j] is the best score of the first i + 1 letters
 /// with the last of them at j.
 std::optional<Fit> fitWord(std::string_view word, std::string_view text) {
   if (word.size() > text.size()) return std::nullopt;
   std::vector<std::vector<int>> best(word.size(), std::vector<int>(text.size(), kWorst));
   std::vector<std::vector<std::size_t>> from(word.size(), std::vector<std::size_t>(text.size(), 0));
   for (std::size_t i = 0; i < word.size(); ++i) {
-    // The further bytes of a letter belong to its first.
+    // Further bytes of a letter must follow its first byte.
     const bool continues = (static_cast<unsigned char>(word[i]) & 0xC0U) == 0x80U;
     int before = kWorst;  // The best of the letter before, anywhere left of j - 1.
     std::size_t beforeAt = 0;
@@ -76,7 +76,7 @@ std::optional<Fit> fitWord(std::string_view word, std::string_view text) {
   return fit;
 }
 
-/// The word in one piece, where that fits best.
+/// The best match of the word in one piece.
 std::optional<Fit> fitInOnePiece(std::string_view word, std::string_view text) {
   std::optional<Fit> best;
   if (word.size() < 2) return best;
@@ -105,7 +105,7 @@ std::vector<std::string_view> wordsOf(std::string_view query) {
 
 bool sameText(std::string_view a, std::string_view b) { return std::ranges::equal(a, b, {}, toLower, toLower); }
 
-/// The label alone if it fits; else label and context as one text.
+/// Matches the label; else label, context and synonyms as one text.
 std::optional<Fit> fitCandidate(std::string_view query, const Candidate& candidate) {
   if (std::optional<Fit> fit = fitOf(query, candidate.label)) return fit;
   std::optional<Fit> fit = fitOf(query, candidate.label + " " + candidate.context + " " + candidate.synonyms);
@@ -152,7 +152,7 @@ std::vector<Found> search(std::string_view query, const std::vector<Candidate>& 
     if (asked && recent) fit->score += std::max(kRecentBonus - candidate.recent / 5, 0);
     if (asked && !candidate.usable) fit->score -= kUnusable;
     if (asked) fit->score -= candidate.later;
-    // Among equals the shorter label, which the query covers better.
+    // Among equals, the shorter label first.
     const std::size_t rank =
         asked ? candidate.label.size() : (recent ? static_cast<std::size_t>(candidate.recent) : candidates.size() + i);
     ranked.push_back({!asked && !candidate.usable,
@@ -164,7 +164,7 @@ std::vector<Found> search(std::string_view query, const std::vector<Candidate>& 
   std::ranges::stable_sort(ranked, [](const Ranked& a, const Ranked& b) {
     return std::tie(a.last, a.score, a.grayed, a.rank) < std::tie(b.last, b.score, b.grayed, b.rank);
   });
-  // What cannot be done now never comes first.
+  // An unusable entry never comes first.
   if (asked && !ranked.empty() && ranked.front().grayed) {
     const auto usable = std::ranges::find(ranked, false, &Ranked::grayed);
     if (usable != ranked.end()) std::rotate(ranked.begin(), usable, usable + 1);

@@ -1,4 +1,4 @@
-// app/panels/palette_search.h: which entries of the palette fit what was typed, best first.
+// app/panels/palette_search.h: fuzzy search of the palette's entries.
 #pragma once
 
 #include <cstddef>
@@ -9,24 +9,23 @@
 
 namespace sinew::app {
 
-/// How well a text fits a query.
+/// How well a text matches a query.
 struct Fit {
   int score = 0;                   ///< Greater is better.
-  std::vector<std::size_t> marks;  ///< Bytes of the text that the query's letters stand at, ascending.
+  std::vector<std::size_t> marks;  ///< Bytes of the text that match the query's letters, ascending.
 };
 
-/// Every word of the query must be in the text, its letters in order but not side by side; case does not count.
-/// Letters side by side, at the beginning of words and of the text weigh more. An empty query fits with score 0.
+/// Every word of the query must be in the text, its letters in order but not necessarily adjacent; case does not
+/// matter. Adjacent letters and beginnings of words and of the text score higher. An empty query matches with score 0.
 [[nodiscard]] std::optional<Fit> fitOf(std::string_view query, std::string_view text);
 
-/// Something to be found.
 struct Candidate {
-  std::string label;    ///< What is read and searched first.
-  std::string context;  ///< "View", "Muscle on thigh.L": searched as well, weighs less.
-  int recent = -1;      ///< 0: used last, 1: the one before ...; -1: not lately.
+  std::string label;    ///< Searched first.
+  std::string context;  ///< "View", "Muscle on thigh.L": also searched, scores lower.
+  int recent = -1;      ///< 0: used last, 1: the one before ...; -1: not recently.
   bool usable = true;
   std::string synonyms = {};  ///< Searched like the context, not shown.
-  int later = 0;              ///< Score less than an equally good fit: files stand behind actions.
+  int later = 0;              ///< Subtracted from the score, so that files come after actions.
 };
 
 struct Found {
@@ -35,14 +34,13 @@ struct Found {
   std::vector<std::size_t> marks;  ///< In the label.
 };
 
-/// Fitting candidates, best first; what cannot be used now comes after what fits as well, but stays above what fits
-/// badly. Without a query: lately used ones, then the others as they stand, at last what cannot be used. At most
-/// `most`.
+/// Matching candidates, best first; unusable ones come after equally good matches but before bad ones, and never first.
+/// Without a query: recently used ones, then the others in order, then unusable ones. At most `most`.
 [[nodiscard]] std::vector<Found> search(std::string_view query, const std::vector<Candidate>& candidates,
                                         std::size_t most);
 
-/// The row that Enter takes unless another is chosen: the first that can be used. -1 if there is none, or if it fits
-/// clearly worse than one that cannot be used, which is what was meant: Enter never does something else instead.
+/// The row that Enter takes unless another is chosen: the first usable one. -1 if there is none, or if an unusable one
+/// matches clearly better: Enter must not do something else instead.
 [[nodiscard]] int preselected(const std::vector<Found>& found, const std::vector<Candidate>& candidates);
 
 }  // namespace sinew::app

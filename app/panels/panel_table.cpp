@@ -1,4 +1,4 @@
-// app/panels/panel_table.cpp: every panel, where it stands.
+// app/panels/panel_table.cpp: all panels and their regions.
 
 #include "app/panels/panels.h"
 
@@ -6,7 +6,6 @@
 #include "app/panels/dialogs.h"
 #include "app/panels/inspector.h"
 #include "app/panels/overlay.h"
-#include "app/panels/timeline.h"
 
 namespace sinew::app {
 namespace {

@@ -1,10 +1,5 @@
 // app/panels/pictures_dialog.cpp: File > Export > Turntable or contact sheet.
-
-#include <imgui.h>
 #include <imgui_stdlib.h>
-
-#define GLFW_INCLUDE_NONE
-#include <GLFW/glfw3.h>
 
 #include <algorithm>
 #include <array>
@@ -12,18 +7,41 @@
 #include <string>
 
 #include "app/editor/picture_commands.h"
-#include "app/panels/dialog_parts.h"
 #include "app/panels/dialogs.h"
-#include "app/panels/export_rows.h"
 #include "app/ui/number_field.h"
 #include "app/viewport/render/picture_files.h"
 
-#define GLFW_INCLUDE_NONE
-
-
-
 namespace sinew::app {
 namespace {
+
+bool hasClip(const EditorState& state) { return state.open.transport.clip >= 0; }
+
+template <bool kSheet>
+Possible makes(const EditorState& state) {
+  return action("file/export-pictures")
+      .enabled(state)
+      .also(state.dialogs.pictures.sheet == kSheet,
+            kSheet ? "Choose the contact sheet first" : "Choose the turntable first");
+}
+template <bool kSheet>
+Possible makesOfClip(const EditorState& state) {
+  return makes<kSheet>(state).also(hasClip(state), "Choose a clip first");
+}
+Possible standsStill(const EditorState& state) {
+  return makes<false>(state).also(!hasClip(state) || !state.dialogs.pictures.plays, "The clip sets their number");
+}
+
+const Control kPicturesWhat{"pictures/what/turntable", "Pictures: turntable or contact sheet", "movie render make"};
+const Control kPicturesMotion{"pictures/motion/this moment", "Pictures: motion", "clip plays still moment",
+                              makesOfClip<false>};
+const Control kPicturesTurns{"pictures/turns", "Pictures: number around", "turntable frames", standsStill};
+const Control kPicturesRate{"pictures/rate", "Pictures: speed", "fps rate a second", makes<false>};
+const Control kPicturesFormat{"pictures/format/.webp", "Pictures: format", "webp gif mp4 ending", makes<false>};
+const Control kPicturesShows{"pictures/shows/all sides", "Pictures: sides or clip", "contact sheet", makesOfClip<true>};
+const Control kPicturesCells{"pictures/columns", "Pictures: cells", "contact sheet columns rows", makes<true>};
+const Control kPicturesSize{"pictures/width", "Pictures: size", "resolution width height pixels"};
+const Control kPicturesFile{"pictures/place", "Pictures: file", "path folder name"};
+const Control kPicturesDraw{"pictures/ok", "Pictures: draw", "start run render write"};
 
 constexpr float kPicturesDialogWidth = 540.0f;  // Design pixels.
 constexpr std::array kEndings{".webp", ".gif", ".mp4"};
@@ -31,16 +49,7 @@ constexpr std::array kEndings{".webp", ".gif", ".mp4"};
 void pictureLabel(PanelUi& ui, const char* text) { dialogLabel(ui, text, kExportLabels); }
 void explainPictures(PanelUi& ui, const std::string& text) { dialogExplain(ui, text.c_str(), kExportLabels); }
 
-/// A whole number in a slider that fills the row.
-void countSlider(PanelUi& ui, const char* id, int& count, const char* format, int least, int most) {
-  auto shown = static_cast<float>(count);
-  ImGui::SetNextItemWidth(-1.0f);
-  const NumberLook look{format, 0.0f, static_cast<float>(least), static_cast<float>(most), 1.0f, true};
-  if (numberSlider(ui, (std::string("##") + id).c_str(), shown, look)) count = static_cast<int>(shown);
-  ui.widgets.note(id);
-}
-
-/// Two whole numbers side by side.
+/// Two integers side by side.
 void pairRow(PanelUi& ui, const std::array<const char*, 2>& ids, const std::array<const char*, 2>& formats,
              glm::ivec2& pair, int least, int most) {
   const float gap = ui.px(8);
@@ -55,8 +64,6 @@ void pairRow(PanelUi& ui, const std::array<const char*, 2>& ids, const std::arra
     ui.widgets.note(ids[index]);
   }
 }
-
-bool hasClip(const EditorState& state) { return state.open.transport.clip >= 0; }
 
 void turntableRows(PanelUi& ui) {
   PicturesDialogState& dialog = ui.state.dialogs.pictures;
@@ -105,29 +112,6 @@ void sheetRows(PanelUi& ui) {
 }
 
 /// @return whether Enter was pressed in the name
-bool placeRow(PanelUi& ui) {
-  PicturesDialogState& dialog = ui.state.dialogs.pictures;
-  ExportPlace& place = picturesPlace(dialog);
-  pictureLabel(ui, "File");
-  const float button = ui.px(96);
-  ImGui::SetNextItemWidth(-button - ui.px(8));
-  const bool entered = ImGui::InputTextWithHint(
-      "##name", "Name", &place.name, ImGuiInputTextFlags_AutoSelectAll | ImGuiInputTextFlags_EnterReturnsTrue);
-  ui.widgets.note("pictures/place");
-  if (ImGui::IsItemEdited()) {
-    dialog.error.clear();
-    dialog.overwriteAsked = false;
-  }
-  ImGui::SameLine(0.0f, ui.px(8));
-  const bool browse = ImGui::Button("Choose...", {button, 0.0f});
-  ui.widgets.note("pictures/place-browse");
-  ImGui::SetCursorPosX(ui.px(kExportLabels));
-  mutedLine(ui, "in " + place.folder.string());
-  ImGui::Dummy({0.0f, ui.px(6)});
-  if (browse) browseForPicturesPlace(ui.state);
-  return entered;
-}
-
 bool drawPicturesDialogRows(PanelUi& ui) {
   PicturesDialogState& dialog = ui.state.dialogs.pictures;
   pictureLabel(ui, "Make");
@@ -146,30 +130,29 @@ bool drawPicturesDialogRows(PanelUi& ui) {
   ImGui::Dummy({0.0f, ui.px(4)});
   ImGui::Separator();
   ImGui::Dummy({0.0f, ui.px(4)});
-  return placeRow(ui);
+  bool browse = false;
+  const bool entered =
+      placeRow(ui, kPicturesFile.id, "File", picturesPlace(dialog), {dialog.error, dialog.overwriteAsked, browse});
+  if (browse) browseForPicturesPlace(ui.state);
+  return entered;
 }
 
 void drawPicturesDialogComplaint(PanelUi& ui) {
   PicturesDialogState& dialog = ui.state.dialogs.pictures;
   if (dialog.error.empty() && !dialog.overwriteAsked) return;
-  const std::string asked = picturesFile(dialog).filename().string() + " already exists. Replace it?";
-  ImGui::PushStyleColor(ImGuiCol_Text, dialog.error.empty() ? palette::kWarning : palette::kError);
-  ImGui::TextWrapped("%s", dialog.error.empty() ? asked.c_str() : dialog.error.c_str());
-  ImGui::PopStyleColor();
+  dialogComplaint(dialog.error, picturesFile(dialog).filename().string() + " already exists. Replace it?");
   ui.widgets.note("pictures/complaint");
 }
 
-/// @return whether the dialog is over
+/// @return whether to close the dialog
 bool drawEnd(PanelUi& ui, bool entered) {
   PicturesDialogState& dialog = ui.state.dialogs.pictures;
   drawPicturesDialogComplaint(ui);
   const float width = ui.px(104);
   ImGui::SetCursorPosX(ImGui::GetContentRegionMax().x - 2.0f * width - ui.px(8));
-  const bool canceled = ImGui::Button(dialog.overwriteAsked ? "Keep" : "Cancel", {width, 0.0f});
-  ui.widgets.note("pictures/cancel");
+  const bool canceled = textButton(ui, "pictures/cancel", dialog.overwriteAsked ? "Keep" : "Cancel", {width, 0.0f});
   ImGui::SameLine(0.0f, ui.px(8));
-  const bool confirmed = accentButton(dialog.overwriteAsked ? "Replace" : "Draw", {width, 0.0f});
-  ui.widgets.note("pictures/ok");
+  const bool confirmed = accentButton(ui, "pictures/ok", dialog.overwriteAsked ? "Replace" : "Draw", {width, 0.0f});
   if (confirmed || entered) return confirmPictures(ui.state);
   if (!canceled && !escapePressed(ui)) return false;
   if (dialog.overwriteAsked) {
@@ -183,22 +166,15 @@ bool drawEnd(PanelUi& ui, bool entered) {
 }  // namespace
 
 void drawPicturesDialog(PanelUi& ui) {
-  // The path dialog takes its place while it is open.
+  // The path dialog replaces it while it is open.
   if (!ui.state.dialogs.pictures.shown || ui.state.dialogs.file.kind != DialogKind::kNone) return;
-  constexpr const char* kTitle = "Turntable or contact sheet";
-  if (!ImGui::IsPopupOpen(kTitle)) ImGui::OpenPopup(kTitle);
   placeDialog(ui, kPicturesDialogWidth);
-  pushDialogStyle(ui);
-  if (ImGui::BeginPopupModal(kTitle, nullptr, ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove)) {
-    // Enter is the button, unless it ends the typing of a number.
-    const bool free = !ImGui::IsAnyItemActive();
-    const bool pressed = ImGui::IsKeyPressed(GLFW_KEY_ENTER, false) || ImGui::IsKeyPressed(GLFW_KEY_KP_ENTER, false);
-    const bool entered = drawPicturesDialogRows(ui) || (free && pressed);
+  drawModal(ui, "Turntable or contact sheet", [&] {
+    const bool confirmed = enterConfirms();
+    const bool entered = drawPicturesDialogRows(ui) || confirmed;
     const bool browsing = ui.state.dialogs.file.kind != DialogKind::kNone;
-    if (browsing || drawEnd(ui, entered)) ImGui::CloseCurrentPopup();
-    ImGui::EndPopup();
-  }
-  popDialogStyle();
+    return browsing || drawEnd(ui, entered);
+  });
 }
 
 }  // namespace sinew::app

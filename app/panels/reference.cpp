@@ -1,6 +1,4 @@
-// app/panels/reference.cpp: a picture to work after: from which side, which file, how and where it is shown.
-
-#include <imgui.h>
+// app/panels/reference.cpp: the panel Reference picture: side, file, opacity, size and position.
 
 #include <algorithm>
 #include <string>
@@ -15,28 +13,25 @@ namespace {
 
 constexpr float kReferenceWidth = 330.0f;  // Design pixels, as all here.
 constexpr float kReferenceTop = 92.0f;     // Under the display bar and the numbers.
-constexpr float kLowest = 40.0f;           // It scrolls.
+constexpr float kLowest = 40.0f;           // Least height; the panel scrolls.
 constexpr float kReferencePercent = 100.0f;
 
 /// @return whether the panel is to close
 bool headRow(PanelUi& ui) {
   ImGui::AlignTextToFramePadding();
-  ImGui::PushFont(ui.fonts.strong);
-  ImGui::TextUnformatted("Reference picture");
-  ImGui::PopFont();
+  heading(ui, "Reference picture");
   const float button = ImGui::GetFrameHeight();
   ImGui::SameLine(ImGui::GetContentRegionMax().x - button);
   return iconButton(ui, "reference/close", Icon::kClose, false, button, "Close; the pictures stay");
 }
 
 void sideRow(PanelUi& ui) {
-  constexpr const char* kSides[] = {"Front", "Back", "Left", "Right", "Top"};
-  const int chosen = segmented(ui, "reference/side", kSides, static_cast<int>(kReferenceSides),
-                               static_cast<int>(ui.state.open.reference.side), ImGui::GetContentRegionAvail().x);
+  const int chosen = chooseWord(ui, "reference/side", {"Front", "Back", "Left", "Right", "Top"},
+                                static_cast<int>(ui.state.open.reference.side));
   if (chosen >= 0) chooseReferenceSide(ui.state, static_cast<ReferenceSide>(chosen));
 }
 
-/// The file, whether it is shown, and what takes it away.
+/// The file, with buttons that show or hide it and remove it.
 void fileRow(PanelUi& ui) {
   ReferencePicture& picture = ui.state.open.reference.chosen();
   const bool any = !picture.file.empty();
@@ -56,14 +51,14 @@ void fileRow(PanelUi& ui) {
       picture.shown = !picture.shown;
     }
     ImGui::SameLine(0.0f, gap);
-    if (iconButton(ui, "reference/remove", Icon::kClose, false, button, "Take it away; the file stays")) {
+    if (iconButton(ui, "reference/remove", Icon::kClose, false, button, "Remove it; the file stays")) {
       removeReference(ui.state);
     }
   }
   if (choose) showReferenceDialog(ui.state);
 }
 
-/// A number in per cent. @param value  share
+/// @param value  a fraction, shown in percent
 void percentSlider(PanelUi& ui, const char* text, const char* id, float& value, NumberLook look, const char* hint) {
   beginRow(ui, text);
   ImGui::SetNextItemWidth(-1.0f);
@@ -73,7 +68,7 @@ void percentSlider(PanelUi& ui, const char* text, const char* id, float& value, 
   tooltip(ui, hint);
 }
 
-/// In per cent of the character's height.
+/// @param value  a fraction of the character's height
 void offsetRow(PanelUi& ui, const char* text, const char* id, float& value, const char* hint) {
   beginRow(ui, text);
   ImGui::SetNextItemWidth(-1.0f);
@@ -87,15 +82,13 @@ void offsetRow(PanelUi& ui, const char* text, const char* id, float& value, cons
 
 void depthRow(PanelUi& ui, ReferencePicture& picture) {
   beginRow(ui, "Depth");
-  constexpr const char* kDepths[] = {"Behind", "Through"};
-  const int chosen =
-      segmented(ui, "reference/depth", kDepths, 2, picture.inside ? 1 : 0, ImGui::GetContentRegionAvail().x);
+  const int chosen = chooseWord(ui, "reference/depth", {"Behind", "Through"}, picture.inside ? 1 : 0);
   if (chosen >= 0) picture.inside = chosen == 1;
 }
 
 void pictureRows(PanelUi& ui, ReferencePicture& picture) {
   percentSlider(ui, "Opacity", "reference/opacity", picture.opacity, {"%.0f %%", 0.0f, 0.0f, kReferencePercent, 10.0f},
-                "How much of it is seen");
+                "How opaque it is");
   NumberLook size{"%.1f %%", 0.0f, kReferencePercent * kLeastReferenceScale, kReferencePercent * kMostReferenceScale,
                   10.0f};
   size.logarithmic = true;
@@ -120,17 +113,12 @@ void drawReference(PanelUi& ui) {
   const float rows = reference.chosen().file.empty() ? 3.0f : 8.0f;
   const float wanted = rows * ImGui::GetFrameHeightWithSpacing() + ui.px(14);
   const float height = std::clamp(lowestInPicture(ui) - ui.px(kReferenceTop), ui.px(kLowest), wanted);
-  ImGui::SetCursorPos({ui.px(kBesideTools), lowestInPicture(ui) - height});
-  ImGui::PushStyleColor(ImGuiCol_ChildBg, palette::kPanel.faded(0.94f));
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {ui.px(10), ui.px(8)});
-  ImGui::BeginChild("reference", {width, height}, true, ImGuiWindowFlags_AlwaysUseWindowPadding);
+  beginInPicture(ui, "reference", {ui.px(kBesideTools), lowestInPicture(ui) - height}, {width, height}, 0.94f, {10, 8});
   const bool close = headRow(ui);
   sideRow(ui);
   fileRow(ui);
   if (!reference.chosen().file.empty()) pictureRows(ui, reference.chosen());
-  ImGui::EndChild();
-  ImGui::PopStyleVar();
-  ImGui::PopStyleColor();
+  endInPicture();
   if (close) toggleReferencePanel(ui.state);
 }
 

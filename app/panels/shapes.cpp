@@ -1,7 +1,5 @@
-// app/panels/shapes.cpp: search, reset, and the sliders under the first parts of their names.
-#include "app/panels/shapes.h"
+// app/panels/shapes.cpp: the tab Shapes: a slider for each morph target, grouped by the first part of their names.
 
-#include <imgui.h>
 #include <imgui_stdlib.h>
 
 #include <algorithm>
@@ -11,9 +9,9 @@
 
 #include "app/editor/edit.h"
 #include "app/editor/outliner.h"
-#include "app/panels/animated_field.h"
 #include "app/panels/field_edit.h"
 #include "app/panels/inspector.h"
+#include "app/panels/panels.h"
 #include "app/ui/code_points.h"
 #include "core/geometry/at.h"
 #include "core/rig/morphs.h"
@@ -34,9 +32,9 @@ constexpr float kShapesIndent = 10.0f;
 constexpr float kNameShare = 0.46f;
 constexpr float kStep = 0.1f;
 
-/// Shapes whose names begin alike.
+/// Shapes whose names begin with the same word.
 struct ShapeGroup {
-  std::string name;  ///< What stands before the first "." or "_"; empty: those that are alone with theirs.
+  std::string name;  ///< The name before the first "." or "_"; empty: shapes that share it with no other.
   std::vector<int> shapes;
 };
 
@@ -68,7 +66,7 @@ std::vector<ShapeGroup> groupsOf(const Rig& rig, const std::string& search) {
   return groups;
 }
 
-/// What the file, the clip and the rig give a target together; of an expression, which only the rig sets, its number.
+/// The target's weight from file, clip and rig together; an expression's weight, which only the rig sets.
 float weightNow(const PanelUi& ui, int shape) {
   const PosedRig& posed = ui.state.document.posedRig(ui.state.live->pose());
   const std::vector<MorphTarget>& targets = ui.state.character().morphTargets;
@@ -84,19 +82,19 @@ bool isMissing(const PanelUi& ui, const std::string& name) {
          std::ranges::find(character.morphSets, name, &MorphSet::name) == character.morphSets.end();
 }
 
-/// 0 to 1, and as far as the number goes beyond.
+/// 0 to 1, extended to include the weight.
 NumberLook lookFor(float weight) {
   NumberLook look{"%.2f", 0.01f, std::min(0.0f, weight), std::max(1.0f, weight), kStep};
   look.clampTyped = false;
   return look;
 }
 
-/// Where the weight is in this pose, on the slider.
+/// Marks the weight in this pose on the slider.
 void markNow(PanelUi& ui, float now, const NumberLook& look) {
   const ImVec2 low = ImGui::GetItemRectMin();
   const ImVec2 high = ImGui::GetItemRectMax();
-  const float share = std::clamp((now - look.least) / (look.most - look.least), 0.0f, 1.0f);
-  const float x = low.x + share * (high.x - low.x);
+  const float fraction = std::clamp((now - look.least) / (look.most - look.least), 0.0f, 1.0f);
+  const float x = low.x + fraction * (high.x - low.x);
   const float half = ui.px(1.0f);
   ImGui::GetWindowDrawList()->AddRectFilled({x - half, low.y}, {x + half, low.y + ui.px(4)},
                                             palette::kText.faded(0.8f).packed());
@@ -144,7 +142,8 @@ void drawSlider(PanelUi& ui, int shape) {
   const std::string together =
       now != morph.weight ? "In this pose " + numberText(look.format, now) + ", with the file and the clip (the mark)\n"
                           : std::string();
-  tooltip(ui, animation.words + together + "What the rig adds to " + morph.name + ". Right click: reset, key, drive.");
+  tooltip(ui, animation.words + together + "The weight that the rig adds to " + morph.name +
+                  ". Right click: reset, key, drive.");
   shapeMenu(ui, shape, field);
 }
 
@@ -207,7 +206,7 @@ bool drawGroup(PanelUi& ui, const ShapeGroup& group) {
   return !folded;
 }
 
-/// Whether the keys and drivers of one of them were asked for.
+/// Whether to show the keys and drivers of one of its shapes.
 bool isWanted(const PanelUi& ui, const ShapeGroup& group) {
   const AnimateState& animate = ui.state.open.animate;
   return animate.sectionWanted && std::ranges::any_of(group.shapes, [&](int shape) {
@@ -228,17 +227,14 @@ void drawTop(PanelUi& ui, const Rig& rig) {
                   : "Every weight that was set becomes 0. Not available: all are 0");
 }
 
-void drawNone() {
-  ImGui::PushTextWrapPos(0.0f);
-  mutedText("This character has no shapes. Files bring them as morph targets (shape keys, blend shapes).");
-  ImGui::PopTextWrapPos();
-}
-
 }  // namespace
 
 void drawShapes(PanelUi& ui) {
   if (!ui.state.hasCharacter()) return;
-  if (ui.state.document.rig().morphs.empty()) return drawNone();
+  if (ui.state.document.rig().morphs.empty()) {
+    return mutedParagraph(
+        "This character has no shapes. Files bring them as morph targets (shape keys, blend shapes).");
+  }
   drawTop(ui, ui.state.document.rig());
   ImGui::BeginChild("shapes");
   const std::string& search = ui.state.open.shapes.search;

@@ -1,7 +1,5 @@
-// app/panels/surface_panel.cpp: how the surface is made: mode, tightness, skin blend; depth, rounding.
+// app/panels/surface_panel.cpp: the panels Surface and Smoothing.
 
-#include <imgui.h>
-#include "app/panels/animated_field.h"
 #include "app/panels/field_edit.h"
 #include "app/panels/inspector.h"
 
@@ -9,7 +7,6 @@
 #include <array>
 #include <string>
 
-#include "app/ui/number_field.h"
 #include "core/geometry/normals.h"
 #include "sinew/rig/rig_edit.h"
 
@@ -40,7 +37,7 @@ constexpr const char* kAutoLabel = "Auto";
 constexpr float kIsoRange[] = {0.05f, 0.9f};
 constexpr float kBlendRange[] = {0.5f, 15.0f};  // Per cent of the height.
 
-/// What the interface calls a value, and what it does, with the term in brackets.
+/// The name of a value in the interface, and its effect, with the technical term in brackets.
 struct Word {
   const char* name;
   const char* hint;
@@ -92,7 +89,7 @@ void choiceRow(PanelUi& ui, const Control& control, Kind current, const std::arr
   ImGui::EndCombo();
 }
 
-/// Whether depth or tolerance follow the size on screen.
+/// The check box that lets depth or tolerance follow the size on screen.
 template <class Changed>
 void autoBox(PanelUi& ui, const SmoothingSettings& before, const char* hint, Changed changed) {
   ImGui::SameLine();
@@ -108,7 +105,7 @@ float besideAutoBox() {
   return ImGui::GetContentRegionAvail().x - box - ImGui::GetStyle().ItemSpacing.x;
 }
 
-/// The slider is shown but not moved while the depth follows the size on screen.
+/// The slider is disabled while the depth follows the size on screen.
 template <class Changed>
 void depthRow(PanelUi& ui, const SmoothingSettings& before, Changed changed) {
   beginRow(ui, kDepth);
@@ -132,7 +129,7 @@ void depthRow(PanelUi& ui, const SmoothingSettings& before, Changed changed) {
           changed);
 }
 
-/// Of adaptive detail, in per cent of the height.
+/// The tolerance of adaptive detail, percent of the height.
 template <class Changed>
 void toleranceRow(PanelUi& ui, const SmoothingSettings& before, Changed changed) {
   constexpr float kPercent = 100.0f;
@@ -211,7 +208,7 @@ void skinBlendRow(PanelUi& ui, const SurfaceSettings& before, Changed changed) {
   menu();
 }
 
-/// Why `replace` shows less than the designer placed: it needs muscles that wrap the body.
+/// Explains why `replace` shows less than was placed: it needs muscles that wrap the body.
 void replaceNote(PanelUi& ui) {
   const bool plays = ui.state.open.transport.playing;
   const SmoothingReport& report = plays ? ui.state.live->report() : ui.state.live->surface().report;

@@ -1,6 +1,4 @@
-// app/panels/timeline.cpp: which clip, which moment, playing or not.
-
-#include <imgui.h>
+// app/panels/timeline.cpp: the timeline's controls: clip, playback, speed, time.
 
 #include <algorithm>
 #include <cmath>
@@ -13,9 +11,8 @@
 #include "app/document/shown_names.h"
 #include "app/editor/edit.h"
 #include "app/editor/pose_commands.h"
+#include "app/panels/panels.h"
 #include "app/panels/timeline.h"
-#include "app/panels/timeline_keys.h"
-#include "app/panels/timeline_track.h"
 #include "app/ui/number_field.h"
 #include "core/character/range_of_motion.h"
 #include "core/geometry/at.h"
@@ -32,17 +29,17 @@ constexpr float kClipNarrowest = 96.0f;
 constexpr float kSpeedWidth = 84.0f;
 constexpr float kTimelineLowest = 60.0f;  // Controls and track.
 
-/// As the list shows it.
+/// The name in the list.
 std::string clipName(const std::vector<std::string>& shown, int clip) {
   return clip < 0 ? "Bind pose" : at(shown, clip);
 }
 
-/// "From walk.glb"; "" for the character's own.
+/// "From walk.glb"; "" for the character's own clips.
 std::string originOf(const AnimationClip& clip) {
   return clip.addedFrom.empty() ? "" : "From " + std::filesystem::path(clip.addedFrom).filename().string();
 }
 
-/// The name in the file, where another is drawn, and which file that is, where it is not the character's.
+/// The name in the file if it differs from the drawn one, and the file if it is not the character's.
 void fileNameTooltip(PanelUi& ui, const std::string& drawn, int clip) {
   if (clip < 0) return;
   const AnimationClip& shown = at(ui.state.character().clips, clip);
@@ -52,7 +49,7 @@ void fileNameTooltip(PanelUi& ui, const std::string& drawn, int clip) {
   if (!text.empty()) tooltip(ui, text);
 }
 
-/// Above the clips of each file.
+/// A heading above the clips of each file.
 void originHeading(PanelUi& ui, int clip) {
   const std::vector<AnimationClip>& clips = ui.state.character().clips;
   const std::string before = clip > 0 ? at(clips, clip - 1).addedFrom : "";
@@ -62,7 +59,7 @@ void originHeading(PanelUi& ui, int clip) {
   if (!origin.empty()) mutedText(fitted(origin, ImGui::GetContentRegionAvail().x).c_str());
 }
 
-/// One row of the list: the name, and at its right how long it lasts.
+/// A row of the list: name and duration.
 bool clipRow(PanelUi& ui, const std::vector<std::string>& names, int clip) {
   const Character& character = ui.state.character();
   ImGui::PushID(clip);
@@ -87,7 +84,7 @@ void clipChoice(PanelUi& ui, float width) {
   const float room = width - ImGui::GetFrameHeight() - 2.0f * ImGui::GetStyle().FramePadding.x;
   const std::string shown = fitted(clipName(names, transport.clip), room);
   ImGui::SetNextItemWidth(width);
-  // The rows are as wide as the list, so it cannot take its width from them.
+  // The rows are as wide as the list, so they cannot determine its width.
   ImGui::SetNextWindowSizeConstraints({ui.px(300), 0.0f}, {ui.px(480), ui.px(420)});
   const bool open = ImGui::BeginCombo("##clip", shown.c_str(), ImGuiComboFlags_HeightLarge);
   ui.widgets.note(kClipChoice.id);
@@ -123,7 +120,7 @@ void speedField(PanelUi& ui) {
   tooltip(ui, "Speed: drag (Shift: precise, Ctrl: steps), or double-click to type");
 }
 
-/// How many joints are turned by hand, so that an odd pose is explained.
+/// The number of joints that are turned by hand, which explains an odd pose.
 std::string posedText(const EditorState& state) {
   const PoseOverrides& overrides = state.open.transport.overrides;
   const bool holds = overrides.from == TurnsFrom::kBindPose;
@@ -137,7 +134,7 @@ float posedWidth(const PanelUi& ui) {
          ImGui::GetFrameHeight();
 }
 
-/// The number of posed joints as a button, and one that resets them.
+/// A button with the number of posed joints, and one that resets them.
 void posedChip(PanelUi& ui) {
   if (!isPosed(ui.state)) return;
   ImGui::PushStyleColor(ImGuiCol_Button, palette::kAccent.faded(0.22f));
@@ -162,14 +159,15 @@ void playButton(PanelUi& ui) {
   transportButton(ui, "timeline/play", "play/toggle", ui.state.open.transport.playing ? Icon::kPause : Icon::kPlay);
 }
 
-/// A control beside the clip's name, in the order in which they keep their room.
+/// A control beside the clip's name.
 struct TimelinePart {
   int place;     ///< From left to right.
-  float before;  ///< Design pixels of room before it.
+  float before;  ///< Gap before it, design pixels.
   float width;   ///< Window coordinates.
   void (*draw)(PanelUi&);
 };
 
+/// The most important first: the last ones go into the menu if there is no room.
 std::vector<TimelinePart> partsOf(const PanelUi& ui) {
   const float button = ImGui::GetFrameHeight();
   std::vector<TimelinePart> parts{
@@ -196,7 +194,7 @@ std::string shownTime(const EditorState& state, double duration, bool seconds) {
   return text;
 }
 
-/// The longest form of the time that fits, at the right end. @param room  what the controls leave
+/// The longest form of the time that fits, at the right end.
 void timeReadout(PanelUi& ui, double duration, float room) {
   ImGui::PushFont(ui.fonts.mono);
   for (const bool seconds : {true, false}) {
@@ -249,7 +247,7 @@ void drawControls(PanelUi& ui) {
 }  // namespace
 
 void drawTimeline(PanelUi& ui) {
-  // Rows of keys come and go above the rest, so that nothing moves away under the pointer.
+  // Rows of keys are above the rest, so that nothing moves when they appear.
   const float wished = ui.px(keyRowsHeight(ui.state));
   const float rows = std::max(0.0f, std::min(wished, ImGui::GetContentRegionAvail().y - ui.px(kTimelineLowest)));
   const ImVec2 top = ImGui::GetCursorScreenPos();

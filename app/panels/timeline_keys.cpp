@@ -1,5 +1,4 @@
 // app/panels/timeline_keys.cpp: rows of keys above the track, for keyed numbers and channels.
-#include "app/panels/timeline_keys.h"
 
 #include <algorithm>
 #include <array>
@@ -7,18 +6,15 @@
 #include <optional>
 #include <utility>
 
-#include <imgui.h>
 #include <imgui_internal.h>  // NoNav: for the mouse alone.
 #include <imgui_stdlib.h>
 
 #include "app/editor/animate.h"
 #include "app/panels/field_edit.h"
+#include "app/panels/timeline.h"
 #include "core/geometry/at.h"
 
 namespace sinew::app {
-
-// The tracks of keys that the timeline shows below its own, and their edits.
-
 namespace {
 
 void addNumbers(std::vector<KeyRow>& rows, const EditorState& state, const std::vector<AnimatedNumber>& animated,
@@ -112,7 +108,7 @@ constexpr float kLeastTrack = 320.0f;
 constexpr float kValueWidth = 54.0f;
 constexpr float kKey = 5.0f;  // Half a diamond.
 
-/// A row of this frame.
+/// A row while it is drawn.
 struct ShownRow {
   PanelUi& ui;
   const KeyRow& keys;
@@ -149,7 +145,7 @@ void drawKeys(const ShownRow& row, int lit) {
   }
 }
 
-/// @return whether the rig has changed, so that what was read of it is old.
+/// @return whether the rig has changed, so that what was read from it is outdated
 bool channelItems(const ShownRow& row) {
   PanelUi& ui = row.ui;
   const Rig& rig = ui.state.document.rig();
@@ -157,14 +153,13 @@ bool channelItems(const ShownRow& row) {
   ImGui::SetNextItemWidth(ui.px(150));
   const bool entered = ImGui::InputText("##channel-name", &name, ImGuiInputTextFlags_EnterReturnsTrue);
   ui.widgets.note("context/channel-name");
-  tooltip(ui, "The channel's name, in every clip. Enter takes it over");
+  tooltip(ui, "The channel's name, in every clip. Enter renames it");
   if (entered) {
     edit(ui.state, "Rename " + row.keys.name + " to " + name, renameChannel(rig, row.keys.channel, name));
     ImGui::CloseCurrentPopup();
     return true;
   }
-  const bool removed = ImGui::MenuItem("Remove channel");
-  ui.widgets.note("context/channel-remove");
+  const bool removed = contextItem(ui, "Remove channel", "channel-remove");
   tooltip(ui, "In every clip, with the drivers that read it");
   if (removed) edit(ui.state, "Remove " + row.keys.name, removeChannel(rig, row.keys.channel));
   return removed;
@@ -180,8 +175,7 @@ void rowMenu(const ShownRow& row) {
   if (changed) return ImGui::EndPopup();
   if (row.keys.isChannel()) ImGui::Separator();
   const bool there = key >= 0 && key < static_cast<int>(row.points().size());
-  const bool removed = ImGui::MenuItem("Remove key", nullptr, false, there);
-  ui.widgets.note("context/key-remove");
+  const bool removed = contextItem(ui, "Remove key", "key-remove", there);
   if (removed) {
     const std::string at = timeText(static_cast<double>(row.points()[static_cast<std::size_t>(key)].x));
     changed = edit(ui.state, "Remove key of " + row.keys.name + " at " + at, withoutKey(rig, row.keys, key));
@@ -253,7 +247,7 @@ void keysArea(const ShownRow& row) {
   rowMenu(row);
 }
 
-/// A channel's value at this moment; an edit keys it.
+/// A channel's value at the current time; an edit sets a key.
 void channelValue(const ShownRow& row, float right) {
   PanelUi& ui = row.ui;
   const std::string id = row.keys.id + "/value";
@@ -276,7 +270,7 @@ void channelValue(const ShownRow& row, float right) {
   tooltip(ui, "The channel's value at this moment. An edit sets a key here");
 }
 
-/// The muscle itself, or the first on the line; -1: it is the surface's or a shape's.
+/// The number's muscle, or the first on its line; -1: a number of the surface or a shape.
 int muscleOf(const Rig& rig, const NumberRef& ref) {
   const ParameterOwner owner = ownerOf(ref.parameter);
   if (owner == ParameterOwner::kPrimitive) return ref.owner;

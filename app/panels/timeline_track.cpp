@@ -1,8 +1,7 @@
-// app/panels/timeline_track.cpp: scrubbing, ticks, keys, the range that plays.
+// app/panels/timeline_track.cpp: the track: scrubbing, ticks, keys, the playback range.
 
-#include "app/panels/timeline_track.h"
+#include "app/panels/timeline.h"
 
-#include <imgui.h>
 #include <imgui_internal.h>  // NoNav: for the mouse alone.
 
 #include <algorithm>
@@ -15,7 +14,7 @@
 namespace sinew::app {
 namespace {
 
-constexpr float kBand = 11.0f;   // Design pixels, as all here: height of the range's band.
+constexpr float kBand = 11.0f;   // Design pixels, as all here: height of the range's bar.
 constexpr float kHandle = 9.0f;  // Width of a range handle.
 constexpr float kKeysHeight = 5.0f;
 constexpr float kLabelSpacing = 58.0f;
@@ -24,13 +23,13 @@ constexpr float kColumn = 2.0f;  // Width of a column of keys.
 constexpr double kZoomPerStep = 1.25;
 constexpr double kLeastFrames = 5.0;
 
-/// The track of this frame: where it is and what it spans.
+/// The track while it is drawn.
 struct Track : TrackSpan {
   PanelUi& ui;
   ImDrawList& list;
   glm::vec2 low;  ///< Window coordinates.
   glm::vec2 high;
-  float band;  ///< y where the scrub area begins.
+  float band;  ///< y at the top of the scrub area.
 
   Track(PanelUi& panel, const glm::vec2& corner, const glm::vec2& end, double seconds, const PlayRange& span)
       : TrackSpan{corner.x, end.x, seconds, span},
@@ -43,7 +42,7 @@ struct Track : TrackSpan {
   [[nodiscard]] Transport& transport() const { return ui.state.open.transport; }
 };
 
-/// Forgets what belonged to another clip; follows the playing moment when it leaves what is shown.
+/// Resets the zoom when the clip changes; scrolls to the current time when it leaves the shown span.
 void refresh(EditorState& state, double duration) {
   TimelineState& timeline = state.open.timeline;
   if (timeline.clip != state.open.transport.clip || timeline.shown.to > duration ||
@@ -68,7 +67,7 @@ bool button(const Track& track, const char* id, float x0, float y0, float x1, fl
   return ImGui::IsItemActive();
 }
 
-// What is dragged ---------------------------------------------------------------------------------------------------
+// Dragging ----------------------------------------------------------------------------------------------------------
 
 void rangeHandle(const Track& track, const char* id, double time, bool first) {
   const float width = track.ui.px(kHandle);
@@ -90,7 +89,7 @@ void rangeHandle(const Track& track, const char* id, double time, bool first) {
   const float inner = first ? x + width : x;
   const float middle = 0.5f * (track.low.y + track.band);
   track.list.AddTriangleFilled({edge, track.low.y}, {inner, middle}, {edge, track.band}, color.packed());
-  tooltip(track.ui, first ? "Where playing begins: drag" : "Where playing ends: drag");
+  tooltip(track.ui, first ? "Start of playback: drag" : "End of playback: drag");
 }
 
 void rangeBar(const Track& track) {
@@ -140,7 +139,7 @@ void scrubArea(const Track& track) {
   }
 }
 
-// What is drawn -----------------------------------------------------------------------------------------------------
+// Drawing -----------------------------------------------------------------------------------------------------------
 
 void drawGround(const Track& track) {
   track.list.AddRectFilled({track.low.x, track.low.y}, {track.high.x, track.high.y}, palette::kBackground.packed(),
@@ -189,12 +188,12 @@ void drawKeys(const Track& track) {
   }
   const float bottom = track.high.y - track.ui.px(2);
   for (int i = 0; i < columns; ++i) {
-    const float share = timeline.density[static_cast<std::size_t>(i)];
-    if (share <= 0.0f) continue;
+    const float density = timeline.density[static_cast<std::size_t>(i)];
+    if (density <= 0.0f) continue;
     const float x = track.low.x + static_cast<float>(i) * column;
-    const float top = bottom - track.ui.px(kKeysHeight) * (0.4f + 0.6f * share);
+    const float top = bottom - track.ui.px(kKeysHeight) * (0.4f + 0.6f * density);
     track.list.AddRectFilled({x, top}, {x + column - 0.5f, bottom},
-                             palette::kGood.faded(0.30f + 0.55f * share).packed());
+                             palette::kGood.faded(0.30f + 0.55f * density).packed());
   }
 }
 

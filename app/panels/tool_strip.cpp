@@ -1,6 +1,4 @@
-// app/panels/tool_strip.cpp: tools at the picture's left edge, ways of showing along its top.
-
-#include <imgui.h>
+// app/panels/tool_strip.cpp: the tools at the picture's left edge, and the display modes along its top.
 
 #include <algorithm>
 #include <array>
@@ -8,7 +6,6 @@
 #include <string_view>
 #include <vector>
 
-#include "app/panels/legend.h"
 #include "app/panels/overlay.h"
 #include "app/viewport/tools/viewport_tools.h"
 
@@ -19,7 +16,7 @@ namespace {
 constexpr std::array kDisplay{"view/textured", "view/clay",     "view/classes",    "view/heat",    "",
                               "view/wire",     "view/skeleton", "view/primitives", "view/anatomy", "view/ground",
                               "view/numbers"};
-constexpr std::size_t kUnderLine = 4;  ///< Those of the strip's buttons that are below its line.
+constexpr std::size_t kUnderLine = 4;  ///< Number of the strip's buttons below its line.
 
 /// "display/wire" for "view/wire".
 std::string pillId(const char* actionId) {
@@ -40,7 +37,7 @@ void drawLine(PanelUi& ui) {
   ImGui::SetCursorScreenPos({corner.x + ui.px(13), corner.y});
 }
 
-/// An action of a bar that had no room for its button.
+/// A menu item for an action whose button had no room.
 void moreItem(PanelUi& ui, const std::string& id, const Action& item) {
   const bool enabled = item.enabled(ui.state);
   const bool checked = enabled && item.checked != nullptr && item.checked(ui.state);

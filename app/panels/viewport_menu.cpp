@@ -1,9 +1,6 @@
-// app/panels/viewport_menu.cpp: the context menu of the picture: what lies under the pointer, and what to do
-// with it.
+// app/panels/viewport_menu.cpp: the context menu of the picture.
 
 #include "app/editor/commands.h"
-
-#include <imgui.h>
 
 #include <string>
 #include <utility>
@@ -20,7 +17,7 @@ namespace {
 
 constexpr const char* kPopup = "viewport-menu";
 
-/// The last item's hint, also where it is gray.
+/// Tooltip of the last item, even if it is disabled.
 void hint(PanelUi& ui, const std::string& text) {
   if (!text.empty() && ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) {
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {ui.px(8), ui.px(5)});
@@ -29,7 +26,7 @@ void hint(PanelUi& ui, const std::string& text) {
   }
 }
 
-/// An action with its label and key from the table, gray with the reason where it does not apply.
+/// An action with its label and key; disabled, with the reason, if it cannot run.
 void viewportActionItem(PanelUi& ui, const char* id) {
   const Action& item = action(id);
   const std::string keys = "   " + keyText(item, ui.state);
@@ -50,7 +47,7 @@ void swatch(PanelUi& ui, const ImVec2& corner, const PickEntry& entry) {
                                               ui.px(4), tint.packed(), 16);
 }
 
-/// What the menu is about.
+/// The name of the muscle or bone under the pointer.
 void drawTitle(PanelUi& ui, const ViewportHover& target) {
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   std::string text = "Nothing here";
@@ -66,7 +63,7 @@ void drawTitle(PanelUi& ui, const ViewportHover& target) {
   ui.widgets.note("context/title");
 }
 
-/// All that lies there, nearest first.
+/// Everything under the pointer, nearest first.
 void selectSubmenu(PanelUi& ui, const ViewportHover& target) {
   if (target.here.size() < 2) return;
   const bool open = ImGui::BeginMenu("Select");
@@ -92,8 +89,7 @@ void selectSubmenu(PanelUi& ui, const ViewportHover& target) {
 
 void addHere(PanelUi& ui, const ViewportHover& target) {
   const bool possible = target.skin.has_value();
-  const bool chosen = ImGui::MenuItem("Add muscle here", nullptr, false, possible);
-  ui.widgets.note("context/add-here");
+  const bool chosen = contextItem(ui, "Add muscle here", "add-here", possible);
   hint(ui, possible ? "" : "There is no skin here");
   if (chosen) addMuscleAt(ui.state, target);
 }

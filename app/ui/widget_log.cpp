@@ -1,4 +1,5 @@
 // app/ui/widget_log.cpp: where every control is on the screen.
+
 #include "app/ui/widget_log.h"
 
 #include <imgui.h>
@@ -41,7 +42,6 @@ void WidgetLog::beginFrame() {
   sought_.clear();
   rectangles_.clear();
   laidOut_.clear();
-  repeated_.clear();
 }
 
 void WidgetLog::note(const std::string& id) {
@@ -77,8 +77,6 @@ void WidgetLog::note(const std::string& id) {
   note(id, {x, y, right - x, bottom - y});
 }
 
-void WidgetLog::note(const std::string& id, const glm::vec4& rectangle) {
-  if (!rectangles_.emplace(id, rectangle).second) repeated_.push_back(id);
-}
+void WidgetLog::note(const std::string& id, const glm::vec4& rectangle) { rectangles_.emplace(id, rectangle); }
 
 }  // namespace sinew::app

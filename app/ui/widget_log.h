@@ -40,13 +40,9 @@ class WidgetLog {
   /// Focuses the item when it is noted next.
   void focusOn(unsigned item) { focusWanted_ = item; }
 
-  /// Ids used twice in this frame, a mistake.
-  [[nodiscard]] const std::vector<std::string>& repeated() const { return repeated_; }
-
  private:
   std::map<std::string, glm::vec4> rectangles_;
   std::vector<LaidOut> laidOut_;
-  std::vector<std::string> repeated_;
   std::string sought_;
   bool focusSought_ = false;
   unsigned focusWanted_ = 0;

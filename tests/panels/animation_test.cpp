@@ -7,9 +7,9 @@
 
 #include "app/editor/animate.h"
 #include "app/editor/edit.h"
-#include "app/panels/animated_field.h"
 #include "app/panels/curve_editor.h"
-#include "app/panels/timeline_keys.h"
+#include "app/panels/field_edit.h"
+#include "app/panels/timeline.h"
 #include "core/rig/animated_edit.h"
 #include "core/rig/driver_input.h"
 #include "tests/support/editor/headless_editor.h"

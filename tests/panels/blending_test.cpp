@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "app/editor/blending_edit.h"
-#include "app/panels/blending_layout.h"
+#include "app/panels/blending.h"
 #include "core/rig/blending_graph.h"
 #include "core/rig/rig_edit.h"
 #include "core/rig/validation.h"

@@ -1,6 +1,6 @@
 // tests/panels/key_rows_test.cpp: keys dragged along their rows.
 
-#include "app/panels/timeline_keys.h"
+#include "app/panels/timeline.h"
 
 #include <gtest/gtest.h>
 

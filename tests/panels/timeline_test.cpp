@@ -10,7 +10,7 @@
 #include "app/editor/commands.h"
 #include "app/editor/edit.h"
 #include "app/editor/pose_commands.h"
-#include "app/panels/timeline_track.h"
+#include "app/panels/timeline.h"
 #include "core/character/range_of_motion.h"
 #include "tests/support/editor/headless_editor.h"
 

@@ -17,6 +17,7 @@ struct Glyph {
   ImVec4 box;        ///< x0, y0, x1, y1 in window coordinates, as drawn.
   ImVec4 clip;       ///< What cuts it off.
   std::string list;  ///< The window it belongs to.
+  ImVec2 uv;         ///< Of its upper left corner in the atlas: which letter it is.
 };
 
 /// Letters that are seen, of the frame that ImGui::Render() has ended. Icons and frames have no texture, so every quad
@@ -46,11 +47,40 @@ inline std::vector<Glyph> drawnGlyphs() {
         if (!textured(a) || !textured(c) || a.uv.x == c.uv.x || a.uv.y == c.uv.y || ofLine(a, c)) continue;
         const ImVec4& clip = command.ClipRect;
         if (c.pos.x <= clip.x || c.pos.y <= clip.y || a.pos.x >= clip.z || a.pos.y >= clip.w) continue;
-        glyphs.push_back({{a.pos.x, a.pos.y, c.pos.x, c.pos.y}, clip, list._OwnerName ? list._OwnerName : ""});
+        glyphs.push_back({{a.pos.x, a.pos.y, c.pos.x, c.pos.y}, clip, list._OwnerName ? list._OwnerName : "", a.uv});
       }
     }
   }
   return glyphs;
+}
+
+/// The letters inside a box of a window as text, from left to right; for boxes of one line.
+inline std::string textIn(const std::vector<Glyph>& glyphs, const std::string& window, const ImVec4& box) {
+  struct Letter {
+    float pen;
+    float end;
+    char letter;
+  };
+  std::vector<Letter> line;
+  const ImFont& font = *ImGui::GetIO().Fonts->Fonts[0];
+  for (const Glyph& glyph : glyphs) {
+    const float x = 0.5f * (glyph.box.x + glyph.box.z);
+    const float y = 0.5f * (glyph.box.y + glyph.box.w);
+    if (glyph.list != window || x < box.x || x > box.z || y < box.y || y > box.w) continue;
+    const auto* const found = std::ranges::find_if(
+        font.Glyphs, [&](const ImFontGlyph& each) { return each.U0 == glyph.uv.x && each.V0 == glyph.uv.y; });
+    if (found == font.Glyphs.end() || found->Codepoint > 127) continue;
+    const float scale = (glyph.box.z - glyph.box.x) / (found->X1 - found->X0);
+    const float pen = glyph.box.x - scale * found->X0;
+    line.push_back({pen, pen + scale * found->AdvanceX, static_cast<char>(found->Codepoint)});
+  }
+  std::ranges::stable_sort(line, {}, &Letter::pen);
+  std::string text;
+  for (std::size_t i = 0; i < line.size(); ++i) {
+    if (i > 0 && line[i].pen - line[i - 1].end > 2.0f) text += ' ';
+    text += line[i].letter;
+  }
+  return text;
 }
 
 /// How much of the smaller of two letters the other covers.

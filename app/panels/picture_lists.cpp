@@ -1,14 +1,13 @@
-// app/panels/clip_list.cpp: the files whose clips were added: what they hold, what did not match, what is gone.
-
-#include <imgui.h>
-
+// app/panels/picture_lists.cpp: lists over the picture: files of added clips, and findings of Play > Check muscles.
 #include <algorithm>
 #include <cstdio>
 #include <string>
 #include <vector>
 
+#include "app/editor/check_commands.h"
 #include "app/editor/clip_commands.h"
 #include "app/panels/overlay.h"
+#include "app/ui/readable_names.h"
 #include "app/ui/reading_order.h"
 #include "core/geometry/at.h"
 
@@ -21,7 +20,7 @@ constexpr float kClipListIndent = 22.0f;
 constexpr float kIconSize = 15.0f;
 constexpr float kAnswerWidth = 84.0f;
 
-/// What is under a file's name.
+/// A line below a file's name.
 struct Line {
   std::string text;
   Icon icon = Icon::kNone;
@@ -78,18 +77,16 @@ void drawLine(const PanelUi& ui, const Line& line, float room) {
   ImGui::PopTextWrapPos();
 }
 
-/// What a file's buttons ask for; indices into Rig::clipFiles, -1: nothing.
+/// The buttons that were pressed; indices into Rig::clipFiles, -1: none.
 struct Wanted {
   int remove = -1;
   int locate = -1;
   bool read = false;
 };
 
-/// The button for a file that is gone, or is another one now. @return whether it was clicked
+/// A button for a file that is missing or has changed. @return whether it was clicked
 bool answerButton(PanelUi& ui, const std::string& id, const char* label, const char* hint) {
-  const bool clicked = ImGui::Button((std::string(label) + "##" + id).c_str(), {ui.px(kAnswerWidth), 0.0f});
-  ui.widgets.note(id);
-  tooltip(ui, hint);
+  const bool clicked = textButton(ui, id, (std::string(label) + "##" + id).c_str(), {ui.px(kAnswerWidth), 0.0f}, hint);
   ImGui::SameLine(0.0f, ui.px(4));
   return clicked;
 }
@@ -124,9 +121,8 @@ void drawFiles(PanelUi& ui, float width) {
   const int count = static_cast<int>(ui.state.document.clipFiles.files.size());
   for (int i = 0; i < count; ++i) drawFile(ui, i, width, wanted);
   if (count == 0) {
-    ImGui::PushTextWrapPos(0.0f);
-    mutedText("None yet. The clips of a .glb, .gltf or .vrm file can be added, with the same bones or with others.");
-    ImGui::PopTextWrapPos();
+    mutedParagraph(
+        "None yet. The clips of a .glb, .gltf or .vrm file can be added, with the same bones or with others.");
   }
   if (wanted.locate >= 0) showLocateClipsDialog(ui.state, wanted.locate);
   if (wanted.read) run(action("play/read-clip-files"), ui.state);
@@ -150,24 +146,90 @@ void drawClipList(PanelUi& ui) {
   const float width = widthInPicture(ui, kClipListWidth);
   const float frame = ImGui::GetTextLineHeightWithSpacing() + ImGui::GetFrameHeightWithSpacing() + ui.px(18);
   const float height = std::min(listHeight(ui, width - ui.px(20)) + frame, kHighest * v.w);
-  ImGui::SetCursorPos({ui.px(kBesideTools), std::max(lowestInPicture(ui) - height, 0.0f)});
-  ImGui::PushStyleColor(ImGuiCol_ChildBg, palette::kPanel.faded(0.97f));
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {ui.px(10), ui.px(8)});
-  ImGui::BeginChild("clip-files", {width, height}, true, ImGuiWindowFlags_AlwaysUseWindowPadding);
+  beginInPicture(ui, "clip-files", {ui.px(kBesideTools), std::max(lowestInPicture(ui) - height, 0.0f)}, {width, height},
+                 0.97f, {10, 8});
   ImGui::TextUnformatted("Clips from other files");
   ui.widgets.note("clip-files/heading");
   ImGui::BeginChild("files", {0.0f, -ImGui::GetFrameHeightWithSpacing()});
   drawFiles(ui, ImGui::GetContentRegionAvail().x);
   ImGui::EndChild();
-  const bool adds = ImGui::Button("Add clips...");
-  ui.widgets.note("clip-files/add");
+  const bool adds = textButton(ui, "clip-files/add", "Add clips...");
   ImGui::SameLine();
-  if (ImGui::Button("Close")) state.open.clipList.shown = false;
-  ui.widgets.note("clip-files/close");
-  ImGui::EndChild();
-  ImGui::PopStyleVar();
-  ImGui::PopStyleColor();
+  if (textButton(ui, "clip-files/close", "Close")) state.open.clipList.shown = false;
+  endInPicture();
   if (adds) run(action("file/add-clips"), state);
+}
+
+// The findings of Play > Check muscles; a click shows one.
+
+namespace {
+
+constexpr float kCheckListWidth = 560.0f;  // Design pixels, as all here.
+constexpr int kMostRows = 6;
+
+std::string momentText(const Finding& finding) {
+  if (finding.clip.empty()) return "bind pose";
+  char time[32];
+  std::snprintf(time, sizeof time, " %.2f s", static_cast<double>(finding.time));
+  return finding.clip + time;
+}
+
+std::string headingOf(const EditorState& state) {
+  const std::size_t count = state.open.check.findings.size();
+  if (!checkIsCurrent(state)) return "The rig has changed since it was checked";
+  if (count == 0) return "All muscles stay in the flesh in all clips";
+  return std::to_string(count) + (count == 1 ? " finding" : " findings") + ": click one to see it";
+}
+
+void drawRow(PanelUi& ui, int index) {
+  EditorState& state = ui.state;
+  const CheckState& check = state.open.check;
+  const Finding& finding = at(check.findings, index);
+  const int muscle = findPrimitive(state.document.rig(), at(check.muscles, index));
+  const std::string name = muscle < 0 ? "(deleted)" : shownMuscleName(state.document.rig(), muscle);
+  const std::string text = name + ": " + textOf(finding);
+  const std::string when = momentText(finding);
+  const float room = ImGui::GetContentRegionAvail().x - ImGui::CalcTextSize(when.c_str()).x - ui.px(16);
+  ImGui::PushID(index);
+  const bool chosen = ImGui::Selectable(fitted(text, room).c_str(), check.chosen == index,
+                                        muscle < 0 ? ImGuiSelectableFlags_Disabled : ImGuiSelectableFlags_None);
+  ImGui::PopID();
+  ui.widgets.note("check/" + std::to_string(index));
+  tooltip(ui, text + "\n" + when);
+  ImGui::SameLine(ImGui::GetContentRegionMax().x - ImGui::CalcTextSize(when.c_str()).x);
+  mutedText(when.c_str());
+  if (chosen && muscle >= 0) goToFinding(state, index);
+}
+
+}  // namespace
+
+void drawCheckList(PanelUi& ui) {
+  EditorState& state = ui.state;
+  if (!state.open.check.shown) return;
+  const float width = widthInPicture(ui, kCheckListWidth);
+  const auto rows = static_cast<float>(std::clamp(static_cast<int>(state.open.check.findings.size()), 0, kMostRows));
+  const float line = ImGui::GetTextLineHeightWithSpacing();
+  const float height = rows * line + 2.0f * ImGui::GetFrameHeightWithSpacing() + ui.px(20);
+  const float top = lowestInPicture(ui) - height;
+  beginInPicture(ui, "check", {ui.px(kBesideTools), std::max(top, 0.0f)}, {width, height}, 0.94f, {10, 8});
+  ImGui::TextUnformatted(headingOf(state).c_str());
+  ui.widgets.note("check/heading");
+  ImGui::BeginChild("rows", {0.0f, -ImGui::GetFrameHeightWithSpacing()});
+  for (int i = 0; i < static_cast<int>(state.open.check.findings.size()); ++i) drawRow(ui, i);
+  ImGui::EndChild();
+  const bool current = checkIsCurrent(state);
+  ImGui::BeginDisabled(current && state.open.check.findings.empty());
+  const bool wanted = ImGui::Button(current ? "Mend" : "Check again");
+  ImGui::EndDisabled();
+  ui.widgets.note("check/mend");
+  tooltip(ui, current
+                  ? "Change the lines of these muscles until they stay in the flesh: pivot, via point, tendons, flex"
+                  : "Look through all clips again");
+  ImGui::SameLine();
+  const bool closed = textButton(ui, "check/close", "Close");
+  endInPicture();
+  if (wanted) mendFindings(state);
+  if (closed) closeCheck(state);
 }
 
 }  // namespace sinew::app

@@ -1,4 +1,4 @@
-// app/panels/layout_sizes.h: what is shown of the wished panel sizes in a window of a given size.
+// app/panels/layout.h: the sizes of the panels in a window of a given size.
 #pragma once
 
 #include "app/document/preferences.h"
@@ -14,7 +14,7 @@ inline constexpr float kBottomLowest = 76.0f;
 inline constexpr float kHistoryLowest = 64.0f;
 inline constexpr float kOutlinerLowest = 240.0f;
 
-/// Sizes of this frame, of hidden panels as well (0).
+/// Sizes in this frame; 0 for hidden panels.
 struct LayoutSizes {
   float left = 0.0f;
   float right = 0.0f;
@@ -22,7 +22,7 @@ struct LayoutSizes {
   float history = 0.0f;
 };
 
-/// As wished where the window has room for it, else less: the same wishes and window always give the same sizes.
+/// The wished sizes, reduced if the window has no room. Depends only on its parameters.
 /// @param width, height  of the window without its menu bar
 [[nodiscard]] LayoutSizes shownSizes(const LayoutState& wished, float width, float height);
 

@@ -1,12 +1,9 @@
-// app/panels/left_tabs.cpp: the tabs at the left.
+// app/panels/left_column.cpp: the tabs at the left, and the history below them.
+#include <string>
 
-#include <imgui.h>
-
+#include "app/editor/commands.h"
 #include "app/panels/blending.h"
-#include "app/panels/library.h"
-#include "app/panels/outliner.h"
 #include "app/panels/panels.h"
-#include "app/panels/shapes.h"
 
 namespace sinew::app {
 namespace {
@@ -17,9 +14,9 @@ const Control kLibraryTab{"library/tab", "Tab Library", "presets sets"};
 const Control kShapesTab{"shapes/tab", "Tab Shapes", "morph targets blend shapes"};
 
 constexpr float kTabGap = 13.0f;          ///< Design pixels.
-constexpr double kTabHoldSeconds = 0.35;  ///< A muscle dragged onto a tab for so long opens it.
+constexpr double kTabHoldSeconds = 0.35;  ///< A muscle that is held over a tab this long opens it.
 
-/// A word as a tab; a muscle that is dragged over it opens it.
+/// A tab; holding a dragged muscle over it opens it.
 void drawTab(PanelUi& ui, const char* word, const char* id, LeftTab tab) {
   OutlinerState& outliner = ui.state.view.outliner;
   const bool active = outliner.tab == tab;
@@ -71,6 +68,40 @@ void drawLeftTabs(PanelUi& ui) {
       break;
   }
   keepDraggedShown(ui);
+}
+
+void drawHistory(PanelUi& ui) {
+  ImGui::BeginChild("history-steps");
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ui.px(6), ui.px(3)});
+  const CommandStack& commands = ui.state.document.commands;
+  const std::size_t position = commands.position();
+  std::size_t wanted = position;
+  ImGuiListClipper clipper;
+  clipper.Begin(static_cast<int>(commands.stepCount() + 1));
+  while (clipper.Step()) {
+    for (int row = clipper.DisplayStart; row < clipper.DisplayEnd; ++row) {
+      const auto step = static_cast<std::size_t>(row);
+      ImGui::PushID(row);
+      ImGui::PushStyleColor(ImGuiCol_Text, step <= position ? palette::kText : palette::kMuted.faded(0.7f));
+      const std::string& label = commands.label(step);
+      const std::string shown = fitted(label, ImGui::GetContentRegionAvail().x);
+      if (ImGui::Selectable((shown + "##step").c_str(), step == position)) wanted = step;
+      ImGui::PopStyleColor();
+      ImGui::PopID();
+      ui.widgets.note("history/step/" + std::to_string(step));
+      if (shown != label) tooltip(ui, label);
+    }
+  }
+  if (wanted != position) {
+    jumpTo(ui.state, wanted);
+  } else if (ui.state.open.historyShown != position) {
+    // Scrolls to a new step.
+    const float row = ImGui::GetTextLineHeightWithSpacing();
+    ImGui::SetScrollY(row * static_cast<float>(position) - 0.5f * ImGui::GetWindowHeight());
+  }
+  ui.state.open.historyShown = position;
+  ImGui::PopStyleVar();
+  ImGui::EndChild();
 }
 
 }  // namespace sinew::app
