@@ -32,7 +32,7 @@ void expectFigures(const Json& figures) {
   EXPECT_TRUE(figures.find("draw_seconds") && figures.find("upload_seconds")) << "null where there is no display";
 }
 
-TEST_F(Bench, AllInOneRun) {
+TEST_F(Bench, OneRunMeasuresEverything) {
   const auto file = folder_ / "whole.json";
   const Outcome outcome = run({"bench", demo("humanoid.rig.json"), "--rounds", "1", "--json", file.string()});
   ASSERT_EQ(outcome.status, 0) << outcome.error;
@@ -67,7 +67,7 @@ TEST_F(Bench, AllInOneRun) {
   }
 }
 
-TEST_F(Bench, RigAfterJsonIsMeasuredAndKept) {
+TEST_F(Bench, RigAfterJsonIsMeasuredAndNotOverwritten) {
   // The word after --json may be meant as the input: such a file is never written.
   std::filesystem::copy_file(demo("demo.rig.json"), folder_ / "mine.rig.json");
   std::filesystem::copy_file(demo("demo.glb"), folder_ / "demo.glb");
@@ -85,7 +85,7 @@ TEST_F(Bench, RigAfterJsonIsMeasuredAndKept) {
   }
 }
 
-TEST_F(Bench, RefusesAtOnceWhatCannotBeReadOrWritten) {
+TEST_F(Bench, UnreadableInputAndUnwritableOutputAreRefusedImmediately) {
   const auto json = folder_ / "whole.json";
   for (const char* file : {"no such file.glb", "nonsense", "stages"}) {
     const Outcome outcome = run({"bench", demo("demo.rig.json"), file, "--json", json.string()});
@@ -100,7 +100,7 @@ TEST_F(Bench, RefusesAtOnceWhatCannotBeReadOrWritten) {
   EXPECT_EQ(outcome.out, "");
 }
 
-TEST_F(Bench, BadCommandLine) {
+TEST_F(Bench, BadCommandLineIsStatus2) {
   for (const auto& arguments : {std::vector<std::string>{"bench", "--rounds", "0"}, {"bench", "--frames", "3"}}) {
     const Outcome outcome = run(arguments);
     EXPECT_EQ(outcome.status, 2);

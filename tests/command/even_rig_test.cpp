@@ -39,7 +39,7 @@ TEST(EvenRig, IsValidRepeatableAndAttached) {
   }
 }
 
-TEST(EvenRig, OverlapDoesNotGrowWithTheNumber) {
+TEST(EvenRig, OverlapIsIndependentOfTheMuscleCount) {
   for (const auto& character : {test::makeTwoLegged(), test::makeTube()}) {
     for (const int muscles : {400, 4000}) {
       const double overlap = meanOverlap(*character, evenRig(*character, muscles));

@@ -17,7 +17,7 @@ class RangeOfMotion : public Program {
   }
 };
 
-TEST_F(RangeOfMotion, BeginsInTheBindPoseAndLeavesIt) {
+TEST_F(RangeOfMotion, StartsInTheBindPoseAndMoves) {
   const std::string bound = surface({});
   EXPECT_EQ(surface({"--clip", "Range of motion"}), bound);
   const std::string moved = surface({"--clip", "Range of motion", "--time", "0.375"});
@@ -25,7 +25,7 @@ TEST_F(RangeOfMotion, BeginsInTheBindPoseAndLeavesIt) {
   EXPECT_EQ(surface({"--clip", "Range of motion", "--time", "0.375"}), moved);
 }
 
-TEST_F(RangeOfMotion, AnotherNameThatTheFileLacksIsStillRefused) {
+TEST_F(RangeOfMotion, NameIsCaseSensitive) {
   const Outcome outcome = run({"smooth", demo("demo.glb"), "-o", "out.obj", "--clip", "range of motion"});
   EXPECT_EQ(outcome.status, 1);
   EXPECT_TRUE(outcome.oneErrorLine()) << outcome.error;

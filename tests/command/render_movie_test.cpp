@@ -82,7 +82,7 @@ MovingWebp readWebp(const std::string& file) {
   return movie;
 }
 
-TEST_F(RenderMovie, ATurntableGoesOnceAround) {
+TEST_F(RenderMovie, TurntableGoesOnceAround) {
   const Outcome done =
       render({"--turntable", "4", "--orthographic", "--no-ground", "--view", "front", "-o", "t_%d.png"});
   EXPECT_EQ(done.status, 0) << done.error;
@@ -102,7 +102,7 @@ TEST_F(RenderMovie, ATurntableGoesOnceAround) {
   }
 }
 
-TEST_F(RenderMovie, ATurntableMayPlayTheClip) {
+TEST_F(RenderMovie, TurntableCanPlayTheClip) {
   const Outcome done = render({"--turntable", "2", "--frames", "0:3", "-o", "t_%d.png"});
   EXPECT_EQ(done.out, "t_0.png\nt_1.png\nt_2.png\nt_3.png\n") << done.error;
   ASSERT_EQ(render({"--turntable", "2", "--frames", "0:3", "-o", "again_%d.png"}).status, 0);
@@ -110,7 +110,7 @@ TEST_F(RenderMovie, ATurntableMayPlayTheClip) {
   EXPECT_EQ(bytes("t_3.png"), bytes("again_3.png"));
 }
 
-TEST_F(RenderMovie, ASheetHoldsThePicturesInRows) {
+TEST_F(RenderMovie, SheetHoldsThePicturesInRows) {
   ASSERT_EQ(render({"--frames", "0:3", "-o", "f_%d.png"}).status, 0);
   const Outcome done = render({"--frames", "0:3", "--sheet", "3x2", "-o", "sheet.png"});
   EXPECT_EQ(done.status, 0) << done.error;
@@ -125,7 +125,7 @@ TEST_F(RenderMovie, ASheetHoldsThePicturesInRows) {
   EXPECT_EQ(sheet.part(64, 48, 64, 48), std::vector<std::uint8_t>(4 * 64 * 48, 0)) << "no fifth frame";
 }
 
-TEST_F(RenderMovie, ASheetAloneShowsAllSidesOrTheWholeClip) {
+TEST_F(RenderMovie, SheetWithoutFramesShowsAllSidesOrTheWholeClip) {
   ASSERT_EQ(render({"--sheet", "2x2", "-o", "sides.png"}).status, 0);
   const Pixels sides = picture("sides.png");
   EXPECT_NE(sides.part(0, 0, 64, 48), sides.part(64, 48, 64, 48));
@@ -134,7 +134,7 @@ TEST_F(RenderMovie, ASheetAloneShowsAllSidesOrTheWholeClip) {
   EXPECT_EQ(picture("clip.png").rgba, picture("frames.png").rgba) << "its beginning, two thirds, its end";
 }
 
-TEST_F(RenderMovie, FramesBecomeAMovingWebp) {
+TEST_F(RenderMovie, FramesBecomeAnAnimatedWebp) {
   const Outcome done = render({"--frames", "0:8:2", "--fps", "20", "-o", "m.webp"});
   EXPECT_EQ(done.status, 0) << done.error;
   EXPECT_EQ(done.out, "m.webp\n");
@@ -148,7 +148,7 @@ TEST_F(RenderMovie, FramesBecomeAMovingWebp) {
   EXPECT_EQ(render({"--frames", "0:2", "-o", "gone/m.webp"}).status, 1);
 }
 
-TEST_F(RenderMovie, FfmpegIsGivenThePicturesOfOtherMovies) {
+TEST_F(RenderMovie, OtherMovieFormatsUseFfmpeg) {
   std::filesystem::create_directory(folder_ / "none");
   std::filesystem::create_symlink("/usr/bin/env", folder_ / "none" / "env");
   const Outcome absent = render({"--turntable", "3", "-o", "m.mp4"}, "PATH=none");
@@ -181,7 +181,7 @@ TEST_F(RenderMovie, FfmpegIsGivenThePicturesOfOtherMovies) {
   EXPECT_FALSE(std::filesystem::exists(folder_ / "bad.mp4"));
 }
 
-TEST(Evenly, TakesTheEndsAndSpreadsTheRest) {
+TEST(Evenly, IncludesTheEndsAndSpreadsTheRest) {
   EXPECT_EQ(app::evenly(3, 5), (std::vector<std::size_t>{0, 1, 2}));
   EXPECT_EQ(app::evenly(9, 3), (std::vector<std::size_t>{0, 4, 8}));
   EXPECT_EQ(app::evenly(100, 1), (std::vector<std::size_t>{0}));

@@ -39,7 +39,7 @@ glm::vec3 seen(const glm::vec3& srgb, const Eye& eye) {
   return oklab(glm::clamp(glm::vec3(glm::dot(eye[0], c), glm::dot(eye[1], c), glm::dot(eye[2], c)), 0.0f, 1.0f));
 }
 
-TEST(GroupColors, StayApartForEveryEye) {
+TEST(GroupColors, AreDistinguishableWithColorBlindness) {
   for (const Eye& eye : {kNormal, kProtan, kDeutan}) {
     for (int i = 0; i < kGroupColors; ++i) {
       for (int j = 0; j < i; ++j) {
@@ -66,7 +66,7 @@ Rig withGroups(std::initializer_list<const char*> names) {
   return rig;
 }
 
-TEST(GroupColors, AGroupKeepsItsColorWhateverHappensBesideIt) {
+TEST(GroupColors, GroupKeepsItsColorWhenOthersChange) {
   CommandStack commands(withGroups({"a", "b", "c"}));
   const glm::vec3 a = groupColor(commands.rig(), "a"), b = groupColor(commands.rig(), "b");
   const glm::vec3 c = groupColor(commands.rig(), "c");
@@ -92,7 +92,7 @@ TEST(GroupColors, AGroupKeepsItsColorWhateverHappensBesideIt) {
   EXPECT_EQ(groupColor(commands.rig(), "a"), a);
 }
 
-TEST(GroupColors, ARigOutsideADocumentHasTheSameOnes) {
+TEST(GroupColors, RigOutsideADocumentHasTheSameColors) {
   const Rig rig = withGroups({"a", "b", "c"});
   const CommandStack commands(rig);
   for (const char* name : {"a", "b", "c"}) EXPECT_EQ(groupColor(rig, name), groupColor(commands.rig(), name));

@@ -63,7 +63,7 @@ TEST(DefaultNames, FollowTheBone) {
       << "the one that stays keeps its name";
 }
 
-TEST(DefaultNames, WhatSomebodyTypedStays) {
+TEST(DefaultNames, TypedNamesAreKept) {
   for (const char* typed : {"biceps", "arm.L muscles", "arm.L muscle x", "arm.L muscle 2b", "leg.L muscle", "muscle"}) {
     EXPECT_EQ(namesAfter(rigOf({{typed, "arm.L"}}), "leg.L"), Names{typed});
   }
@@ -81,7 +81,7 @@ TEST(DefaultNames, TwinsAreNamedTogether) {
   EXPECT_EQ(namesAfter(renamed, "leg.L"), (Names{"leg.L muscle", "biceps"}));
 }
 
-TEST(DefaultNames, LinksHoldUnderTheNewNames) {
+TEST(DefaultNames, TwinLinksFollowTheNewNames) {
   const Rig pair = setMirror(rigOf({{"arm.L muscle", "arm.L"}, {"arm.R muscle", "arm.R"}}), 0, 1);
   Rig moved = pair;
   moved.primitives[0].bone = "leg.L";

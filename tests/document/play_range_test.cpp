@@ -18,7 +18,7 @@ Character withClipsOf(const std::vector<std::string>& files) {
   return character;
 }
 
-TEST(ClipIds, AreEachClipsOwnThoughNamesAreTheSame) {
+TEST(ClipIds, AreUniqueEvenForEqualNames) {
   const Character character = withClipsOf({"", "", "a.glb", "b.glb", "a.glb"});
   const std::vector<ClipId> ids = clipIds(character);
   for (std::size_t i = 0; i < ids.size(); ++i) EXPECT_EQ(indexOf(character, ids[i]), static_cast<int>(i));
@@ -26,7 +26,7 @@ TEST(ClipIds, AreEachClipsOwnThoughNamesAreTheSame) {
   EXPECT_EQ(indexOf(character, {"c.glb", 0}), -1);
 }
 
-TEST(ClipIds, RangesFollowAndComeBack) {
+TEST(ClipIds, RangesFollowTheirClipsAndAreRestored) {
   const Character all = withClipsOf({"", "a.glb", "a.glb", "b.glb"});
   const Character fewer = withClipsOf({"", "b.glb"});
   const PlayRanges ranges{{0, {0.0, 1.0}}, {2, {0.1, 0.5}}, {3, {0.2, 0.6}}, {9, {0.0, 1.0}}};

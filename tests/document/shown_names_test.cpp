@@ -22,7 +22,7 @@ Names withPrefix(const std::string& prefix, const Names& names) {
   return all;
 }
 
-TEST(ShownNames, LoseWhatAllShare) {
+TEST(ShownNames, OmitThePrefixSharedByAll) {
   const std::pair<Names, Names> rows[] = {
       {{"Armature|Armature|Walk", "Armature|Armature|Run"}, {"Walk", "Run"}},
       {{"mixamorig:Hips", "mixamorig:Spine"}, {"Hips", "Spine"}},
@@ -52,7 +52,7 @@ TEST(ShownNames, LoseWhatAllShare) {
   for (const auto& [names, wanted] : rows) EXPECT_EQ(withoutSharedParts(names), wanted);
 }
 
-TEST(ShownNames, LoseAWordThatManyShareWhereALetterFollows) {
+TEST(ShownNames, OmitALeadingWordSharedByMost) {
   const Names bones{"Pelvis", "Spine", "Neck", "Head", "L Thigh", "R Thigh", "L Foot", "R Foot"};
   for (const char* prefix : {"Bip01_", "Bip01 ", "DEF-", "rig."}) {
     EXPECT_EQ(withoutSharedParts(withPrefix(prefix, bones)), bones) << prefix;
@@ -68,7 +68,7 @@ TEST(ShownNames, LoseAWordThatManyShareWhereALetterFollows) {
   EXPECT_EQ(withoutSharedParts(rooted), rooted);
 }
 
-TEST(ShownNames, LoseAWordBehindThatManyShare) {
+TEST(ShownNames, OmitATrailingWordSharedByMost) {
   const Names bones{"Pelvis", "Spine", "Neck", "Head", "L Thigh", "R Thigh", "L Foot", "R Foot"};
   const auto with = [&](const std::string& prefix, const std::string& suffix) {
     Names all = withPrefix(prefix, bones);
@@ -124,14 +124,14 @@ TEST(ShownNames, AreNeverEmptyNorAmbiguous) {
   }
 }
 
-TEST(ShownNames, TheClipThatTheEditorMadeTakesNoPart) {
+TEST(ShownNames, IgnoreTheGeneratedClip) {
   Character character = *test::makeLimb();
   character.clips = {{"Armature|Walk", 1.0f, {}, false}, {"Armature|Run", 1.0f, {}, false}, {"", 1.0f, {}, false}};
   character.clips.push_back({"Range of motion", 1.0f, {}, true});
   EXPECT_EQ(shownClipNames(character), (Names{"Walk", "Run", "clip 3", "Range of motion"}));
 }
 
-TEST(ShownNames, BonesByIndexAndByTheirNameInAFile) {
+TEST(ShownNames, BoneNamesAreFoundByIndexAndByFileName) {
   Character character = *test::makeLimb();
   for (Bone& bone : character.skeleton.bones) bone.name = "mixamorig:" + bone.name;
   finishBones(character.skeleton);
@@ -141,7 +141,7 @@ TEST(ShownNames, BonesByIndexAndByTheirNameInAFile) {
   EXPECT_EQ(shownBoneName(character.skeleton, -1), "");
 }
 
-TEST(ShownNames, OfCharactersNobodyHereMade) {
+TEST(ShownNames, RealCharactersHaveShortNames) {
   const auto robot = test::realCharacter("robot.glb");
   const auto cesium = test::realCharacter("cesium_man.gltf");
   if (!robot || !cesium) SINEW_SKIP_WITHOUT_CHARACTERS();

@@ -18,7 +18,7 @@ Bone boneNamed(const std::string& name, int parent) {
 }
 
 /// hip, knee below it, arm apart; a muscle on each, one on a bone that is not there.
-class VisibilityTest : public testing::Test {
+class MuscleVisibility : public testing::Test {
  protected:
   void SetUp() override {
     skeleton.nodes.resize(3);
@@ -44,7 +44,7 @@ class VisibilityTest : public testing::Test {
   IdentitySource identities;
 };
 
-TEST_F(VisibilityTest, BonesOfEachAreThoseThatFindBoneFinds) {
+TEST_F(MuscleVisibility, BonesOfMusclesMatchFindBone) {
   skeleton.bones.push_back(boneNamed("arm", 0));
   skeleton.nodes.resize(4);
   skeleton.bones.back().node = 3;
@@ -60,7 +60,7 @@ TEST_F(VisibilityTest, BonesOfEachAreThoseThatFindBoneFinds) {
   }
 }
 
-TEST_F(VisibilityTest, ABoneSpeaksForWhatIsOnItAndBelow) {
+TEST_F(MuscleVisibility, BoneMarkAppliesToItsMusclesAndDescendants) {
   EXPECT_TRUE(hidden().empty());
   visibility.setBone(Mark::kHidden, path(0), true);
   EXPECT_EQ(hidden(), (std::vector<int>{0, 1}));
@@ -73,7 +73,7 @@ TEST_F(VisibilityTest, ABoneSpeaksForWhatIsOnItAndBelow) {
   EXPECT_FALSE(isPickable(visibility, rig, skeleton, 2));
 }
 
-TEST_F(VisibilityTest, SoloLeavesItselfAlone) {
+TEST_F(MuscleVisibility, SoloHidesAllOthers) {
   visibility.setMuscle(Mark::kSolo, id(3), true);
   EXPECT_EQ(hidden(), (std::vector<int>{0, 1, 2}));
   visibility.setBone(Mark::kSolo, path(1), true);
@@ -82,14 +82,14 @@ TEST_F(VisibilityTest, SoloLeavesItselfAlone) {
   EXPECT_EQ(hidden(), (std::vector<int>{0, 1, 2}));
 }
 
-TEST_F(VisibilityTest, IsolationAndBareCutFurther) {
+TEST_F(MuscleVisibility, IsolationAndBareHideFurtherMuscles) {
   visibility.isolated = std::set<PrimitiveId>{id(0), id(2)};
   EXPECT_EQ(hidden(), (std::vector<int>{1, 3}));
   visibility.bare = true;
   EXPECT_EQ(hidden().size(), 4u);
 }
 
-TEST_F(VisibilityTest, MarksGoWithARenamedMuscleAndComeBackWithUndo) {
+TEST_F(MuscleVisibility, MarksFollowRenameAndUndo) {
   CommandStack commands(rig);
   visibility.setMuscle(Mark::kHidden, commands.rig().primitives[2].id(), true);
   commands.apply("Rename", renamePrimitive(commands.rig(), 2, "biceps").value());
@@ -99,7 +99,7 @@ TEST_F(VisibilityTest, MarksGoWithARenamedMuscleAndComeBackWithUndo) {
   EXPECT_EQ(hiddenPrimitives(visibility, commands.rig(), skeleton), (std::vector<int>{2}));
 }
 
-TEST_F(VisibilityTest, WhatUndoBringsBackIsAsItWasLeftAndANewOneOfTheNameIsSeen) {
+TEST_F(MuscleVisibility, UndoRestoresHiddenStateAndANewMuscleIsVisible) {
   CommandStack commands(rig);
   visibility.setMuscle(Mark::kHidden, commands.rig().primitives[3].id(), true);
   commands.apply("Delete", removePrimitives(commands.rig(), std::vector<int>{3}));
@@ -115,7 +115,7 @@ TEST_F(VisibilityTest, WhatUndoBringsBackIsAsItWasLeftAndANewOneOfTheNameIsSeen)
   EXPECT_TRUE(hiddenPrimitives(visibility, commands.rig(), skeleton).empty());
 }
 
-TEST_F(VisibilityTest, ANewMuscleIsSeenAmongTheIsolatedAndWhatUndoBringsBackStaysAway) {
+TEST_F(MuscleVisibility, NewMuscleJoinsTheIsolatedButUndoneDeletionsDoNot) {
   CommandStack commands(rig);
   welcomeNew(visibility, commands.rig(), skeleton);
   visibility.isolated = std::set<PrimitiveId>{commands.rig().primitives[0].id()};
@@ -132,7 +132,7 @@ TEST_F(VisibilityTest, ANewMuscleIsSeenAmongTheIsolatedAndWhatUndoBringsBackStay
   EXPECT_EQ(hiddenPrimitives(visibility, commands.rig(), skeleton), (std::vector<int>{1, 2, 3}));
 }
 
-TEST_F(VisibilityTest, SoloOfAMuscleThatUndoTookAwayHidesNothing) {
+TEST_F(MuscleVisibility, SoloOfAnUndoneMuscleHidesNothing) {
   CommandStack commands(rig);
   welcomeNew(visibility, commands.rig(), skeleton);
   visibility.setMuscle(Mark::kSolo, commands.rig().primitives[0].id(), true);
@@ -147,7 +147,7 @@ TEST_F(VisibilityTest, SoloOfAMuscleThatUndoTookAwayHidesNothing) {
   EXPECT_TRUE(hiddenPrimitives(visibility, commands.rig(), skeleton).empty());
 }
 
-TEST_F(VisibilityTest, ANewMuscleOnASoloedBoneNeedsNoMark) {
+TEST_F(MuscleVisibility, NewMuscleOnASoloedBoneNeedsNoMark) {
   CommandStack commands(rig);
   welcomeNew(visibility, commands.rig(), skeleton);
   visibility.setBone(Mark::kSolo, path(2), true);

@@ -86,10 +86,10 @@ class Hand {
   std::mt19937 random_;
 };
 
-class InAnyOrder : public testing::TestWithParam<unsigned> {};
-INSTANTIATE_TEST_SUITE_P(Seeds, InAnyOrder, testing::Range(1u, 13u));
+class RandomBindings : public testing::TestWithParam<unsigned> {};
+INSTANTIATE_TEST_SUITE_P(Seeds, RandomBindings, testing::Range(1u, 13u));
 
-TEST_P(InAnyOrder, NoTwoActionsEverShareAKeyAndAFileBringsAllBack) {
+TEST_P(RandomBindings, KeysStayUniqueAndSurviveAFileRoundTrip) {
   Hand hand(GetParam());
   EditorState state;
   const Preferences& preferences = state.session.preferences;
@@ -107,7 +107,7 @@ TEST_P(InAnyOrder, NoTwoActionsEverShareAKeyAndAFileBringsAllBack) {
   EXPECT_GT(most, 8u) << "the hand changed too little to show anything";
 }
 
-TEST_P(InAnyOrder, EveryKeyRunsTheActionItIsShownWith) {
+TEST_P(RandomBindings, EveryKeyRunsItsDisplayedAction) {
   Hand hand(GetParam());
   EditorState state;
   for (int step = 0; step < 150; ++step) hand.act(state);
@@ -120,7 +120,7 @@ TEST_P(InAnyOrder, EveryKeyRunsTheActionItIsShownWith) {
   }
 }
 
-TEST_P(InAnyOrder, AnyFileMakesSoundKeys) {
+TEST_P(RandomBindings, ArbitraryFileGivesValidKeys) {
   Hand hand(GetParam());
   for (int file = 0; file < 30; ++file) {
     Preferences preferences;
@@ -138,7 +138,7 @@ TEST_P(InAnyOrder, AnyFileMakesSoundKeys) {
   }
 }
 
-TEST(Bindings, AKeyIsReadAsItIsWritten) {
+TEST(Bindings, KeyTextRoundTrips) {
   std::set<std::string> texts;
   for (int key = 1; key <= GLFW_KEY_LAST; ++key) {
     for (int modifiers = 0; modifiers < 8; ++modifiers) {
@@ -166,7 +166,7 @@ TEST(Bindings, EscEnterModifiersAndNamelessKeysAreReserved) {
   EXPECT_EQ(whyReserved({GLFW_KEY_K, true, true, true}), "");
 }
 
-TEST(Bindings, AKeyThatIsTakenIsAQuestionAndCancelChangesNothing) {
+TEST(Bindings, TakenKeyPromptsAndCancelChangesNothing) {
   EditorState state;
   const Preferences before = state.session.preferences;
   startKeyCapture(state, action("view/ground"), 0);
@@ -178,7 +178,7 @@ TEST(Bindings, AKeyThatIsTakenIsAQuestionAndCancelChangesNothing) {
   EXPECT_EQ(state.session.preferences, before);
 }
 
-TEST(Bindings, ReplaceTakesTheKeyAndResetAsksForItBack) {
+TEST(Bindings, ReplaceTakesTheKeyAndResetPromptsToRestoreIt) {
   EditorState state;
   Preferences& preferences = state.session.preferences;
   startKeyCapture(state, action("view/ground"), 0);
@@ -197,7 +197,7 @@ TEST(Bindings, ReplaceTakesTheKeyAndResetAsksForItBack) {
   EXPECT_EQ(preferences, Preferences{});
 }
 
-TEST(Bindings, AReservedKeyIsRefusedWithAReasonAndAnotherOneWaitedFor) {
+TEST(Bindings, ReservedKeyIsRefusedAndCaptureContinues) {
   EditorState state;
   startKeyCapture(state, action("view/ground"), 1);
   captureKey(state, {GLFW_KEY_ENTER});
@@ -210,7 +210,7 @@ TEST(Bindings, AReservedKeyIsRefusedWithAReasonAndAnotherOneWaitedFor) {
   EXPECT_EQ(keys[1], (Shortcut{GLFW_KEY_J}));
 }
 
-TEST(Bindings, BackspaceAndDeleteClearAndEscGivesUp) {
+TEST(Bindings, BackspaceAndDeleteClearAndEscapeCancels) {
   for (const int key : {GLFW_KEY_BACKSPACE, GLFW_KEY_DELETE}) {
     EditorState state;
     startKeyCapture(state, action("view/frame-all"), 0);
@@ -234,7 +234,7 @@ TEST(Bindings, EachKeymapHasItsOwnChanges) {
   EXPECT_EQ(ownerOf({GLFW_KEY_J}, preferences), &action("view/ground"));
 }
 
-TEST(Bindings, WhatAFileSaysAndNobodyCanUseIsDroppedWithANote) {
+TEST(Bindings, UnusableEntriesOfAFileAreDroppedWithNotes) {
   Preferences preferences = preferencesFromJson(R"({"format": "sinew-preferences", "keys": {"maya": {
       "edit/gone": ["K"], "view/ground": ["Hyper+K"], "view/wire": ["Enter"], "view/skeleton": ["K", 7],
       "view/primitives": ["K"], "view/clay": [], "edit/undo": "K",

@@ -89,7 +89,7 @@ class Opening : public testing::Test {
   EditorState state;
 };
 
-TEST_F(Opening, AWalkPlaysThoughADeathStandsFirst) {
+TEST_F(Opening, WalkPlaysEvenIfADeathIsFirst) {
   test::Post post = test::makePost();
   auto& clips = post.file.json["animations"];
   clips[0]["name"] = "Armature|Death";
@@ -101,7 +101,7 @@ TEST_F(Opening, AWalkPlaysThoughADeathStandsFirst) {
   EXPECT_TRUE(state.open.transport.playing);
 }
 
-TEST_F(Opening, HelperBonesAreLeftOutUntilTheyAreAskedFor) {
+TEST_F(Opening, HelperBonesAreHiddenByDefault) {
   openPost();
   EXPECT_EQ(hidden(), (std::vector<int>{kTarget, kPole, kEnd}));
   EXPECT_EQ(bonesInTree(), (std::vector<int>{kHip, kKnee}));
@@ -112,7 +112,7 @@ TEST_F(Opening, HelperBonesAreLeftOutUntilTheyAreAskedFor) {
   EXPECT_EQ(bonesInTree(), (std::vector<int>{kHip, kTarget, kPole}));
 }
 
-TEST_F(Opening, AHelperWithAMuscleASelectedAndATurnedOneAreShown) {
+TEST_F(Opening, HelperBonesInUseAreShown) {
   openPost();
   addMuscle(state, kPole);
   EXPECT_EQ(hidden(), (std::vector<int>{kTarget, kEnd}));
@@ -152,7 +152,7 @@ TEST_F(Opening, HiddenBonesAreNeitherDrawnNorPicked) {
   }
 }
 
-TEST_F(Opening, TheChildJointIsOneThatIsSeen) {
+TEST_F(Opening, SelectChildJointSkipsHiddenBones) {
   openPost();
   state.document.selection.bone = kHip;
   selectChildJoint(state);
@@ -164,7 +164,7 @@ TEST_F(Opening, TheChildJointIsOneThatIsSeen) {
   EXPECT_EQ(state.document.selection.bone, kEnd);
 }
 
-TEST_F(Opening, AMissingCharacterIsAskedForAndTheOpenDocumentStays) {
+TEST_F(Opening, MissingCharacterPromptsAndTheOpenDocumentStays) {
   write("other.glb", test::makePost());
   write("moved.glb", test::makePost());
   writeRig("lost.rig.json", "gone/post.glb");
@@ -191,7 +191,7 @@ TEST_F(Opening, AMissingCharacterIsAskedForAndTheOpenDocumentStays) {
 }
 
 // An absolute path is kept as typed otherwise (document.cpp); here it is what was wrong.
-TEST_F(Opening, AMissingAbsolutePathIsReplacedToo) {
+TEST_F(Opening, MissingAbsolutePathIsReplaced) {
   write("moved.glb", test::makePost());
   writeRig("lost.rig.json", (folder / "gone.glb").string());
   EXPECT_EQ(openWithCharacter(state, folder / "lost.rig.json", folder / "moved.glb"), "");
@@ -199,7 +199,7 @@ TEST_F(Opening, AMissingAbsolutePathIsReplacedToo) {
   EXPECT_EQ(loadRig(folder / "lost.rig.json")->character, "moved.glb");
 }
 
-TEST_F(Opening, WhatElseIsMissingOrWrongIsAMessage) {
+TEST_F(Opening, OtherProblemsAreMessages) {
   test::Post post = test::makePost();
   ASSERT_TRUE(writeFileAtomically(folder / "post.gltf", post.file.gltfWithBufferAt("gone.bin")).ok());
   ASSERT_TRUE(writeFileAtomically(folder / "text.glb", "no character").ok());
@@ -221,7 +221,7 @@ TEST_F(Opening, WhatElseIsMissingOrWrongIsAMessage) {
   EXPECT_FALSE(state.dialogs.locate.rigFile.empty());
 }
 
-TEST_F(Opening, ADamagedFileIsToldInPlainWords) {
+TEST_F(Opening, DamagedFileIsReportedInPlainLanguage) {
   writeRig("limb.rig.json", "post.glb");
   write("post.glb", test::makePost());
   const std::string whole = readWholeFile(folder / "limb.rig.json", 1 << 20).value();

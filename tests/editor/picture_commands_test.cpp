@@ -42,7 +42,7 @@ class PictureCommands : public testing::Test {
   EditorState state_;
 };
 
-TEST_F(PictureCommands, TheUsersFolderForPicturesIsFound) {
+TEST_F(PictureCommands, UsersPicturesFolderIsFound) {
   EXPECT_EQ(picturesFolder(), home_);
   fs::create_directories(home_ / "Pictures");
   EXPECT_EQ(picturesFolder(), home_ / "Pictures");
@@ -56,7 +56,7 @@ TEST_F(PictureCommands, TheUsersFolderForPicturesIsFound) {
   EXPECT_EQ(picturesFolder(), home_ / "Pictures");
 }
 
-TEST_F(PictureCommands, ADirectSaveNeverTakesAUsedName) {
+TEST_F(PictureCommands, DirectSaveNeverReusesAName) {
   savePictureNow(state_);
   ASSERT_TRUE(state_.session.pictureWanted);
   const fs::path first = *state_.session.pictureWanted;
@@ -71,7 +71,7 @@ TEST_F(PictureCommands, ADirectSaveNeverTakesAUsedName) {
   }
 }
 
-TEST_F(PictureCommands, TheDialogBeginsWhereTheLastPictureWent) {
+TEST_F(PictureCommands, DialogStartsInTheLastPictureFolder) {
   showPictureDialog(state_);
   EXPECT_EQ(state_.dialogs.file.kind, DialogKind::kSavePicture);
   EXPECT_EQ(state_.dialogs.file.folder, home_);

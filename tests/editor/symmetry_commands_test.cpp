@@ -31,7 +31,7 @@ struct SymmetryCommands : HeadlessEditor {
   std::string name;
 };
 
-TEST_F(SymmetryCommands, TheInspectorShowsTheTwinAndUnlinksIt) {
+TEST_F(SymmetryCommands, InspectorShowsTheTwinAndUnlinksIt) {
   EXPECT_TRUE(shown("inspector/twin"));
   click("inspector/unlink");
   EXPECT_EQ(rig().primitives[0].mirror, "");
@@ -43,7 +43,7 @@ TEST_F(SymmetryCommands, TheInspectorShowsTheTwinAndUnlinksIt) {
   EXPECT_EQ(twinOf(rig(), 0), 1);
 }
 
-TEST_F(SymmetryCommands, SymmetryIsAButtonAndDecidesWhatDeletingTakes) {
+TEST_F(SymmetryCommands, SymmetryButtonDecidesWhetherDeleteIncludesTheTwin) {
   click("toolstrip/symmetry");
   EXPECT_FALSE(state.document.symmetry);
   EXPECT_EQ(editedIndices(state.document), std::vector<int>{0});
@@ -55,7 +55,7 @@ TEST_F(SymmetryCommands, SymmetryIsAButtonAndDecidesWhatDeletingTakes) {
   EXPECT_EQ(rig().primitives.size(), 2u);
 }
 
-TEST_F(SymmetryCommands, DuplicatesAndPastesPairsAndSelectsTheCopies) {
+TEST_F(SymmetryCommands, DuplicateAndPasteKeepPairsAndSelectTheCopies) {
   duplicateSelection(state);
   ASSERT_EQ(rig().primitives.size(), 4u);
   EXPECT_EQ(twinOf(rig(), 2), 3);
@@ -74,14 +74,14 @@ TEST_F(SymmetryCommands, DuplicatesAndPastesPairsAndSelectsTheCopies) {
   EXPECT_EQ(rig().primitives.size(), 4u);
 }
 
-TEST_F(SymmetryCommands, ARenamedPairStaysAPairOfNames) {
+TEST_F(SymmetryCommands, RenamedPairKeepsMatchingNames) {
   EXPECT_TRUE(rename(state, idOf(state.document, name), "quad L"));
   EXPECT_EQ(rig().primitives[1].name, "quad R");
   EXPECT_EQ(state.document.activeName(), "quad L");
   EXPECT_EQ(state.document.commands.label(state.document.commands.position()), "Rename " + name);
 }
 
-TEST_F(SymmetryCommands, SelectsAllInvertsAndGoesToTheTwin) {
+TEST_F(SymmetryCommands, SelectTwinInvertAllAndOnBoneWork) {
   selectTwins(state.document);
   EXPECT_EQ(state.document.activeName(), rig().primitives[1].name);
   invertSelection(state.document);

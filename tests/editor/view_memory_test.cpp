@@ -93,7 +93,7 @@ class ViewMemory : public testing::Test {
   const fs::path folder = own.path();
 };
 
-TEST_F(ViewMemory, ComesBackAtTheNextStartAndTheRigFileKeepsItsBytes) {
+TEST_F(ViewMemory, IsRestoredAtTheNextStartWithoutTouchingTheRigFile) {
   const std::string before = bytesOf(folder / "demo.rig.json");
   {
     EditorState state;
@@ -113,7 +113,7 @@ TEST_F(ViewMemory, ComesBackAtTheNextStartAndTheRigFileKeepsItsBytes) {
   EXPECT_FALSE(fs::exists(folder / "demo.rig.json.view")) << "nothing beside it either";
 }
 
-TEST_F(ViewMemory, ComesBackWhenAnotherFileWasOpenInBetween) {
+TEST_F(ViewMemory, IsRestoredAfterAnotherFileWasOpen) {
   EditorState state;
   SessionKeeper one = keeper();
   one.start(state);
@@ -131,7 +131,7 @@ TEST_F(ViewMemory, ComesBackWhenAnotherFileWasOpenInBetween) {
   expectArranged(state);
 }
 
-TEST_F(ViewMemory, IsKeptWhileTheEditorRunsOnceItRests) {
+TEST_F(ViewMemory, IsStoredOnceTheViewRests) {
   EditorState state;
   SessionKeeper one = keeper();
   one.start(state);
@@ -152,7 +152,7 @@ TEST_F(ViewMemory, IsKeptWhileTheEditorRunsOnceItRests) {
   EXPECT_FALSE(fs::exists(folder / "views"));
 }
 
-TEST_F(ViewMemory, OfTwoEditorsEachKeepsItsOwnFile) {
+TEST_F(ViewMemory, TwoEditorsKeepTheirOwnFiles) {
   EditorState first, second;
   SessionKeeper one = keeper(), two = keeper();
   one.start(first);
@@ -172,7 +172,7 @@ TEST_F(ViewMemory, OfTwoEditorsEachKeepsItsOwnFile) {
   expectArranged(third);
 }
 
-TEST_F(ViewMemory, TheMadeRangeOfMotionIsMadeAgain) {
+TEST_F(ViewMemory, RangeOfMotionClipIsRecreated) {
   EditorState state;
   SessionKeeper one = keeper();
   one.start(state);
@@ -190,7 +190,7 @@ TEST_F(ViewMemory, TheMadeRangeOfMotionIsMadeAgain) {
 }
 
 // Whatever stands in the file: the document opens, and what makes no sense is as at a first opening.
-TEST_F(ViewMemory, NonsenseIsAsIfItWereNotThere) {
+TEST_F(ViewMemory, InvalidValuesAreIgnored) {
   EditorState fresh;
   ASSERT_TRUE(openFile(fresh, folder / "demo.rig.json"));
   const Json nonsense[] = {
@@ -223,7 +223,7 @@ TEST_F(ViewMemory, NonsenseIsAsIfItWereNotThere) {
   }
 }
 
-TEST_F(ViewMemory, SamplesOpenAlikeEveryTime) {
+TEST_F(ViewMemory, SamplesAreNotRemembered) {
   const fs::path sample = fs::path(SINEW_SOURCE_DIR) / "assets" / "demo.rig.json";
   EditorState state;
   SessionKeeper one = keeper();

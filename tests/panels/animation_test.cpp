@@ -84,7 +84,7 @@ class Animation : public HeadlessEditor {
   Rig opened;
 };
 
-TEST_F(Animation, AKeyHoldsWhatTheFieldShowsAtThisMomentOfTheClip) {
+TEST_F(Animation, KeyStoresTheFieldValueAtTheCurrentTime) {
   goTo(0.2);
   typeInto(kRadius, "0.1");
   hover(kRadius);
@@ -123,7 +123,7 @@ TEST_F(Animation, AKeyHoldsWhatTheFieldShowsAtThisMomentOfTheClip) {
   EXPECT_EQ(state.document.rig(), opened);
 }
 
-TEST_F(Animation, TheFieldSaysWhatAnimatesItsNumber) {
+TEST_F(Animation, FieldShowsWhatAnimatesItsNumber) {
   const auto look = [&] {
     WidgetLog log;
     PanelUi ui(state, log, fonts);
@@ -143,7 +143,7 @@ TEST_F(Animation, TheFieldSaysWhatAnimatesItsNumber) {
   EXPECT_TRUE(look().driven && look().keyedElsewhere && !look().keyedHere);
 }
 
-TEST_F(Animation, TheBindPoseHasNoKeys) {
+TEST_F(Animation, BindPoseTakesNoKeys) {
   chooseClip(state.open.transport, -1, state.character());
   settle();
   hover(kRadius);
@@ -155,7 +155,7 @@ TEST_F(Animation, TheBindPoseHasNoKeys) {
   EXPECT_EQ(steps(), 0u);
 }
 
-TEST_F(Animation, KeysOfSeveralAreOneStepEachWithItsOwnNumber) {
+TEST_F(Animation, KeyingSeveralMusclesIsOneStepWithEachMusclesOwnValue) {
   select(state.document, {"calf L", "biceps L"});
   settle();
   choose({"key"});
@@ -169,7 +169,7 @@ TEST_F(Animation, KeysOfSeveralAreOneStepEachWithItsOwnNumber) {
   }
 }
 
-TEST_F(Animation, TheMenuDrivesByABend) {
+TEST_F(Animation, MenuAddsABendDriver) {
   choose({"drive", "drive/bend", "drive/bend/near/forearm.L"});
   EXPECT_EQ(label(), "Drive radius X of biceps L by bend of forearm.L");
   ASSERT_NE(animated(), nullptr);
@@ -182,7 +182,7 @@ TEST_F(Animation, TheMenuDrivesByABend) {
   EXPECT_EQ(state.document.rig(), opened);
 }
 
-TEST_F(Animation, TheMenuDrivesByAnAxisAndByADistance) {
+TEST_F(Animation, MenuAddsAxisAndDistanceDrivers) {
   choose({"drive", "drive/axis", "drive/axis/near/forearm.L", "drive/axis/near/forearm.L/Z"});
   EXPECT_EQ(label(), "Drive radius X of biceps L by turn about Z of forearm.L");
   choose({"drive", "drive/distance", "drive/distance/near/upper_arm.L", "drive/distance/near/upper_arm.L/hand.L"});
@@ -193,14 +193,14 @@ TEST_F(Animation, TheMenuDrivesByAnAxisAndByADistance) {
   EXPECT_EQ(animated()->drivers.size(), 2u) << "a joint has no distance from itself";
 }
 
-TEST_F(Animation, AChannelIsMadeWithTheDriver) {
+TEST_F(Animation, NewChannelIsMadeWithItsDriver) {
   choose({"drive", "drive/channel", "drive/channel-new"});
   EXPECT_EQ(steps(), 1u);
   ASSERT_EQ(state.document.rig().channels.size(), 1u);
   EXPECT_EQ(animated()->drivers.at(0).input.channel, state.document.rig().channels[0].name);
 }
 
-TEST_F(Animation, DrivenKeysAreSetByPosingAndTheNumberStaysAsDrawn) {
+TEST_F(Animation, DrivenKeysAreSetByPosingWithoutChangingTheRestValue) {
   const float before = drawn();
   choose({"set-driven", "set-driven/bend", "set-driven/bend/near/forearm.L"});
   ASSERT_TRUE(shown("driven-key/now"));
@@ -234,7 +234,7 @@ TEST_F(Animation, DrivenKeysAreSetByPosingAndTheNumberStaysAsDrawn) {
   EXPECT_EQ(state.document.rig(), opened);
 }
 
-TEST_F(Animation, DrivenKeysOfSeveralKeepTheirProportions) {
+TEST_F(Animation, DrivenKeysOfSeveralMusclesKeepTheirProportions) {
   select(state.document, {"calf L", "biceps L"});
   settle();
   const auto valueOf = [&](const char* name) {
@@ -254,7 +254,7 @@ TEST_F(Animation, DrivenKeysOfSeveralKeepTheirProportions) {
   EXPECT_NEAR(valueOf("biceps L"), 0.08f, 1e-6f);
 }
 
-TEST_F(Animation, TheModeEndsWithItsMuscle) {
+TEST_F(Animation, DrivenKeyModeEndsWhenItsMuscleIsDeleted) {
   choose({"set-driven", "set-driven/bend", "set-driven/bend/near/forearm.L"});
   ASSERT_TRUE(state.open.animate.drivenKey.isOn());
   press(kDelete);
@@ -262,7 +262,7 @@ TEST_F(Animation, TheModeEndsWithItsMuscle) {
   EXPECT_FALSE(state.open.animate.drivenKey.isOn());
 }
 
-TEST_F(Animation, TheCurveIsChangedByThePointer) {
+TEST_F(Animation, CurveIsEditedWithThePointer) {
   choose({"drive", "drive/bend", "drive/bend/near/forearm.L"});
   choose({"drivers"});
   const std::string curve = "inspector/animation/radii.x/0/curve";
@@ -286,7 +286,7 @@ TEST_F(Animation, TheCurveIsChangedByThePointer) {
   EXPECT_EQ(state.document.rig().primitives.size(), muscles);
 }
 
-TEST_F(Animation, TheSectionChangesModeAndKindAndRemoves) {
+TEST_F(Animation, SectionSetsModeAndKindAndRemovesDrivers) {
   choose({"drive", "drive/bend", "drive/bend/near/forearm.L"});
   choose({"drivers"});
   const std::string driver = "inspector/animation/radii.x/0";
@@ -301,7 +301,7 @@ TEST_F(Animation, TheSectionChangesModeAndKindAndRemoves) {
   EXPECT_FALSE(shown("inspector/animation"));
 }
 
-TEST_F(Animation, RowsOfTheTimelineMoveAndRemoveKeys) {
+TEST_F(Animation, TimelineRowsMoveAndRemoveKeys) {
   EXPECT_EQ(keyRowsHeight(state), 0.0f);
   const float height = state.frame.viewport.w;
   goTo(0.2);
@@ -334,7 +334,7 @@ TEST_F(Animation, RowsOfTheTimelineMoveAndRemoveKeys) {
   EXPECT_EQ(state.document.rig(), opened);
 }
 
-TEST_F(Animation, AChannelsRowHasItsValueAndTakesKeys) {
+TEST_F(Animation, ChannelRowShowsItsValueAndTakesKeys) {
   choose({"drive", "drive/channel", "drive/channel-new"});
   settle();
   const std::string row = "timeline/row/channel effort";
@@ -360,7 +360,7 @@ TEST_F(Animation, AChannelsRowHasItsValueAndTakesKeys) {
   EXPECT_EQ(state.document.rig(), opened);
 }
 
-TEST_F(Animation, AChosenPointIsTyped) {
+TEST_F(Animation, SelectedCurvePointTakesTypedNumbers) {
   choose({"drive", "drive/bend", "drive/bend/near/forearm.L"});
   choose({"drivers"});
   const std::string driver = "inspector/animation/radii.x/0";
@@ -375,7 +375,7 @@ TEST_F(Animation, AChosenPointIsTyped) {
   EXPECT_EQ(animated()->drivers.at(0).curve.points.size(), 1u);
 }
 
-TEST_F(Animation, TheSkinBlendIsKeyedInItsOwnPanel) {
+TEST_F(Animation, SkinBlendIsKeyedInItsOwnPanel) {
   const auto pointAt = [&](const std::string& id) {
     queue.move(center(id));
     settle();

@@ -23,7 +23,7 @@ class CheckList : public HeadlessEditor {
   }
 };
 
-TEST_F(CheckList, OfAGoodRigIsEmpty) {
+TEST_F(CheckList, IsEmptyForASoundRig) {
   open("humanoid-flex.rig.json");
   check();
   EXPECT_TRUE(shown("check/heading"));
@@ -32,7 +32,7 @@ TEST_F(CheckList, OfAGoodRigIsEmpty) {
   EXPECT_FALSE(shown("check/heading"));
 }
 
-TEST_F(CheckList, AClickGoesToTheMoment) {
+TEST_F(CheckList, ClickJumpsToTheTimeOfTheFinding) {
   open("horse.rig.json");
   state.document.selection.set(state.document.idAt(4));
   check();
@@ -46,7 +46,7 @@ TEST_F(CheckList, AClickGoesToTheMoment) {
   EXPECT_FALSE(state.open.transport.playing);
 }
 
-TEST_F(CheckList, NothingLiesUnderIt) {
+TEST_F(CheckList, HidesLegendsWhileOpen) {
   open("horse.rig.json");
   run(action("view/anatomy"), state);
   settle();
@@ -57,7 +57,7 @@ TEST_F(CheckList, NothingLiesUnderIt) {
   EXPECT_TRUE(shown("legend/anatomy"));
 }
 
-TEST_F(CheckList, MendIsOneStepAndFindsLess) {
+TEST_F(CheckList, RepairIsOneStepAndLeavesFewerFindings) {
   open("horse.rig.json");
   check();
   const std::size_t found = state.open.check.findings.size();

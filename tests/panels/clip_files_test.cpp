@@ -9,7 +9,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-TEST_F(ClipFilesInEditor, WhatIsLetGoOverTheWindowIsAddedAskedAboutOrOpened) {
+TEST_F(ClipFilesInEditor, DroppedFilesAreAddedQueriedOrOpened) {
   relative("other.glb", true);
   open("still.glb");
   drop("walk.glb");
@@ -39,7 +39,7 @@ TEST_F(ClipFilesInEditor, WhatIsLetGoOverTheWindowIsAddedAskedAboutOrOpened) {
   EXPECT_EQ(state.document.characterFile.filename(), "other.glb") << "nothing to keep: it is opened";
 }
 
-TEST_F(ClipFilesInEditor, WhatDoesNotMatchIsListed) {
+TEST_F(ClipFilesInEditor, UnmatchedBonesAreListed) {
   relative("relative.glb", false);
   open("still.glb");
   act("play/clip-files");
@@ -70,7 +70,7 @@ TEST_F(ClipFilesInEditor, WhatDoesNotMatchIsListed) {
   EXPECT_FALSE(state.open.clipList.shown);
 }
 
-TEST_F(ClipFilesInEditor, TheDialogStaysWhereAFileCannotBeAdded) {
+TEST_F(ClipFilesInEditor, DialogStaysOpenIfAFileCannotBeAdded) {
   write("bad.glb", "no file of this kind");
   open("still.glb");
   state.session.messages.clear();
@@ -99,7 +99,7 @@ TEST_F(ClipFilesInEditor, TheDialogStaysWhereAFileCannotBeAdded) {
   EXPECT_EQ(state.dialogs.file.then.kind, IntentKind::kNone);
 }
 
-TEST_F(ClipFilesInEditor, NothingOfAnotherBodyIsAdded) {
+TEST_F(ClipFilesInEditor, ClipsOfADifferentBodyAreNotAdded) {
   test::Post post = test::makePost();
   post.file.json["nodes"][1]["name"] = "wheel";
   post.file.json["nodes"][2]["name"] = "crank";
@@ -112,7 +112,7 @@ TEST_F(ClipFilesInEditor, NothingOfAnotherBodyIsAdded) {
   EXPECT_EQ(messagesWith("wheel.glb"), 1);
 }
 
-TEST_F(ClipFilesInEditor, AFileThatIsGoneIsLocated) {
+TEST_F(ClipFilesInEditor, MissingFileCanBeLocated) {
   fs::create_directories(folder_ / "moved");
   Rig rig;
   rig.character = "still.glb";
@@ -142,7 +142,7 @@ TEST_F(ClipFilesInEditor, AFileThatIsGoneIsLocated) {
   EXPECT_EQ(clips(), Names{"Walk"});
 }
 
-TEST_F(ClipFilesInEditor, TheyAreSavedAndOpenedAgain) {
+TEST_F(ClipFilesInEditor, ClipFilesAreSavedAndReopened) {
   fs::create_directories(folder_ / "rigs");
   open("still.glb");
   add("walk.glb");
@@ -160,7 +160,7 @@ TEST_F(ClipFilesInEditor, TheyAreSavedAndOpenedAgain) {
   EXPECT_FALSE(state.open.clipList.shown);
 }
 
-TEST_F(ClipFilesInEditor, ThePickerSaysWhereClipsComeFrom) {
+TEST_F(ClipFilesInEditor, PickerShowsWhichFileClipsComeFrom) {
   open("whole.glb");
   add("walk.glb");
   click("timeline/clip");
@@ -171,7 +171,7 @@ TEST_F(ClipFilesInEditor, ThePickerSaysWhereClipsComeFrom) {
   EXPECT_TRUE(shown("dialog/path"));
 }
 
-TEST_F(ClipFilesInEditor, CorrectedPartsOfTheBodyMoveThemAnew) {
+TEST_F(ClipFilesInEditor, CorrectedBodyPartsRetargetClipsAgain) {
   relative("relative.glb", false);
   open("still.glb");
   add("relative.glb");

@@ -8,7 +8,7 @@
 namespace sinew::app {
 namespace {
 
-TEST_F(ClipFilesInEditor, AFileIsOneStepAndItsFirstClipPlays) {
+TEST_F(ClipFilesInEditor, AddingAFileIsOneStepAndPlaysItsFirstClip) {
   open("still.glb");
   EXPECT_EQ(addClips(state, folder_ / "walk.glb"), "");
   EXPECT_TRUE(state.open.transport.playing);
@@ -41,7 +41,7 @@ TEST_F(ClipFilesInEditor, AFileIsOneStepAndItsFirstClipPlays) {
   EXPECT_EQ(state.live->surface().positions, bent);
 }
 
-TEST_F(ClipFilesInEditor, WhatPlaysGoesOnWhereItsClipIsStillThere) {
+TEST_F(ClipFilesInEditor, PlaybackContinuesWhileItsClipExists) {
   open("whole.glb");
   add("walk.glb");
   add("more.glb");
@@ -66,7 +66,7 @@ TEST_F(ClipFilesInEditor, WhatPlaysGoesOnWhereItsClipIsStillThere) {
   EXPECT_EQ(playing(), "Walk") << "of walk.glb: a walk is shown where there is one";
 }
 
-TEST_F(ClipFilesInEditor, AFileThatIsGoneWhenItComesBackIsTold) {
+TEST_F(ClipFilesInEditor, RedoReportsAFileThatIsMissing) {
   open("still.glb");
   add("walk.glb");
   act("edit/undo");
@@ -100,7 +100,7 @@ TEST_F(ClipFilesInEditor, RangesBelongToTheirClip) {
   EXPECT_TRUE(state.open.transport.ranges.contains(0));
 }
 
-TEST_F(ClipFilesInEditor, TheRangeOfMotionStaysWhatPlays) {
+TEST_F(ClipFilesInEditor, RangeOfMotionKeepsPlaying) {
   std::filesystem::copy_file(state.document.characterFile, folder_ / "copy.glb");
   add("copy.glb");
   EXPECT_EQ(clips(), (Names{"Walk", "Idle", "Walk 2", "Idle 2"}));

@@ -6,9 +6,9 @@
 namespace sinew::app {
 namespace {
 
-using Drags = HeadlessEditor;
+using PanelDrags = HeadlessEditor;
 
-TEST_F(Drags, APressOnAPanelKeepsAGrabAsItsOwnStep) {
+TEST_F(PanelDrags, PressOnAPanelCommitsTheGrabAsItsOwnStep) {
   addOne();
   const std::size_t before = steps();
   const glm::vec3 center = muscle().placement.center;
@@ -33,7 +33,7 @@ TEST_F(Drags, APressOnAPanelKeepsAGrabAsItsOwnStep) {
   EXPECT_EQ(muscle().placement.radii, kept.radii);
 }
 
-TEST_F(Drags, ARefusalGoesWithTheNextAcceptedDrag) {
+TEST_F(PanelDrags, AcceptedDragClearsTheLastRefusal) {
   addOne();
   refuse(state, Error{"file", "place", "not possible"});
   ASSERT_FALSE(state.open.refusal.empty());

@@ -55,7 +55,7 @@ class ExportErrorView : public HeadlessEditor {
   const fs::path folder = own.path();
 };
 
-TEST_F(ExportErrorView, AClickOnTheFigureShowsItsMomentAndPlace) {
+TEST_F(ExportErrorView, ClickOnTheErrorShowsItsTimeAndVertex) {
   EXPECT_FALSE(shown("status/export-error"));
   exportNow();
   ASSERT_TRUE(hasExportError(state));
@@ -79,7 +79,7 @@ TEST_F(ExportErrorView, AClickOnTheFigureShowsItsMomentAndPlace) {
   EXPECT_NE(state.session.messages.back().text.find("\" at "), std::string::npos) << "the message says where, too";
 }
 
-TEST_F(ExportErrorView, TheExportedMeshIsShownInPlaceOfTheLiveOne) {
+TEST_F(ExportErrorView, ExportedMeshReplacesTheLiveMesh) {
   exportNow();
   run(action("view/export-error"), state);
   settle();
@@ -107,7 +107,7 @@ TEST_F(ExportErrorView, TheExportedMeshIsShownInPlaceOfTheLiveOne) {
   EXPECT_FALSE(shown("legend/export-error"));
 }
 
-TEST_F(ExportErrorView, TheExportedMeshStandsBesideTheLiveOneAsItIs) {
+TEST_F(ExportErrorView, ExportedMeshStandsBesideTheLiveMesh) {
   exportNow();
   state.open.transport.time = 0.4;
   run(action("view/export-error"), state);
@@ -136,7 +136,7 @@ TEST_F(ExportErrorView, TheExportedMeshStandsBesideTheLiveOneAsItIs) {
   EXPECT_TRUE(showsExportError(state)) << "the live one alone is left";
 }
 
-TEST_F(ExportErrorView, NeitherMeshHidesTheOtherFromAnyStandardView) {
+TEST_F(ExportErrorView, MeshesDoNotOverlapInAnyStandardView) {
   exportNow();
   run(action("view/export-beside"), state);
   for (const char* from : {"view/front", "view/left", "view/back", "view/right", "view/top", "view/frame-all"}) {
@@ -157,7 +157,7 @@ TEST_F(ExportErrorView, NeitherMeshHidesTheOtherFromAnyStandardView) {
   }
 }
 
-TEST_F(ExportErrorView, TheLargestIsShownOnBoth) {
+TEST_F(ExportErrorView, LargestErrorIsInViewOnBothMeshes) {
   exportNow();
   run(action("view/export-beside"), state);
   settle();
@@ -172,7 +172,7 @@ TEST_F(ExportErrorView, TheLargestIsShownOnBoth) {
   }
 }
 
-TEST_F(ExportErrorView, InASmallWindowTheToastLeavesThePlateFree) {
+TEST_F(ExportErrorView, ToastDoesNotCoverTheLegendInASmallWindow) {
   ImGui::GetIO().DisplaySize = {900.0f, 600.0f};
   settle();
   exportNow();
@@ -186,7 +186,7 @@ TEST_F(ExportErrorView, InASmallWindowTheToastLeavesThePlateFree) {
   EXPECT_GE(toast.y, state.frame.viewport.y);
 }
 
-TEST_F(ExportErrorView, FollowsTheClip) {
+TEST_F(ExportErrorView, FollowsTheClipTime) {
   exportNow();
   run(action("view/export-error"), state);
   std::vector<float> largest;
@@ -200,7 +200,7 @@ TEST_F(ExportErrorView, FollowsTheClip) {
   for (const float one : largest) EXPECT_LE(one, exportErrorRange(state) * 1.5f);
 }
 
-TEST_F(ExportErrorView, OfTheFilesOwnVerticesIsSpreadOverTheRefinedOnes) {
+TEST_F(ExportErrorView, ErrorAtOriginalVerticesIsInterpolatedToRefinedVertices) {
   exportNow(ExportMesh::kOriginal);
   run(action("view/export-error"), state);
   state.open.transport.time = 0.4;
@@ -211,7 +211,7 @@ TEST_F(ExportErrorView, OfTheFilesOwnVerticesIsSpreadOverTheRefinedOnes) {
   EXPECT_GT(surface.positions.size(), state.character().mesh.positions.size());
 }
 
-TEST_F(ExportErrorView, BelongsToTheCharacterThatWasExported) {
+TEST_F(ExportErrorView, BelongsToTheExportedCharacter) {
   EXPECT_STREQ(action("view/export-error").enabled(state).reason(), "Export the character first");
   exportNow();
   EXPECT_TRUE(action("view/export-error").enabled(state));

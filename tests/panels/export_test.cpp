@@ -106,7 +106,7 @@ class ExportDialogs : public HeadlessEditor {
   const fs::path folder = own.path();
 };
 
-TEST_F(ExportDialogs, BeginsWithMuscleJointsAndWritesWhatTheCommandLineWrites) {
+TEST_F(ExportDialogs, DefaultsToMuscleJointsAndMatchesTheCommandLine) {
   run(action("file/export-character"), state);
   state.dialogs.exporting.settings.detail.depth = 1;
   state.dialogs.exporting.settings.helpers = 3;
@@ -122,7 +122,7 @@ TEST_F(ExportDialogs, BeginsWithMuscleJointsAndWritesWhatTheCommandLineWrites) {
   EXPECT_EQ(bytesOf(folder / "demo_muscled.glb"), bytesOf(folder / "cli.glb"));
 }
 
-TEST_F(ExportDialogs, BakesOneClipAsTheCommandLineDoes) {
+TEST_F(ExportDialogs, BakingOneClipMatchesTheCommandLine) {
   fs::create_directory(folder / "cli");  // USD names its root after the file.
   const auto kinds = exportKinds();
   for (std::size_t kind = 0; kind < kinds.size(); ++kind) {
@@ -146,7 +146,7 @@ TEST_F(ExportDialogs, BakesOneClipAsTheCommandLineDoes) {
   }
 }
 
-TEST_F(ExportDialogs, WritesWhatTheCommandLineWritesAndSaysHowCloseItComes) {
+TEST_F(ExportDialogs, MatchesTheCommandLineAndReportsTheError) {
   start("quick", false);
   finish();
   ASSERT_TRUE(fs::exists(folder / "quick.glb")) << lastMessage();
@@ -160,7 +160,7 @@ TEST_F(ExportDialogs, WritesWhatTheCommandLineWritesAndSaysHowCloseItComes) {
   EXPECT_TRUE(state.session.toast->text.starts_with("Exported quick.glb: RMS ")) << state.session.toast->text;
 }
 
-TEST_F(ExportDialogs, TheRangeOfMotionThatIsShownIsNotExportedAsAClip) {
+TEST_F(ExportDialogs, RangeOfMotionIsNotExportedAsAClip) {
   run(action("play/range-of-motion"), state);
   state.open.transport.playing = false;
   start("shown", false);
@@ -169,7 +169,7 @@ TEST_F(ExportDialogs, TheRangeOfMotionThatIsShownIsNotExportedAsAClip) {
   EXPECT_EQ(bytesOf(folder / "shown.glb"), bytesOf(folder / "cli.glb"));
 }
 
-TEST_F(ExportDialogs, TheRangeOfMotionThatIsShownCanBeBakedToPointsAsOnTheCommandLine) {
+TEST_F(ExportDialogs, RangeOfMotionBakedToPointsMatchesTheCommandLine) {
   run(action("play/range-of-motion"), state);
   state.open.transport.playing = false;
   const auto kinds = exportKinds();
@@ -193,7 +193,7 @@ TEST_F(ExportDialogs, TheRangeOfMotionThatIsShownCanBeBakedToPointsAsOnTheComman
   }
 }
 
-TEST_F(ExportDialogs, EditsThatAreNotSavedAreExportedAndLaterOnesAreNot) {
+TEST_F(ExportDialogs, UnsavedEditsAreExportedAndLaterEditsAreNot) {
   state.document.selection.set(state.document.idAt(0));
   deleteSelection(state);
   ASSERT_TRUE(state.document.commands.modified());
@@ -206,7 +206,7 @@ TEST_F(ExportDialogs, EditsThatAreNotSavedAreExportedAndLaterOnesAreNot) {
   EXPECT_EQ(bytesOf(folder / "edited.glb"), bytesOf(folder / "cli.glb"));
 }
 
-TEST_F(ExportDialogs, BeginsBesideTheRigAndRemembersWhatWasChosen) {
+TEST_F(ExportDialogs, StartsInTheFolderOfTheRigAndRemembersChoices) {
   openDialog();
   EXPECT_EQ(state.dialogs.exporting.place.name, "demo_muscled.glb");
   EXPECT_EQ(state.dialogs.exporting.place.folder, folder);
@@ -229,7 +229,7 @@ TEST_F(ExportDialogs, BeginsBesideTheRigAndRemembersWhatWasChosen) {
   EXPECT_EQ(state.dialogs.exporting.place.name, "other_muscled.glb") << "another document, another place";
 }
 
-TEST_F(ExportDialogs, ClipsAreChosenOneByOneAndNoneIsRefused) {
+TEST_F(ExportDialogs, ClipsAreChosenIndividuallyAndChoosingNoneIsRefused) {
   openDialog();
   chooseQuick();
   click("export/clips/chosen");
@@ -250,7 +250,7 @@ TEST_F(ExportDialogs, ClipsAreChosenOneByOneAndNoneIsRefused) {
   EXPECT_EQ(bytesOf(folder / "demo_muscled.glb"), bytesOf(folder / "cli.glb"));
 }
 
-TEST_F(ExportDialogs, WhatIsThereIsReplacedOnlyWhenAskedTo) {
+TEST_F(ExportDialogs, ExistingFilesAreReplacedOnlyAfterConfirmation) {
   own.write("taken.bin", "mine");
   openDialog();
   chooseQuick();
@@ -274,7 +274,7 @@ TEST_F(ExportDialogs, WhatIsThereIsReplacedOnlyWhenAskedTo) {
   EXPECT_FALSE(shown("export/ok"));
 }
 
-TEST_F(ExportDialogs, ThePathDialogChoosesThePlace) {
+TEST_F(ExportDialogs, PathDialogSetsFolderAndName) {
   fs::create_directory(folder / "sub");
   openDialog();
   chooseQuick();
@@ -295,7 +295,7 @@ TEST_F(ExportDialogs, ThePathDialogChoosesThePlace) {
   EXPECT_TRUE(fs::exists(folder / "sub" / "there.glb"));
 }
 
-TEST_F(ExportDialogs, NumbersThatAreTypedDoNotStartIt) {
+TEST_F(ExportDialogs, EnterInANumberFieldDoesNotStartTheExport) {
   openDialog();
   typeInto("export/depth", "7");
   EXPECT_TRUE(shown("export/ok"));
@@ -306,7 +306,7 @@ TEST_F(ExportDialogs, NumbersThatAreTypedDoNotStartIt) {
   EXPECT_EQ(state.dialogs.exporting.settings.detail.depth, std::nullopt) << "as in the rig";
 }
 
-TEST_F(ExportDialogs, PlacesThatDoNotExistAreSaidInTheDialog) {
+TEST_F(ExportDialogs, MissingFoldersAreReportedInTheDialog) {
   openDialog();
   chooseName("absent/out.glb");
   click("export/ok");
@@ -318,7 +318,7 @@ TEST_F(ExportDialogs, PlacesThatDoNotExistAreSaidInTheDialog) {
   EXPECT_TRUE(state.session.exports.empty());
 }
 
-TEST_F(ExportDialogs, CanceledInTheMiddleItLeavesNoFile) {
+TEST_F(ExportDialogs, CanceledExportLeavesNoFile) {
   const auto before = names();
   start("long.glb", true);
   finishAfter([&] { return share() > 0.05; });
@@ -330,7 +330,7 @@ TEST_F(ExportDialogs, CanceledInTheMiddleItLeavesNoFile) {
   EXPECT_FALSE(shown("status/export"));
 }
 
-TEST_F(ExportDialogs, OneAfterTheOtherWhileTheEditorEditsAndOpens) {
+TEST_F(ExportDialogs, ExportsRunInOrderWhileTheEditorIsUsed) {
   start("long.glb", true);
   start("next.glb", false);
   EXPECT_EQ(state.session.toast->text, "next.glb is exported next");
@@ -351,7 +351,7 @@ TEST_F(ExportDialogs, OneAfterTheOtherWhileTheEditorEditsAndOpens) {
   EXPECT_EQ(state.document.name(), "humanoid.rig.json");
 }
 
-TEST_F(ExportDialogs, QuittingAsksAndEndsWithoutAFile) {
+TEST_F(ExportDialogs, QuittingPromptsAndLeavesNoFile) {
   const auto before = names();
   start("long.glb", true);
   run(action("file/quit"), state);
@@ -368,7 +368,7 @@ TEST_F(ExportDialogs, QuittingAsksAndEndsWithoutAFile) {
   EXPECT_EQ(names(), before);
 }
 
-TEST_F(ExportDialogs, QuittingWhenDoneWaitsAndThenAsksAboutLaterEditsAlone) {
+TEST_F(ExportDialogs, QuittingWhenDonePromptsOnlyAboutLaterEdits) {
   for (const bool edits : {false, true}) {
     state.session.quit = false;
     start(edits ? "b.glb" : "a.glb", false);
@@ -383,7 +383,7 @@ TEST_F(ExportDialogs, QuittingWhenDoneWaitsAndThenAsksAboutLaterEditsAlone) {
   EXPECT_TRUE(fs::exists(folder / "b.glb"));
 }
 
-TEST_F(ExportDialogs, ACharacterThatWasReplacedOnDiskIsRefused) {
+TEST_F(ExportDialogs, CharacterReplacedOnDiskIsRefused) {
   fs::copy_file(fs::path(SINEW_SOURCE_DIR) / "assets" / "horse.glb", folder / "demo.glb",
                 fs::copy_options::overwrite_existing);
   start("out.glb", false);

@@ -35,7 +35,7 @@ class FirstStepsPanel : public HeadlessEditor {
   }
 };
 
-TEST_F(FirstStepsPanel, OpensTheWalkingManWithNothingDone) {
+TEST_F(FirstStepsPanel, OpensTheSampleWithNoStepDone) {
   start();
   EXPECT_EQ(state.document.rigFile, firstSample());
   EXPECT_TRUE(shown("first-steps/turn"));
@@ -44,7 +44,7 @@ TEST_F(FirstStepsPanel, OpensTheWalkingManWithNothingDone) {
   for (const bool each : state.view.firstSteps.done) EXPECT_FALSE(each) << "looking on does nothing";
 }
 
-TEST_F(FirstStepsPanel, InASmallWindowNoLineIsCut) {
+TEST_F(FirstStepsPanel, LinesAreNotCutOffInASmallWindow) {
   ImGui::GetIO().DisplaySize = {900.0f, 600.0f};
   start();
   int panels = 0;
@@ -56,7 +56,7 @@ TEST_F(FirstStepsPanel, InASmallWindowNoLineIsCut) {
   EXPECT_EQ(panels, 1);
 }
 
-TEST_F(FirstStepsPanel, EachIsDoneWhenItIsDoneInAnyOrder) {
+TEST_F(FirstStepsPanel, StepsAreCheckedOffInAnyOrder) {
   start();
   addMuscle(state, 0);
   settle();
@@ -83,7 +83,7 @@ TEST_F(FirstStepsPanel, EachIsDoneWhenItIsDoneInAnyOrder) {
   EXPECT_FALSE(shown("first-steps/leave"));
 }
 
-TEST_F(FirstStepsPanel, CanBeLeftAndBegunAgain) {
+TEST_F(FirstStepsPanel, CanBeClosedAndRestarted) {
   start();
   turnView();
   ASSERT_TRUE(done(FirstStep::kTurn));
@@ -94,13 +94,13 @@ TEST_F(FirstStepsPanel, CanBeLeftAndBegunAgain) {
   EXPECT_FALSE(done(FirstStep::kTurn));
 }
 
-TEST_F(FirstStepsPanel, AsksAboutUnsavedChangesFirst) {
+TEST_F(FirstStepsPanel, PromptsAboutUnsavedChangesFirst) {
   addOne();
   start();
   EXPECT_TRUE(shown("unsaved/cancel"));
 }
 
-TEST_F(FirstStepsPanel, AnotherPanelTakesItsPlace) {
+TEST_F(FirstStepsPanel, AnotherPanelReplacesItWhileOpen) {
   start();
   run(action("play/check"), state);
   settle();

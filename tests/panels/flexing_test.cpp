@@ -23,7 +23,7 @@ class Flexing : public HeadlessEditor {
   }
 };
 
-TEST_F(Flexing, AMuscleIsDrawnAcrossAJointAndFlexesWhileTheKeyIsHeld) {
+TEST_F(Flexing, MuscleDrawnAcrossAJointFlexesWhileTheKeyIsHeld) {
   chooseClip(state.open.transport, -1, state.character());
   run(action("tool/muscle-line"), state);
   settle();

@@ -50,7 +50,7 @@ class Framing : public HeadlessEditor {
   }
 };
 
-TEST_F(Framing, AFileOpensBesideToolsAndBars) {
+TEST_F(Framing, OpenedCharacterIsFramedClearOfToolsAndBars) {
   for (const auto& [width, height, scale] : {std::tuple{1280.0f, 800.0f, 1.0f}, std::tuple{900.0f, 600.0f, 1.0f},
                                              std::tuple{2560.0f, 1440.0f, 1.0f}, std::tuple{1920.0f, 1200.0f, 1.5f}}) {
     use(width, height, scale);
@@ -58,7 +58,7 @@ TEST_F(Framing, AFileOpensBesideToolsAndBars) {
   }
 }
 
-TEST_F(Framing, AllIsFramedBesideWhatHasComeSince) {
+TEST_F(Framing, FrameAllAvoidsPanelsOpenedLater) {
   use(1280.0f, 800.0f, 1.0f);
   state.view.layout.overlay = true;
   state.view.display.shading = Shading::kHeat;
@@ -70,7 +70,7 @@ TEST_F(Framing, AllIsFramedBesideWhatHasComeSince) {
   expectClear("with numbers, a legend and messages", 0.25f);
 }
 
-TEST_F(Framing, TurningGoesOnAboutWhatWasFramed) {
+TEST_F(Framing, OrbitKeepsTheFramedTargetInPlace) {
   use(1280.0f, 800.0f, 1.0f);
   const glm::vec3 target = state.view.tools.camera.stand.target;
   const glm::vec3 before = state.frame.route.view.toPixel(target);

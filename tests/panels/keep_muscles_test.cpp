@@ -33,7 +33,7 @@ class KeepMuscles : public HeadlessEditor {
   }
 };
 
-TEST_F(KeepMuscles, ADroppedCharacterGetsThem) {
+TEST_F(KeepMuscles, DroppedCharacterReceivesTheMuscles) {
   open("humanoid-flex.rig.json");
   const Rig before = state.document.rig();
   drop(asset("humanoid.glb"));
@@ -54,7 +54,7 @@ TEST_F(KeepMuscles, ADroppedCharacterGetsThem) {
   EXPECT_TRUE(state.document.rig().primitives.empty());
 }
 
-TEST_F(KeepMuscles, OrIsOpenedWithoutOrNotAtAll) {
+TEST_F(KeepMuscles, DroppedCharacterCanBeOpenedWithoutMusclesOrCanceled) {
   open("humanoid-flex.rig.json");
   drop(asset("horse.glb"));
   press(kEscape);
@@ -70,7 +70,7 @@ TEST_F(KeepMuscles, OrIsOpenedWithoutOrNotAtAll) {
   EXPECT_FALSE(state.document.commands.modified());
 }
 
-TEST_F(KeepMuscles, WhatIsLeftOutIsNamed) {
+TEST_F(KeepMuscles, OmittedMusclesAreNamed) {
   open("humanoid-flex.rig.json");
   const Rig before = state.document.rig();
   drop(asset("horse.glb"));
@@ -84,7 +84,7 @@ TEST_F(KeepMuscles, WhatIsLeftOutIsNamed) {
   }
 }
 
-TEST_F(KeepMuscles, UnsavedChangesAreAskedAboutFirst) {
+TEST_F(KeepMuscles, PromptsAboutUnsavedChangesFirst) {
   open("humanoid-flex.rig.json");
   Rig changed = state.document.rig();
   changed.primitives.pop_back();
@@ -99,7 +99,7 @@ TEST_F(KeepMuscles, UnsavedChangesAreAskedAboutFirst) {
   EXPECT_EQ(state.document.rig().primitives.size(), changed.primitives.size());
 }
 
-TEST_F(KeepMuscles, NothingIsAskedWhereThereIsNothingToKeep) {
+TEST_F(KeepMuscles, DoesNotPromptWithoutMusclesToKeep) {
   open("humanoid.glb");
   drop(asset("horse.glb"));
   EXPECT_FALSE(asks());
@@ -110,7 +110,7 @@ TEST_F(KeepMuscles, NothingIsAskedWhereThereIsNothingToKeep) {
   EXPECT_EQ(state.document.rigFile, asset("horse-flex.rig.json"));
 }
 
-TEST_F(KeepMuscles, WhereNothingFindsAPlaceTheOpenDocumentStays) {
+TEST_F(KeepMuscles, DocumentStaysOpenIfNoMuscleFits) {
   const test::TemporaryFolder folder;
   const fs::path post = folder.write("post.glb", test::makePost().file.glb());
   open("humanoid-flex.rig.json");
@@ -122,7 +122,7 @@ TEST_F(KeepMuscles, WhereNothingFindsAPlaceTheOpenDocumentStays) {
   EXPECT_EQ(messagesWith("post.glb"), 1);
 }
 
-TEST_F(KeepMuscles, TheMenuAsksForTheCharacter) {
+TEST_F(KeepMuscles, MenuOpensTheDialogForTheCharacter) {
   open("humanoid-flex.rig.json");
   run(action("muscles/retarget"), state);
   settle();
@@ -140,7 +140,7 @@ TEST_F(KeepMuscles, TheMenuAsksForTheCharacter) {
   EXPECT_EQ(state.dialogs.file.then.kind, IntentKind::kNone);
 }
 
-TEST_F(KeepMuscles, TheMenuHasNothingToPutOnWithoutMuscles) {
+TEST_F(KeepMuscles, MenuEntryIsDisabledWithoutMuscles) {
   open("humanoid.glb");
   EXPECT_FALSE(action("muscles/retarget").enabled(state));
 }

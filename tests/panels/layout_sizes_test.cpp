@@ -23,7 +23,7 @@ LayoutState randomWishes(std::mt19937& random) {
   return wished;
 }
 
-TEST(LayoutSizes, EverythingFitsIntoWindowsOfAUsualSize) {
+TEST(LayoutSizes, PanelsFitWindowsOfUsualSizes) {
   std::mt19937 random(11);
   for (int round = 0; round < 3000; ++round) {
     const LayoutState wished = randomWishes(random);
@@ -45,7 +45,7 @@ TEST(LayoutSizes, EverythingFitsIntoWindowsOfAUsualSize) {
   }
 }
 
-TEST(LayoutSizes, ALargerWindowNeverShrinksAPanel) {
+TEST(LayoutSizes, LargerWindowNeverShrinksAPanel) {
   std::mt19937 random(12);
   for (int round = 0; round < 500; ++round) {
     const LayoutState wished = randomWishes(random);
@@ -70,7 +70,7 @@ class LayoutSizesEditor : public HeadlessEditor {
   }
 };
 
-TEST_F(LayoutSizesEditor, AWindowMadeSmallAndLargeAgainIsAsItWas) {
+TEST_F(LayoutSizesEditor, ShrinkingAndEnlargingTheWindowRestoresTheLayout) {
   resize(1600.0f, 1000.0f);
   state.view.layout.left = 420.0f;
   state.view.layout.right = 380.0f;
@@ -91,7 +91,7 @@ TEST_F(LayoutSizesEditor, AWindowMadeSmallAndLargeAgainIsAsItWas) {
   }
 }
 
-TEST_F(LayoutSizesEditor, ADragStopsWhereThePictureNeedsItsRoom) {
+TEST_F(LayoutSizesEditor, DragStopsAtTheMinimumViewportWidth) {
   drag("layout/left", {900.0f, 0.0f});
   const float wide = state.view.layout.left;
   EXPECT_GE(state.frame.viewport.z, kViewportNarrowest - 1.0f);

@@ -224,7 +224,7 @@ TEST_F(Layout, DialogsFitAndScroll) {
   EXPECT_TRUE(shown("unsaved/save") && shown("unsaved/cancel"));
 }
 
-TEST_F(Layout, WhatHasNoRoomIsBehindMore) {
+TEST_F(Layout, OverflowingControlsAreInTheMoreMenu) {
   nameAtLength();
   for (const auto& [more, hidden] :
        {std::pair{"display/more", "display/numbers"}, std::pair{"toolstrip/more", "toolstrip/before"},

@@ -49,7 +49,7 @@ class LibraryPanel : public HeadlessEditor {
   std::string kept_;
 };
 
-TEST_F(LibraryPanel, AClickLaysAMuscleWhereItBelongsWithItsTwin) {
+TEST_F(LibraryPanel, ClickPlacesAMuscleAndItsTwinAtItsOwnBone) {
   open(asset("humanoid.glb"));
   click("library/athlete/biceps");
   EXPECT_EQ(names(), (std::vector<std::string>{"biceps L", "biceps R"}));
@@ -63,7 +63,7 @@ TEST_F(LibraryPanel, AClickLaysAMuscleWhereItBelongsWithItsTwin) {
   EXPECT_TRUE(names().empty());
 }
 
-TEST_F(LibraryPanel, AMuscleIsDraggedOntoTheSkin) {
+TEST_F(LibraryPanel, MuscleIsDraggedOntoTheSkin) {
   open(asset("humanoid.glb"));
   carry("library/athlete/biceps", pixelOfBone(bone("thigh.R")));
   ASSERT_EQ(names().size(), 2u);
@@ -75,7 +75,7 @@ TEST_F(LibraryPanel, AMuscleIsDraggedOntoTheSkin) {
   EXPECT_LT(state.open.library.drag.set, 0);
 }
 
-TEST_F(LibraryPanel, OnItsOwnPartItKeepsItsLine) {
+TEST_F(LibraryPanel, MuscleDroppedOnItsOwnPartKeepsItsLine) {
   open(asset("humanoid.glb"));
   carry("library/athlete/biceps", pixelOfBone(bone("upper_arm.R")));
   ASSERT_EQ(names().size(), 2u);
@@ -84,7 +84,7 @@ TEST_F(LibraryPanel, OnItsOwnPartItKeepsItsLine) {
   EXPECT_EQ(state.document.rig().lines.size(), 2u);
 }
 
-TEST_F(LibraryPanel, LetGoBesideTheCharacterOrOnEscNothingIsLaid) {
+TEST_F(LibraryPanel, DropOutsideTheCharacterOrEscapePlacesNothing) {
   open(asset("humanoid.glb"));
   const glm::vec4& v = state.frame.viewport;
   carry("library/athlete/biceps", {v.x + 0.9f * v.z, v.y + 0.4f * v.w});
@@ -103,7 +103,7 @@ TEST_F(LibraryPanel, LetGoBesideTheCharacterOrOnEscNothingIsLaid) {
   EXPECT_EQ(steps(), 0u);
 }
 
-TEST_F(LibraryPanel, TheSearchKeepsWhatHasTheWord) {
+TEST_F(LibraryPanel, SearchFiltersByWord) {
   open(asset("humanoid.glb"));
   EXPECT_TRUE(shown("library/athlete/biceps"));
   state.open.library.search = "glut";
@@ -112,7 +112,7 @@ TEST_F(LibraryPanel, TheSearchKeepsWhatHasTheWord) {
   EXPECT_TRUE(shown("library/athlete/gluteus maximus"));
 }
 
-TEST_F(LibraryPanel, ASetIsThatOfTheBody) {
+TEST_F(LibraryPanel, SetMatchesTheKindOfBody) {
   open(asset("horse.glb"));
   EXPECT_TRUE(shown("library/add/animal"));
   EXPECT_FALSE(shown("library/add/athlete"));
@@ -148,7 +148,7 @@ TEST_F(LibraryPanel, SelectedMusclesAreSavedAsASetAndFitAnotherCharacter) {
   EXPECT_EQ(names(), (std::vector<std::string>{"biceps L", "biceps R"}));
 }
 
-TEST_F(LibraryPanel, NoSetIsReplacedUnasked) {
+TEST_F(LibraryPanel, SetIsReplacedOnlyAfterConfirmation) {
   open(asset("humanoid-flex.rig.json"));
   state.document.selection.primitives = {state.document.rig().primitives[0].id()};
   settle();
@@ -177,7 +177,7 @@ TEST_F(LibraryPanel, NoSetIsReplacedUnasked) {
   EXPECT_FALSE(state.open.library.naming);
 }
 
-TEST_F(LibraryPanel, OwnSetsAreRemovedAndTheirFileKept) {
+TEST_F(LibraryPanel, RemovedSetKeepsABackupFile) {
   open(asset("humanoid-flex.rig.json"));
   state.document.selection.primitives = {state.document.rig().primitives[0].id()};
   settle();
@@ -194,7 +194,7 @@ TEST_F(LibraryPanel, OwnSetsAreRemovedAndTheirFileKept) {
   EXPECT_TRUE(fs::exists(ownSetsFolder() / "Gone.json~"));
 }
 
-TEST_F(LibraryPanel, ABodyThatIsNotKnownSaysSo) {
+TEST_F(LibraryPanel, UnknownBodyShowsTheReason) {
   const test::TemporaryFolder folder;
   open(folder.write("post.glb", test::makePost().file.glb()));
   EXPECT_TRUE(state.open.library.sets.empty());
@@ -203,7 +203,7 @@ TEST_F(LibraryPanel, ABodyThatIsNotKnownSaysSo) {
   EXPECT_TRUE(state.open.bodyParts.shown);
 }
 
-TEST(SetNames, AreWhatFileSystemsTake) {
+TEST(SetNames, AreValidFileNames) {
   EXPECT_EQ(setNameFor("My arms"), "My arms");
   EXPECT_EQ(setNameFor("../arms/x"), "-arms-x");
   EXPECT_EQ(setNameFor("  .. "), "");
@@ -212,7 +212,7 @@ TEST(SetNames, AreWhatFileSystemsTake) {
 }
 
 /// Red is there, in the middle, and nowhere without a muscle.
-TEST_F(LibraryPanel, APictureShowsTheMuscleInItsMiddle) {
+TEST_F(LibraryPanel, PictureShowsTheMuscleInTheMiddle) {
   open(asset("humanoid.glb"));
   for (const FittedPreset& laid : state.open.library.laid) {
     for (const Primitive& muscle : laid.rig.primitives) {

@@ -36,7 +36,7 @@ class OpeningPanels : public HeadlessEditor {
   fs::path before;
 };
 
-TEST_F(OpeningPanels, CancelAndEscapeLeaveTheDocument) {
+TEST_F(OpeningPanels, CancelAndEscapeKeepTheDocument) {
   ask();
   click("locate/cancel");
   EXPECT_FALSE(shown("locate/locate"));
@@ -53,7 +53,7 @@ TEST_F(OpeningPanels, CancelAndEscapeLeaveTheDocument) {
   EXPECT_TRUE(state.session.messages.empty());
 }
 
-TEST_F(OpeningPanels, AFileThatIsNoCharacterIsToldInTheDialogAndAnotherMayBeChosen) {
+TEST_F(OpeningPanels, InvalidCharacterIsReportedInTheDialogAndCanBeReplaced) {
   ask();
   click("locate/locate");
   type((folder / "lost.rig.json").string());
@@ -69,7 +69,7 @@ TEST_F(OpeningPanels, AFileThatIsNoCharacterIsToldInTheDialogAndAnotherMayBeChos
   EXPECT_TRUE(state.document.commands.modified());
 }
 
-TEST_F(OpeningPanels, TheFileOfTheMissingOnesNameIsProposed) {
+TEST_F(OpeningPanels, FileWithTheMissingNameIsSuggested) {
   Rig rig;
   rig.character = "models/post.glb";
   ASSERT_TRUE(saveRig(rig, folder / "lost.rig.json").ok());
@@ -80,7 +80,7 @@ TEST_F(OpeningPanels, TheFileOfTheMissingOnesNameIsProposed) {
   EXPECT_EQ(state.document.characterFile, folder / "post.glb");
 }
 
-TEST_F(OpeningPanels, TheButtonShowsHelperBonesInTheTree) {
+TEST_F(OpeningPanels, ButtonShowsHelperBonesInTheTree) {
   // The bundled character has none: one is made of the last bone.
   state.open.helperBones.assign(state.character().skeleton.bones.size(), false);
   state.open.helperBones.back() = true;
@@ -95,7 +95,7 @@ TEST_F(OpeningPanels, TheButtonShowsHelperBonesInTheTree) {
   EXPECT_FALSE(shown(id));
 }
 
-TEST_F(OpeningPanels, TheTooltipOfARowHasTheWholeNameOnce) {
+TEST_F(OpeningPanels, RowTooltipHasTheFullNameOnce) {
   test::Post post = test::makePost();
   for (auto& node : post.file.json["nodes"]) node["name"] = "mixamorig:" + node["name"].get<std::string>();
   ASSERT_TRUE(writeFileAtomically(folder / "named.glb", post.file.glb()).ok());

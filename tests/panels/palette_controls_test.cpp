@@ -53,7 +53,7 @@ void hideAll(EditorState& state) {
   state.view.inspector.shapeOpen = false;
 }
 
-TEST_F(PaletteControls, EachIsFoundByItsLabelBroughtIntoSightAndGetsTheKeyboard) {
+TEST_F(PaletteControls, EveryControlIsFoundByLabelRevealedAndFocused) {
   openFlexing();
   int seen = 0;
   for (const Control* control : controls()) {
@@ -94,7 +94,7 @@ TEST_F(PaletteControls, EachIsFoundByItsLabelBroughtIntoSightAndGetsTheKeyboard)
 }
 
 // Rows whose name is no control's: they hold several, or buttons.
-TEST_F(PaletteControls, WhateverNamesARowFindsSomething) {
+TEST_F(PaletteControls, EveryRowLabelFindsAnEntry) {
   openFlexing();
   select(state.document, {"biceps L"});
   const PaletteEntries all = gatherEntries(state);
@@ -118,7 +118,7 @@ TEST_F(PaletteControls, WhateverNamesARowFindsSomething) {
   EXPECT_GT(rows, 10);
 }
 
-TEST_F(PaletteControls, AnEntryIsFoundByPartsOfWordsAndByOtherWords) {
+TEST_F(PaletteControls, ControlIsFoundByPartialWordsAndSynonyms) {
   openFlexing();
   select(state.document, {"biceps L"});
   settle();
@@ -166,14 +166,14 @@ TEST_F(PaletteControls, GroupsSetsAndTheirMusclesAreFound) {
   EXPECT_GT(state.document.rig().primitives.size(), before);
 }
 
-TEST_F(PaletteControls, AClipPlays) {
+TEST_F(PaletteControls, ChosenClipPlays) {
   openFlexing();
   ask("dance");
   click("palette/clip/Dance");
   EXPECT_TRUE(state.open.transport.playing);
 }
 
-TEST_F(PaletteControls, ActionsStandBeforeWhatIsInTheDocumentAndFilesLast) {
+TEST_F(PaletteControls, ActionsComeFirstAndFilesLast) {
   openFlexing();
   select(state.document, {"biceps L"});  // Else Learn is grayed, and weighs less.
   ask("flex");
@@ -236,7 +236,7 @@ class PalettePages : public PaletteControls {
   std::string before_;
 };
 
-TEST_F(PalettePages, AreTheFilesOfTheDocumentationByTheirHeadings) {
+TEST_F(PalettePages, AreTheDocumentationFilesTitledByTheirHeadings) {
   const auto docs = std::filesystem::path(SINEW_SOURCE_DIR) / "docs";
   std::size_t files = 0;
   for (const auto& entry : std::filesystem::directory_iterator(docs))
@@ -251,7 +251,7 @@ TEST_F(PalettePages, AreTheFilesOfTheDocumentationByTheirHeadings) {
   }
 }
 
-TEST_F(PalettePages, OpenInWhatTheDesktopHasFromTheMenuAndFromThePalette) {
+TEST_F(PalettePages, OpenWithTheDesktopFromTheMenuAndThePalette) {
   desktop(0);
   const auto editor = std::ranges::find(helpPages(), "editor", &HelpPage::name);
   ASSERT_NE(editor, helpPages().end());
@@ -272,7 +272,7 @@ TEST_F(PalettePages, OpenInWhatTheDesktopHasFromTheMenuAndFromThePalette) {
   EXPECT_TRUE(path.ends_with("docs/characters.md")) << path;
 }
 
-TEST_F(PalettePages, WhereNothingOpensThemAMessageSaysWhereTheyLie) {
+TEST_F(PalettePages, FailureToOpenReportsThePath) {
   desktop(3);
   openHelpPage(state, helpPages().front());
   untilDone();

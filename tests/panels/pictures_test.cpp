@@ -70,7 +70,7 @@ class PicturesDialog : public HeadlessEditor {
   const fs::path folder = own.path();
 };
 
-TEST_F(PicturesDialog, AsksForWhatIsSeen) {
+TEST_F(PicturesDialog, CommandMatchesTheCurrentView) {
   const std::string clip = state.character().clips[static_cast<std::size_t>(state.open.transport.clip)].name;
   EXPECT_TRUE(says("--clip " + shellWord(clip) + " --time 0.25 --fps 24 --turntable 72 --size 64x48")) << words();
   EXPECT_TRUE(says("--shading textured")) << words();
@@ -89,7 +89,7 @@ TEST_F(PicturesDialog, AsksForWhatIsSeen) {
   EXPECT_TRUE(says("--turntable 72")) << "nothing plays in the bind pose: " << words();
 }
 
-TEST_F(PicturesDialog, WhatIsAskedForIsSaidBeforehand) {
+TEST_F(PicturesDialog, ShowsThePictureCountBeforeRendering) {
   typeInto("pictures/turns", "36");
   typeInto("pictures/rate", "12");
   EXPECT_EQ(pictureCount(state), 36);
@@ -126,7 +126,7 @@ TEST_F(PicturesDialog, NamesFollowTheFormat) {
   EXPECT_EQ(dialog.ending, ".webp");
 }
 
-TEST_F(PicturesDialog, SaysWhyNotAndAsksBeforeItReplaces) {
+TEST_F(PicturesDialog, ReportsErrorsAndConfirmsBeforeReplacing) {
   PicturesDialogState& dialog = state.dialogs.pictures;
   dialog.turntable.name = "nowhere/x.webp";
   click("pictures/ok");
@@ -154,7 +154,7 @@ TEST_F(PicturesDialog, SaysWhyNotAndAsksBeforeItReplaces) {
   EXPECT_EQ(bytes(folder / "there.webp"), "before");
 }
 
-TEST_F(PicturesDialog, ADrawnFileHasTheCommandLinesBytesWhateverIsEditedMeanwhile) {
+TEST_F(PicturesDialog, SheetMatchesTheCommandLineDespiteLaterEdits) {
   if (!canDraw()) GTEST_SKIP() << "left out: no OpenGL";
   state.dialogs.pictures.sheet = true;
   state.dialogs.pictures.cells = {2, 2};
@@ -171,7 +171,7 @@ TEST_F(PicturesDialog, ADrawnFileHasTheCommandLinesBytesWhateverIsEditedMeanwhil
   EXPECT_NE(state.session.toast->text.find("demo_sheet.png"), std::string::npos);
 }
 
-TEST_F(PicturesDialog, ATurntableIsDrawnAndCanBeCanceled) {
+TEST_F(PicturesDialog, TurntableIsRenderedAndCanBeCanceled) {
   if (!canDraw()) GTEST_SKIP() << "left out: no OpenGL";
   state.dialogs.pictures.turns = 3;
   const std::string expected = fromCommandLine("cli.webp");
@@ -192,7 +192,7 @@ TEST_F(PicturesDialog, ATurntableIsDrawnAndCanBeCanceled) {
       << state.session.toast->text;
 }
 
-TEST(PictureJob, TellsWhyItFailedInOneLineAndLeavesNothing) {
+TEST(PictureJob, FailureIsOneLineAndLeavesNoFiles) {
   const test::TemporaryFolder folder;
   fs::path gone;
   {

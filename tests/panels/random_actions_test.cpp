@@ -230,7 +230,7 @@ class RandomActions : public HeadlessEditor {
   std::mt19937 random;
 };
 
-TEST_F(RandomActions, AreUndoneToTheFirstByte) {
+TEST_F(RandomActions, UndoToTheOriginalBytes) {
   const std::size_t seed = numberFrom("SINEW_SOAK_SEED", 11);
   const std::size_t count = numberFrom("SINEW_SOAK_ACTIONS", 250);
   random.seed(static_cast<std::mt19937::result_type>(seed));

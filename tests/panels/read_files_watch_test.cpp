@@ -10,7 +10,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-class ReadFilesWatch : public ClipFilesInEditor {
+class FileWatch : public ClipFilesInEditor {
  protected:
   /// Two looks, as of a window that stays open. @return messages that name the file
   std::ptrdiff_t told(const std::string& file) {
@@ -32,7 +32,7 @@ class ReadFilesWatch : public ClipFilesInEditor {
   int touched_ = 0;
 };
 
-TEST_F(ReadFilesWatch, AChangedClipFileIsToldOnceAndReadAgain) {
+TEST_F(FileWatch, ChangedClipFileIsReportedOnceAndReloaded) {
   open("still.glb");
   add("walk.glb");
   add("more.glb");
@@ -61,7 +61,7 @@ TEST_F(ReadFilesWatch, AChangedClipFileIsToldOnceAndReadAgain) {
   EXPECT_EQ(clips(), (Names{"Crawl", "Walk"}));
 }
 
-TEST_F(ReadFilesWatch, TheContentDecidesNotTheDate) {
+TEST_F(FileWatch, ComparesContentNotDate) {
   open("still.glb");
   add("walk.glb");
   told("walk.glb");
@@ -76,7 +76,7 @@ TEST_F(ReadFilesWatch, TheContentDecidesNotTheDate) {
   EXPECT_TRUE(state.open.clipList.changed.empty()) << "it is as it was";
 }
 
-TEST_F(ReadFilesWatch, KeysOfAGltfAreInOtherFilesThatCountToo) {
+TEST_F(FileWatch, WatchesBufferFilesOfAGltfClipFile) {
   const std::string keys = gltfInTwoFiles("walk");
   open("still.glb");
   add("walk.gltf");
@@ -106,7 +106,7 @@ TEST_F(ReadFilesWatch, KeysOfAGltfAreInOtherFilesThatCountToo) {
   EXPECT_TRUE(state.open.clipList.changed.contains("walk.gltf"));
 }
 
-TEST_F(ReadFilesWatch, BuffersOfTheCharacterCountToo) {
+TEST_F(FileWatch, WatchesBufferFilesOfTheCharacter) {
   std::string keys = gltfInTwoFiles("hero");
   open("hero.gltf");
   add("walk.glb");
@@ -118,7 +118,7 @@ TEST_F(ReadFilesWatch, BuffersOfTheCharacterCountToo) {
   EXPECT_EQ(told("hero.gltf"), 1);
 }
 
-TEST_F(ReadFilesWatch, AClipFileThatGoesAndComesBackIsTold) {
+TEST_F(FileWatch, RemovedAndRestoredClipFileIsReported) {
   open("still.glb");
   add("walk.glb");
   told("walk.glb");
@@ -135,7 +135,7 @@ TEST_F(ReadFilesWatch, AClipFileThatGoesAndComesBackIsTold) {
   EXPECT_EQ(clips(), (Names{"Walk", "Run"}));
 }
 
-TEST_F(ReadFilesWatch, AChangedCharacterIsToldOnce) {
+TEST_F(FileWatch, ChangedCharacterIsReportedOnce) {
   open("whole.glb");
   EXPECT_EQ(told("whole.glb"), 0);
   fs::copy_file(folder_ / "still.glb", folder_ / "whole.glb", fs::copy_options::overwrite_existing);

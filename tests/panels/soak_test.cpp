@@ -252,7 +252,7 @@ class Soak : public HeadlessEditor {
   std::size_t frames = 0;
 };
 
-TEST_F(Soak, EveryRoundEndsWhereItBegan) {
+TEST_F(Soak, EveryRoundRestoresTheRig) {
   const char* const asked = std::getenv("SINEW_SOAK_FRAMES");
   const std::size_t wanted = asked == nullptr ? 2000 : static_cast<std::size_t>(std::atoll(asked));
   const std::string before = rigToJson(state.document.rig());

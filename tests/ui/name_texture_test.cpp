@@ -15,7 +15,7 @@
 namespace sinew::app {
 namespace {
 
-class NameTextureTest : public testing::Test {
+class LetterTexture : public testing::Test {
  protected:
   void SetUp() override {
     if (!std::filesystem::exists("/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf")) GTEST_SKIP() << "no fonts";
@@ -60,9 +60,9 @@ class NameTextureTest : public testing::Test {
   NameTexture texture;
 };
 
-TEST_F(NameTextureTest, NothingIsDoneForLatinAndItsKin) { EXPECT_FALSE(show("Biceps.L \xc3\xa9 \xce\xa9")); }
+TEST_F(LetterTexture, LatinAndGreekNeedNoExtraLetters) { EXPECT_FALSE(show("Biceps.L \xc3\xa9 \xce\xa9")); }
 
-TEST_F(NameTextureTest, EveryLetterThatIsShownIsDrawnOnceInEveryFont) {
+TEST_F(LetterTexture, EveryShownLetterIsDrawnOncePerFont) {
   const std::string text = "\xd7\x90\xd7\x91 \xd8\xb9\xd8\xb6\xd9\x84\xd8\xa9";  // Hebrew, and Arabic that is joined.
   EXPECT_TRUE(show(text));
   EXPECT_FALSE(show(text));
@@ -81,14 +81,14 @@ TEST_F(NameTextureTest, EveryLetterThatIsShownIsDrawnOnceInEveryFont) {
   }
 }
 
-TEST_F(NameTextureTest, WhatNoFontHasIsLookedForOnce) {
+TEST_F(LetterTexture, UnavailableLetterIsSearchedOnce) {
   EXPECT_TRUE(show("\xe1\x8b\x80"));  // Ethiopic.
   EXPECT_EQ(glyph(fonts.body, U'ዀ'), nullptr);
   EXPECT_FALSE(show("\xe1\x8b\x80"));
   EXPECT_FALSE(texture.has(U'ዀ'));
 }
 
-TEST_F(NameTextureTest, InvisibleOnesTakeNoRoom) {
+TEST_F(LetterTexture, InvisibleLettersHaveNoWidth) {
   EXPECT_FALSE(show("a\xe2\x80\xad\xe2\x80\x8d\xef\xb8\x8f"));
   for (const char32_t c : {0x202D, 0x200D, 0xFE0F}) {
     ASSERT_NE(glyph(fonts.body, c), nullptr);
@@ -97,7 +97,7 @@ TEST_F(NameTextureTest, InvisibleOnesTakeNoRoom) {
   }
 }
 
-TEST_F(NameTextureTest, ThousandsHaveRoomAndMoreThanThatMakeRoom) {
+TEST_F(LetterTexture, ThousandsOfLettersFitAndOlderOnesAreEvicted) {
   if (!texture.has(U'腕')) GTEST_SKIP() << "no fonts-noto-cjk";
   for (const char32_t from : {0x4E00, 0x5E00, 0x6E00, 0x7E00}) {
     std::u32string many;
@@ -110,7 +110,7 @@ TEST_F(NameTextureTest, ThousandsHaveRoomAndMoreThanThatMakeRoom) {
   EXPECT_TRUE(show("\xe4\xb8\x80"));
 }
 
-TEST_F(NameTextureTest, AnotherRegionDrawsThemAnew) {
+TEST_F(LetterTexture, RegionChangeRedrawsLetters) {
   if (!texture.has(U'骨')) GTEST_SKIP() << "no fonts-noto-cjk";
   EXPECT_TRUE(show("\xe9\xaa\xa8"));
   const std::vector<unsigned char> before = pixels(*glyph(fonts.body, U'骨'));

@@ -13,7 +13,7 @@
 namespace sinew::app {
 namespace {
 
-TEST(Overflow, WhatIsShownFitsAndNoMoreWould) {
+TEST(Overflow, ShowsAsManyItemsAsFit) {
   std::mt19937 random(3);
   std::uniform_real_distribution<float> length(5.0f, 80.0f);
   for (int round = 0; round < 2000; ++round) {

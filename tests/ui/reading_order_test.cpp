@@ -18,13 +18,13 @@ std::u32string drawn(std::u32string_view text) {
   return out;
 }
 
-TEST(ReadingOrder, OtherTextIsItself) {
+TEST(ReadingOrder, OtherScriptsAreUnchanged) {
   for (const char* text : {"", "Arm.L", "左腕 センター", "왼팔", "Ωμος Рука é", "\xff\xd7"}) {
     EXPECT_EQ(inReadingOrder(text), text);
   }
 }
 
-TEST(ReadingOrder, HebrewIsTurnedRound) {
+TEST(ReadingOrder, HebrewIsReversed) {
   EXPECT_EQ(drawn(U"זרוע"), U"עורז");
   EXPECT_EQ(drawn(U"זרוע.L"), U"עורז.L") << "the line goes from left to right";
   EXPECT_EQ(drawn(U"Bone זרוע 12"), U"Bone 12 עורז") << "numbers keep their order";
@@ -42,9 +42,9 @@ TEST(ReadingOrder, ArabicLettersAreJoined) {
   EXPECT_EQ(drawn(U"لا").size(), 1u);
 }
 
-TEST(ReadingOrder, LinesStayLines) { EXPECT_EQ(drawn(U"אב\nA\nגד\n"), U"בא\nA\nדג\n"); }
+TEST(ReadingOrder, LineBreaksAreKept) { EXPECT_EQ(drawn(U"אב\nA\nגד\n"), U"בא\nA\nדג\n"); }
 
-TEST(ReadingOrder, TwiceIsOnce) {
+TEST(ReadingOrder, IsIdempotent) {
   for (const char* text : {"زراع", "زراع.L", "Bone זרוע 12", "אב\nגד", "ساق יד"}) {
     const std::string once = inReadingOrder(text);
     EXPECT_NE(once, text);

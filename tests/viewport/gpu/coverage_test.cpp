@@ -26,14 +26,14 @@ std::string reasonOf(const TrialScene& scene, int bodies = 1) {
   return app::leftToProcessor(*prepared(scene.character, scene.rig), bodies).value_or("");
 }
 
-TEST(Coverage, HoldsTheBundledRigs) {
+TEST(GpuCoverage, IncludesTheBundledRigs) {
   for (const char* name : {"humanoid", "horse", "demo", "tangle", "wrapped", "humanoid-wrapped", "horse-wrapped"}) {
     EXPECT_EQ(reasonOf(bundledTrialScene(name)), "") << name;
     EXPECT_EQ(reasonOf(bundledTrialScene(name), 100), "") << name;
   }
 }
 
-TEST(Coverage, NamesWhatIsLeftToTheProcessor) {
+TEST(GpuCoverage, GivesTheReasonForTheProcessor) {
   TrialScene scene = bundledTrialScene("demo");
   scene.rig.smoothing.creaseAngle = 10.0f;
   EXPECT_EQ(reasonOf(scene), "the surface has creases");
@@ -50,7 +50,7 @@ TEST(Coverage, NamesWhatIsLeftToTheProcessor) {
 }
 
 // A line bends its muscle in some poses only, which `replace` has no code for.
-TEST(Coverage, IsAskedInEveryPose) {
+TEST(GpuCoverage, IsCheckedInEveryPose) {
   for (const SurfaceMode mode : {SurfaceMode::kSwell, SurfaceMode::kReplace}) {
     const TrialScene scene = bundledTrialScene("humanoid-flex");
     const auto preparation = prepared(scene.character, withMode(scene.rig, mode));
@@ -67,7 +67,7 @@ TEST(Coverage, IsAskedInEveryPose) {
   }
 }
 
-TEST(Groups, HoldEveryItemWithinTheLimit) {
+TEST(WorkGroups, HoldEveryItemWithinTheLimit) {
   for (const std::uint32_t most : {1u, 5u, 1000u, app::kMostGroupsAlong}) {
     for (const std::uint32_t items : {1u, 63u, 64u, 65u, 4'194'240u, 4'194'241u, 16'000'000u}) {
       const std::uint64_t groups = (items + app::kGroupSize - 1) / app::kGroupSize;

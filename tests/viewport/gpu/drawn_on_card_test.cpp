@@ -29,7 +29,7 @@ double differing(const app::Image& a, const app::Image& b) {
   return static_cast<double>(4 * count) / static_cast<double>(a.rgba.size());
 }
 
-TEST_F(Drawing, FromTheCardIsAsFromTheProcessor) {
+TEST_F(Drawing, GpuAndProcessorSurfacesLookAlike) {
   for (const char* name : {"demo", "wrapped"}) {
     const TrialScene scene = bundledTrialScene(name);
     Moment moment{spreadPoses(*scene.character, 2).back(), {}};
@@ -69,7 +69,7 @@ std::string textOf(const std::string& file) {
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 
-TEST_F(GpuVerbs, RenderOnTheCardOrSayWhyNot) {
+TEST_F(GpuVerbs, RenderUsesTheGpuOrGivesTheReason) {
   const std::string rig = app::dataFile("assets/demo.rig.json").string();
   const Outcome drawn = run({"render", rig, "--on", "gpu", "--size", "64x48", "-o", "a.png"});
   EXPECT_EQ(drawn.status, 0) << drawn.error;
@@ -85,7 +85,7 @@ TEST_F(GpuVerbs, RenderOnTheCardOrSayWhyNot) {
   EXPECT_TRUE(culled.oneErrorLine()) << culled.error;
 }
 
-TEST_F(GpuVerbs, BenchTellsBothAndTheDifference) {
+TEST_F(GpuVerbs, BenchReportsBothAndTheDifference) {
   const std::string rig = app::dataFile("assets/demo.rig.json").string();
   const Outcome told = run({"bench", "gpu", rig, "--frames", "2", "--crowd", "3"});
   ASSERT_EQ(told.status, 0) << told.error;

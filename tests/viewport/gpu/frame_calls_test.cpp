@@ -102,7 +102,7 @@ struct Complaints {
 
 class FrameCalls : public OnCard {};
 
-TEST_F(FrameCalls, AskForNoMemoryAndNeverWait) {
+TEST_F(FrameCalls, NeverAllocateOrWait) {
   for (const char* name : {"humanoid-flex", "wrapped"}) {
     const TrialScene scene = bundledTrialScene(name);
     app::CardSurface card = surfaceFor(prepared(scene.character, scene.rig));

@@ -15,7 +15,7 @@ namespace {
 
 using app::SurfaceBy;
 
-class SurfaceOnCardTest : public Drawing {
+class GpuSurfaceInEditor : public Drawing {
  protected:
   void SetUp() override {
     Drawing::SetUp();
@@ -54,7 +54,7 @@ class SurfaceOnCardTest : public Drawing {
   app::SurfaceOnCard onCard_;
 };
 
-TEST_F(SurfaceOnCardTest, FollowsTimeAndEdits) {
+TEST_F(GpuSurfaceInEditor, FollowsTimeAndEdits) {
   frame();
   ASSERT_NE(onCard_.drawn(), nullptr) << maker().why;
   EXPECT_TRUE(maker().onCard);
@@ -76,7 +76,7 @@ TEST_F(SurfaceOnCardTest, FollowsTimeAndEdits) {
   EXPECT_TRUE(state_.session.messages.empty());
 }
 
-TEST_F(SurfaceOnCardTest, AnotherDocumentIsAnotherSurface) {
+TEST_F(GpuSurfaceInEditor, NewDocumentGetsItsOwnSurface) {
   frame();
   ASSERT_TRUE(app::openFile(state_, std::filesystem::path(SINEW_SOURCE_DIR) / "assets" / "wrapped.rig.json"));
   frame();
@@ -84,7 +84,7 @@ TEST_F(SurfaceOnCardTest, AnotherDocumentIsAnotherSurface) {
   EXPECT_LT(apart(), 1e-5);
 }
 
-TEST_F(SurfaceOnCardTest, IsLeftToTheProcessorWithOneMessage) {
+TEST_F(GpuSurfaceInEditor, FallsBackToTheProcessorWithOneMessage) {
   frame();
   SmoothingSettings settings = state_.document.rig().smoothing;
   settings.creaseAngle = 10.0f;
@@ -106,7 +106,7 @@ TEST_F(SurfaceOnCardTest, IsLeftToTheProcessorWithOneMessage) {
   EXPECT_NE(onCard_.drawn(), nullptr) << "the card goes on";
 }
 
-TEST_F(SurfaceOnCardTest, WhatIsShownMayNeedTheProcessor) {
+TEST_F(GpuSurfaceInEditor, CullingUsesTheProcessor) {
   frame();
   state_.view.display.cullBackFaces = true;
   frame();
@@ -117,7 +117,7 @@ TEST_F(SurfaceOnCardTest, WhatIsShownMayNeedTheProcessor) {
   EXPECT_NE(onCard_.drawn(), nullptr);
 }
 
-TEST_F(SurfaceOnCardTest, ThePreferencesDecide) {
+TEST_F(GpuSurfaceInEditor, FollowsThePreferences) {
   state_.session.preferences.surfaceBy = SurfaceBy::kProcessor;
   frame();
   EXPECT_EQ(onCard_.drawn(), nullptr);
@@ -150,7 +150,7 @@ class NamedCard {
   static inline decltype(epoxy_glGetString) real_ = nullptr;
 };
 
-TEST_F(SurfaceOnCardTest, AutomaticKeepsTheFasterAsMeasured) {
+TEST_F(GpuSurfaceInEditor, AutomaticKeepsTheFasterOne) {
   const NamedCard named;
   state_.session.preferences.surfaceBy = SurfaceBy::kAutomatic;
   SmoothingSettings settings = state_.document.rig().smoothing;

@@ -31,7 +31,7 @@ struct Pair {
   }
 };
 
-TEST_F(Drawing, WhatStandsBesideIsDrawnAsIfItWereAlone) {
+TEST_F(Drawing, SecondSurfaceIsDrawnAsIfAlone) {
   const Pair pair;
   const auto viewport = viewportFor(*pair.quad);
   for (const app::Shading shading : {app::Shading::kTextured, app::Shading::kClay, app::Shading::kHeat}) {
@@ -59,7 +59,7 @@ TEST_F(Drawing, WhatStandsBesideIsDrawnAsIfItWereAlone) {
   }
 }
 
-TEST_F(Drawing, WhatStoodBesideIsGoneWithIt) {
+TEST_F(Drawing, RemovedSecondSurfaceLeavesNoTrace) {
   const Pair pair;
   const auto viewport = viewportFor(*pair.quad);
   const app::DisplaySettings settings = bareColors();
@@ -68,7 +68,7 @@ TEST_F(Drawing, WhatStoodBesideIsGoneWithIt) {
   EXPECT_EQ(pair.picture(*viewport, pair.first.surface, nullptr, settings).rgba, alone.rgba);
 }
 
-TEST_F(Drawing, BothCastTheirShadow) {
+TEST_F(Drawing, BothSurfacesCastShadows) {
   const Pair pair;
   const auto viewport = viewportFor(*pair.quad);
   app::DisplaySettings settings;

@@ -17,7 +17,7 @@ float lightness(const glm::vec3& srgb) {
   return y > 0.008856f ? 116.0f * std::cbrt(y) - 16.0f : 903.3f * y;
 }
 
-TEST(HeatScale, RunsThroughItsStopsWithoutJumps) {
+TEST(HeatScale, PassesThroughItsStopsContinuously) {
   const auto& stops = app::heatStops();
   for (std::size_t i = 0; i < stops.size(); ++i) {
     const float x = 2.0f * static_cast<float>(i) / static_cast<float>(stops.size() - 1) - 1.0f;
@@ -29,7 +29,7 @@ TEST(HeatScale, RunsThroughItsStopsWithoutJumps) {
     EXPECT_LT(glm::distance(app::heatColor(x), app::heatColor(x + 0.001f)), 0.005f);
 }
 
-TEST(HeatScale, DarkensEvenlyFromANeutralMiddleToBothEnds) {
+TEST(HeatScale, DarkensEvenlyFromANeutralMiddle) {
   const glm::vec3 middle = app::heatColor(0.0f);
   EXPECT_LT(std::max({middle.r, middle.g, middle.b}) - std::min({middle.r, middle.g, middle.b}), 0.04f);
   for (const float side : {-1.0f, 1.0f}) {
@@ -58,7 +58,7 @@ TEST(Srgb, DecodingAndEncodingAreInverse) {
   EXPECT_NEAR(app::linearFromSrgb(glm::vec3(0.5f)).r, 0.21404f, 1e-4f);
 }
 
-TEST(ClassColors, StandInTheOrderOfTheClassesAndAreToldApart) {
+TEST(ClassColors, FollowTheOrderOfClassesAndAreDistinct) {
   const auto& colors = app::classColors();
   for (std::size_t i = 0; i < colors.size(); ++i) {
     EXPECT_EQ(static_cast<std::size_t>(colors[i].kind), i);
@@ -66,7 +66,7 @@ TEST(ClassColors, StandInTheOrderOfTheClassesAndAreToldApart) {
   }
 }
 
-TEST(ZoneColors, TellClassesAndLayersApart) {
+TEST(ZoneColors, DistinguishClassesAndLayers) {
   for (std::size_t i = 0; i < app::kZones; ++i) {
     for (std::size_t j = 0; j < i; ++j) EXPECT_GT(glm::distance(app::zoneColor(i), app::zoneColor(j)), 0.2f) << i << j;
   }

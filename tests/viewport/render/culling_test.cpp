@@ -77,7 +77,7 @@ TrialScene demoScene() {
   return {"demo", character.value(), rig.value()};
 }
 
-TEST_F(Drawing, HiddenTrianglesLeftOutChangeNoPixel) {
+TEST_F(Drawing, CullingChangesNoPixel) {
   std::vector<TrialScene> scenes = trialScenes();
   scenes.push_back(demoScene());
   std::printf("  %-11s %-8s %9s %8s %10s %8s\n", "scene", "mode", "pictures", "culled", "differing", "pixels");
@@ -97,7 +97,7 @@ TEST_F(Drawing, HiddenTrianglesLeftOutChangeNoPixel) {
   }
 }
 
-TEST_F(Drawing, TheShadowOfACulledSurfaceHasNoHoles) {
+TEST_F(Drawing, CulledSurfaceCastsAWholeShadow) {
   const TrialScene scene = demoScene();
   const auto viewport = viewportFor(*scene.character);
   Smoother smoother(scene.character);

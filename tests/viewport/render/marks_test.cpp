@@ -56,7 +56,7 @@ bool nearTheEdge(const PrimitiveShape& shape, const View& view, int x, int y, in
   return false;
 }
 
-TEST_F(Drawing, TheOutlineIsWhereSightsBeginToMiss) {
+TEST_F(Drawing, OutlineFollowsTheSilhouette) {
   const auto quad = makeQuad();
   const Moment moment = bindMoment(quad, 1, PatchKind::kFlat);
   const auto viewport = viewportFor(*quad);
@@ -87,7 +87,7 @@ TEST_F(Drawing, TheOutlineIsWhereSightsBeginToMiss) {
   }
 }
 
-TEST_F(Drawing, OnlyTheSelectedAreOutlinedAndTheHoveredFainter) {
+TEST_F(Drawing, SelectedAreOutlinedAndHoveredOnesFainter) {
   const auto quad = makeQuad();
   const Moment moment = bindMoment(quad, 1, PatchKind::kFlat);
   const auto viewport = viewportFor(*quad);
@@ -120,7 +120,7 @@ TEST_F(Drawing, OnlyTheSelectedAreOutlinedAndTheHoveredFainter) {
   EXPECT_LT(strength(true), selected);
 }
 
-TEST_F(Drawing, TheBulgeIsOutlinedOnTheSkinWhereInfluenceEnds) {
+TEST_F(Drawing, InfluenceIsOutlinedOnTheSkin) {
   const auto quad = makeQuad();
   const Moment moment = bindMoment(quad, 1, PatchKind::kFlat);
   const auto viewport = viewportFor(*quad);
@@ -153,7 +153,7 @@ TEST_F(Drawing, TheBulgeIsOutlinedOnTheSkinWhereInfluenceEnds) {
   EXPECT_GT(onRing, 40);
 }
 
-TEST_F(Drawing, TerritoryTintsItsOwnSkinAloneAndFadesOut) {
+TEST_F(Drawing, TerritoryTintStaysOnItsSkinAndFadesOut) {
   const auto quad = makeQuad();
   const Moment moment = bindMoment(quad, 3, PatchKind::kFlat);
   const auto viewport = viewportFor(*quad);
@@ -189,7 +189,7 @@ TEST_F(Drawing, TerritoryTintsItsOwnSkinAloneAndFadesOut) {
   }
 }
 
-TEST_F(Drawing, SegmentsAreDrawnFromPixelToPixelWithDotsAtTheirEnds) {
+TEST_F(Drawing, SegmentsConnectTheirEndsWithOptionalDots) {
   const auto quad = makeQuad();
   const Moment moment = bindMoment(quad, 1, PatchKind::kFlat);
   const auto viewport = viewportFor(*quad);
@@ -242,7 +242,7 @@ TEST_F(Drawing, SegmentsAreDrawnFromPixelToPixelWithDotsAtTheirEnds) {
   }
 }
 
-TEST_F(Drawing, TerritoryBonesAreHighlightedThoughTheSkeletonIsHidden) {
+TEST_F(Drawing, TerritoryBonesAreHighlightedWithAHiddenSkeleton) {
   const auto quad = makeQuad();
   const Moment moment = bindMoment(quad, 1, PatchKind::kFlat);
   const auto viewport = viewportFor(*quad);
@@ -268,7 +268,7 @@ TEST_F(Drawing, UnlitBaseColorsAreExact) {
   }
 }
 
-TEST_F(Drawing, TheSameSurfaceIsNotUploadedAgainAndANewOneIs) {
+TEST_F(Drawing, SurfaceIsUploadedOnlyWhenItsRevisionChanges) {
   const auto quad = makeQuad();
   Moment moment = bindMoment(quad, 1, PatchKind::kFlat);
   const auto viewport = viewportFor(*quad);

@@ -37,7 +37,7 @@ Moment scaledBy(const Moment& moment, float factor) {
   return scaled;
 }
 
-TEST_F(Drawing, WhatIsKeptOfTheBackgroundIsTheSameToThePixel) {
+TEST_F(Drawing, CachedBackgroundIsPixelIdentical) {
   const auto limb = makeLimb();
   const Moment moment = bindMoment(limb, 3);
   const Bounds bounds = boundsOf(moment.surface.positions);
@@ -62,7 +62,7 @@ TEST_F(Drawing, WhatIsKeptOfTheBackgroundIsTheSameToThePixel) {
   }
 }
 
-TEST_F(Drawing, WhileTheCharacterSwaysTheLightOnTheFloorIsHeldUnseen) {
+TEST_F(Drawing, HeldFloorLightIsUnnoticeableWhileTheCharacterSways) {
   const auto limb = makeLimb();
   const Moment moment = bindMoment(limb, 3);
   const View view = app::framedView(boundsOf(moment.surface.positions), 0.6f, 0.4f, {150, 110}, false);
@@ -77,7 +77,7 @@ TEST_F(Drawing, WhileTheCharacterSwaysTheLightOnTheFloorIsHeldUnseen) {
 }
 
 /// What the picture before has left, outside of where the character is now, is taken away.
-TEST_F(Drawing, NothingStaysBehindWhereTheCharacterWas) {
+TEST_F(Drawing, MovedCharacterLeavesNoTrace) {
   const auto limb = makeLimb();
   const Moment moment = bindMoment(limb, 2);
   const View view = app::framedView(boundsOf(moment.surface.positions), 0.6f, 0.4f, {161, 117}, false, 0.3f);
@@ -93,7 +93,7 @@ TEST_F(Drawing, NothingStaysBehindWhereTheCharacterWas) {
   }
 }
 
-TEST_F(Drawing, ARestingPictureAfterAMovementIsTheSameToThePixel) {
+TEST_F(Drawing, RestingPictureAfterMovementIsPixelIdentical) {
   const auto limb = makeLimb();
   const Moment moment = bindMoment(limb, 3);
   const Moment other = movedBy(moment, {0.02f * limb->height, 0.0f, 0.0f});
@@ -119,7 +119,7 @@ TEST_F(Drawing, ARestingPictureAfterAMovementIsTheSameToThePixel) {
   }
 }
 
-TEST_F(Drawing, ASmallerPictureShowsTheSameWithLinesOfTheSameWidth) {
+TEST_F(Drawing, ReducedResolutionKeepsTheLineWidth) {
   const auto quad = makeQuad();
   const Moment moment = bindMoment(quad, 1, PatchKind::kFlat);
   Scene scene = sceneOf(*quad, moment);

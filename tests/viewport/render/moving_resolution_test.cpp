@@ -47,7 +47,7 @@ int changes(const std::vector<float>& scales) {
   return count;
 }
 
-TEST(MovingResolutions, AFastMachineIsNeverMadeCoarse) {
+TEST(MovingResolutions, FastMachineKeepsFullResolution) {
   for (const double share : {0.01, 0.3, 0.7, 1.0}) {
     MovingResolution resolution;
     const std::vector<float> scales = played(resolution, {0.5 * share * kGoal, 0.5 * share * kGoal, 0.0, 0.05}, 1000);
@@ -55,7 +55,7 @@ TEST(MovingResolutions, AFastMachineIsNeverMadeCoarse) {
   }
 }
 
-TEST(MovingResolutions, HoldsTheGoalWhereASmallerPictureCan) {
+TEST(MovingResolutions, MeetsTheFrameTimeGoalIfPossible) {
   std::mt19937 random(7);
   std::uniform_real_distribution<double> part(0.0, 1.0);
   const float least = MovingResolution::kScales.back();
@@ -75,7 +75,7 @@ TEST(MovingResolutions, HoldsTheGoalWhereASmallerPictureCan) {
   EXPECT_GT(lowered, 100);
 }
 
-TEST(MovingResolutions, IsNoCoarserThanItMustBe) {
+TEST(MovingResolutions, IsNoCoarserThanNecessary) {
   std::mt19937 random(8);
   std::uniform_real_distribution<double> part(0.0, 1.0);
   const auto& scales = MovingResolution::kScales;
@@ -109,7 +109,7 @@ FrameCost overlapped(const Machine& machine, float scale) {
   return {machine.fixed + std::max(pixels - machine.other, 0.0), machine.other, machine.other};
 }
 
-TEST(MovingResolutions, SettlesWhereDrawingIsHidden) {
+TEST(MovingResolutions, SettlesIfDrawingTimeIsHidden) {
   std::mt19937 random(11);
   std::uniform_real_distribution<double> part(0.0, 1.0);
   int coarse = 0;
@@ -135,13 +135,13 @@ TEST(MovingResolutions, OneSlowFrameChangesNothing) {
   }
 }
 
-TEST(MovingResolutions, ASlowSurfaceIsNoReason) {
+TEST(MovingResolutions, SlowSurfaceDoesNotReduceIt) {
   MovingResolution resolution;
   played(resolution, {0.1 * kGoal, 0.3 * kGoal, 8.0 * kGoal}, 300);
   EXPECT_EQ(resolution.scale(), 1.0f);
 }
 
-TEST(MovingResolutions, GoesDownWithinAFewFramesAndComesBack) {
+TEST(MovingResolutions, DropsWithinAFewFramesAndRecovers) {
   MovingResolution resolution;
   const std::vector<float> down = played(resolution, {0.0, 4.0 * kGoal, 0.0}, 9);
   EXPECT_LE(resolution.scale(), 0.55f);
@@ -151,7 +151,7 @@ TEST(MovingResolutions, GoesDownWithinAFewFramesAndComesBack) {
   EXPECT_TRUE(std::ranges::is_sorted(up));
 }
 
-TEST(MovingResolutions, AnyTimesLeaveItOnOneOfItsSteps) {
+TEST(MovingResolutions, RandomTimesKeepItOnAStep) {
   std::mt19937 random(10);
   std::exponential_distribution<double> seconds(1.0 / kGoal);
   MovingResolution resolution;

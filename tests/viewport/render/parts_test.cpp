@@ -60,7 +60,7 @@ int sideOf(int x, int y) {
   return 1.0f - v < u ? 1 : 2;
 }
 
-TEST_F(Drawing, ALitPartIsTintedInTheColorOfItsLayerAndNothingElse) {
+TEST_F(Drawing, HighlightedPartIsTintedInItsLayerColor) {
   const auto quad = quadOfTwoParts();
   const auto viewport = viewportFor(*quad);
   const Image plain = picture(quad, *viewport, {});
@@ -92,7 +92,7 @@ TEST_F(Drawing, ALitPartIsTintedInTheColorOfItsLayerAndNothingElse) {
   EXPECT_EQ(picture(quad, *viewport, {}).rgba, plain.rgba);
 }
 
-TEST_F(Drawing, AHoveredPartIsTintedMoreThanAChosenOne) {
+TEST_F(Drawing, HoveredPartIsTintedMoreThanASelectedOne) {
   const auto quad = quadOfTwoParts();
   const auto viewport = viewportFor(*quad);
   const auto blueAt = [&](bool hovered) {
@@ -101,7 +101,7 @@ TEST_F(Drawing, AHoveredPartIsTintedMoreThanAChosenOne) {
   EXPECT_GT(blueAt(true), blueAt(false) + 10);
 }
 
-TEST_F(Drawing, APartOfWhichNothingIsSeenShowsThroughAndOneThatIsSeenDoesNot) {
+TEST_F(Drawing, HighlightShowsThroughOnlyForFullyHiddenParts) {
   const auto behind = quadAndSmallOne(-0.5f, {0.0f, 0.0f});
   const auto viewport = viewportFor(*behind);
   const Image plain = picture(behind, *viewport, {});
@@ -122,7 +122,7 @@ TEST_F(Drawing, APartOfWhichNothingIsSeenShowsThroughAndOneThatIsSeenDoesNot) {
   EXPECT_EQ(pixelAt(half, 45, 32), pixelAt(out, 45, 32));
 }
 
-TEST_F(Drawing, TheTintFollowsThePartWhereTrianglesAreLeftOutOrFine) {
+TEST_F(Drawing, PartTintFollowsCullingAndRefinement) {
   const auto quad = quadOfTwoParts();
   const auto viewport = viewportFor(*quad);
   for (const int depth : {1, 3}) {
@@ -143,7 +143,7 @@ TEST_F(Drawing, TheTintFollowsThePartWhereTrianglesAreLeftOutOrFine) {
   }
 }
 
-TEST_F(Drawing, ZonesTellClothAndRigidPartsFromSkin) {
+TEST_F(Drawing, ZonesDistinguishClothAndRigidPartsFromSkin) {
   const auto quad = quadOfTwoParts();
   const auto viewport = viewportFor(*quad);
   app::DisplaySettings settings = bareColors();
@@ -162,7 +162,7 @@ TEST_F(Drawing, ZonesTellClothAndRigidPartsFromSkin) {
   EXPECT_NE(pixelAt(cloth, 22, 24), pixelAt(rigid, 22, 24));
 }
 
-TEST_F(Drawing, ZonesFollowTheLayersThoughTheSurfaceIsTheSame) {
+TEST_F(Drawing, ZonesFollowLayersOnAnUnchangedSurface) {
   const auto quad = quadOfTwoParts();
   const auto viewport = viewportFor(*quad);
   const Moment moment = bindMoment(quad, 1, PatchKind::kFlat);

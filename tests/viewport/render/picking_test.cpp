@@ -72,7 +72,7 @@ TEST_F(Drawing, PickingAgreesWithThePictureAtEveryPixel) {
   }
 }
 
-TEST(PickSurface, BarycentricsLeadToTheHit) {
+TEST(PickSurface, BarycentricsReproduceTheHit) {
   const auto character = makeTwoLegged();
   const Moment moment = bindMoment(character, 4, PatchKind::kFlat);
   const View view = app::framedView(boundsOf(moment.surface.positions), 0.5f, 0.2f, {200, 200}, false);
@@ -171,7 +171,7 @@ TEST(CrossShell, MatchesASearchAlongTheRayThroughShapes) {
   EXPECT_GT(hits, 50);
 }
 
-TEST(Silhouette, LiesOnTheShapeAndNothingOfItIsOutside) {
+TEST(Silhouette, LiesOnTheShapeAndEnclosesIt) {
   Random random(7);
   app::View view;
   view.eyeInWorld = {0.3f, 0.5f, 6.0f};
@@ -196,7 +196,7 @@ TEST(Silhouette, LiesOnTheShapeAndNothingOfItIsOutside) {
   EXPECT_GT(checked, 1000);
 }
 
-TEST(CrossShell, FlatAndDistantOnesAndThoseBehind) {
+TEST(CrossShell, HandlesFlatDistantAndBehindShapes) {
   const glm::mat4 ball(1);
   EXPECT_FALSE(app::crossShell({{0, 5, 0}, {0, -1, 0}}, glm::scale(ball, glm::vec3(1, 0, 1))));
   EXPECT_FALSE(app::crossShell({{0, 5, 0}, {0, 1, 0}}, ball));

@@ -18,7 +18,7 @@ app::Image gradient(int alpha) {
   return image;
 }
 
-TEST(Png, ReadsBackAsItWas) {
+TEST(Png, RoundTrips) {
   for (const int alpha : {255, 90}) {
     const app::Image image = gradient(alpha);
     const auto bytes = app::pngBytes(image);

@@ -48,7 +48,7 @@ int partlyCovered(const Image& image) {
   return count;
 }
 
-TEST(SampleOffsets, SpreadEvenlyOverThePixel) {
+TEST(SampleOffsets, CoverThePixelEvenly) {
   for (const int count : {4, 16}) {
     const int side = count == 4 ? 2 : 4;
     std::set<std::pair<int, int>> cells;
@@ -65,7 +65,7 @@ TEST(SampleOffsets, SpreadEvenlyOverThePixel) {
   }
 }
 
-TEST_F(Drawing, ARestingPictureHasSmoothEdgesAndStaysWhereItWas) {
+TEST_F(Drawing, RefinedPictureHasSmoothEdgesInPlace) {
   const auto quad = makeQuad();
   const Moment moment = bindMoment(quad, 1, PatchKind::kFlat);
   const Scene scene = sceneOf(*quad, moment);
@@ -103,7 +103,7 @@ TEST_F(Drawing, ARestingPictureHasSmoothEdgesAndStaysWhereItWas) {
   }
 }
 
-TEST_F(Drawing, ARefinedPictureIsNearToOneOfManySamples) {
+TEST_F(Drawing, RefinedPictureApproachesManySamples) {
   const auto limb = makeLimb();
   const Moment moment = bindMoment(limb, 4);
   const Scene scene = sceneOf(*limb, moment);
@@ -119,7 +119,7 @@ TEST_F(Drawing, ARefinedPictureIsNearToOneOfManySamples) {
   EXPECT_LT(after, before);
 }
 
-TEST_F(Drawing, RefiningIsTheSameBytesAndBeginsAnewWithEachDraw) {
+TEST_F(Drawing, RefinementIsRepeatableAndRestartsWithEachDraw) {
   const auto limb = makeLimb();
   const Moment moment = bindMoment(limb, 3);
   const Scene scene = sceneOf(*limb, moment);
@@ -200,7 +200,7 @@ TEST_F(Drawing, OcclusionIsStrongestInTheCorner) {
   EXPECT_GT(lost({0.06f, 0.0f, 0.0f}), lost({0.12f, 0.0f, 0.0f}) - 1);
 }
 
-TEST_F(Drawing, EveryLightAndBackgroundLooksDifferent) {
+TEST_F(Drawing, LightsAndBackgroundsAreDistinct) {
   const auto limb = makeLimb();
   const Moment moment = bindMoment(limb, 3);
   const Scene scene = sceneOf(*limb, moment);
@@ -258,7 +258,7 @@ TEST_F(Drawing, FlatBackgroundsAreOneColor) {
   }
 }
 
-TEST(PictureLooks, NamesComeBack) {
+TEST(PictureLooks, NamesRoundTrip) {
   for (const char* name : app::kLightNames) EXPECT_STREQ(nameOf(*app::lightNamed(name)), name);
   for (const char* name : app::kBackdropNames) EXPECT_STREQ(nameOf(*app::backdropNamed(name)), name);
   EXPECT_FALSE(app::lightNamed("moon").has_value());

@@ -116,7 +116,7 @@ void compare(const Soup& soup, const View& view, SeenTriangles& seen, Counts& co
   counts.kept += static_cast<int>(seen.triangles().size());
 }
 
-TEST(SeenTriangles, HoldAllThatCoverAPixelsCenterAndLittleElse) {
+TEST(SeenTriangles, ContainEveryTriangleThatCoversAPixelCenter) {
   std::mt19937 random(20010315);
   SeenTriangles seen;
   Counts counts;
@@ -154,7 +154,7 @@ std::array<glm::vec3, 3> inPixels(const glm::vec2& a, const glm::vec2& b, const 
   return {device(a), device(b), device(c)};
 }
 
-TEST(SeenTriangles, WhatRoundingCouldMoveOverACenterIsKept) {
+TEST(SeenTriangles, KeepTrianglesWithinRoundingOfAPixelCenter) {
   const glm::mat4 flat(1.0f);
   for (const float sign : {-1.0f, 1.0f}) {  // Beside the center at 3.5, on either side, across and upright.
     const auto beside = [&](float off, bool upright) {
@@ -176,7 +176,7 @@ TEST(SeenTriangles, WhatRoundingCouldMoveOverACenterIsKept) {
   EXPECT_FALSE(isKept(inPixels({1.0f, 2.0f}, {6.0f, 3.6f}, {6.0f, 1.0f}), flat));
 }
 
-TEST(SeenTriangles, WhatTheNearPlaneCutsAndWhatFloatsCannotPlaceIsLeftToOpenGL) {
+TEST(SeenTriangles, KeepTrianglesAtTheNearPlaneAndBeyondFloatPrecision) {
   Bounds bounds;
   bounds.add(glm::vec3(-1.0f));
   bounds.add(glm::vec3(1.0f));
@@ -194,7 +194,7 @@ TEST(SeenTriangles, WhatTheNearPlaneCutsAndWhatFloatsCannotPlaceIsLeftToOpenGL) 
   EXPECT_TRUE(isKept(far, moved));
 }
 
-TEST_F(Drawing, AMovingPictureWithoutUnseenTrianglesIsTheSameToThePixel) {
+TEST_F(Drawing, SkippingUnseenTrianglesIsPixelIdentical) {
   const auto character = fineHumanoid();
   const Moment moment = bindMoment(character, 1);
   const Bounds bounds = boundsOf(moment.surface.positions);

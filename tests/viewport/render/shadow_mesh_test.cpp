@@ -97,7 +97,7 @@ std::vector<std::uint32_t> allOf(const Surface& surface) {
   return indices;
 }
 
-TEST(ShadowMeshes, FewTrianglesAreTheControlTriangles) {
+TEST(ShadowMeshes, SmallMeshUsesItsControlTriangles) {
   const auto limb = makeLimb();
   ASSERT_TRUE(app::shadowClusters(*limb).empty());
   for (const int depth : {1, 4}) {
@@ -112,7 +112,7 @@ TEST(ShadowMeshes, FewTrianglesAreTheControlTriangles) {
   }
 }
 
-TEST(ShadowMeshes, AClusterIsOneCellOfOneBone) {
+TEST(ShadowMeshes, ClusterLiesInOneCellOfOneBone) {
   const auto body = fineHumanoid();
   const std::vector<int> stands = app::shadowClusters(*body);
   ASSERT_EQ(stands.size(), body->mesh.positions.size());
@@ -125,7 +125,7 @@ TEST(ShadowMeshes, AClusterIsOneCellOfOneBone) {
   }
 }
 
-TEST(ShadowMeshes, MovesAsAllTrianglesDo) {
+TEST(ShadowMeshes, MatchesTheFullShadow) {
   const auto body = fineHumanoid();
   const int reach = static_cast<int>(std::ceil(app::kShadowCell * std::sqrt(3.0f) * Cover::kFine));
   const std::vector<Pose> poses = posesOfClips(*body, 2);
@@ -145,7 +145,7 @@ TEST(ShadowMeshes, MovesAsAllTrianglesDo) {
   }
 }
 
-TEST(ShadowMeshes, WhatTheCutoffTakesAwayKeepsItsTriangles) {
+TEST(ShadowMeshes, MaskedTrianglesAreKept) {
   auto body = std::make_shared<Character>(*fineHumanoid());
   std::size_t masked = 0;
   for (std::size_t t = 0; t < body->mesh.triangles.size(); t += 2) {

@@ -73,7 +73,7 @@ class Shells : public Drawing {
   DisplaySettings settings_;
 };
 
-TEST_F(Shells, UnderTheSkinTheyAreFainterTheDeeperTheyLie) {
+TEST_F(Shells, ShellsFadeWithDepthUnderTheSkin) {
   const Image without = draw({});
   const float inFront = fillOf(draw({ballAt(0.6f, 0.4f)}), without);
   const float under = fillOf(draw({ballAt(-0.42f, 0.4f)}), without);
@@ -83,7 +83,7 @@ TEST_F(Shells, UnderTheSkinTheyAreFainterTheDeeperTheyLie) {
   EXPECT_GT(deep, 2.0f) << "and are seen all the same";
 }
 
-TEST_F(Shells, ALineShowsWhereTheyMeetTheSkin) {
+TEST_F(Shells, LineMarksTheIntersectionWithTheSkin) {
   const float radius = 0.6f, depth = 0.35f;
   const Image image = draw({ballAt(-depth, radius)});
   const float circle = std::sqrt(radius * radius - depth * depth) / view_.unitsPerPixelAt(glm::vec3(0));
@@ -105,7 +105,7 @@ TEST_F(Shells, ALineShowsWhereTheyMeetTheSkin) {
   EXPECT_GE(lined, 9 * places / 10) << "of " << places;
 }
 
-TEST_F(Shells, NoLineWhereTheSkinLiesAlongThem) {
+TEST_F(Shells, TangentSkinHasNoIntersectionLine) {
   // So large that it passes through the square at less than four degrees, on a circle in the middle of the picture.
   const Image image = draw({ballAt(-4.99f, 5.0f)});
   for (int y = -20; y <= 20; ++y) {
@@ -129,7 +129,7 @@ TEST_F(Shells, CarvesAreStriped) {
   EXPECT_GT(spread(-1), 2 * spread(1));
 }
 
-TEST_F(Shells, EveryStateHasAnOutlineOfItsOwn) {
+TEST_F(Shells, EveryStateHasADistinctOutline) {
   std::vector<PrimitiveShape> states(5, ballAt(0.6f, 0.5f));
   states[1].hovered = true;
   states[2].twin = true;
@@ -148,7 +148,7 @@ TEST_F(Shells, EveryStateHasAnOutlineOfItsOwn) {
   }
 }
 
-TEST_F(Shells, OnlyTheTwinsOutlineIsBroken) {
+TEST_F(Shells, OnlyTheTwinHasADashedOutline) {
   settings_.primitives = settings_.surface = false;
   const auto gaps = [&](bool twin) {
     PrimitiveShape ball = ballAt(0.0f, 0.9f);

@@ -29,7 +29,7 @@ Image pictureOf(int width, int height) {
   return image;
 }
 
-TEST(Thumbnails, AreTheMiddleOfThePictureMadeSmall) {
+TEST(Thumbnails, AreScaledFromTheMiddleOfThePicture) {
   for (const auto& [width, height] : {std::pair(800, 600), {1920, 700}, {300, 900}, {144, 108}}) {
     const Image small = app::thumbnailOf(pictureOf(width, height));
     EXPECT_EQ(glm::ivec2(small.width, small.height), app::kThumbnailSize);
@@ -41,7 +41,7 @@ TEST(Thumbnails, AreTheMiddleOfThePictureMadeSmall) {
   }
 }
 
-TEST(Thumbnails, ComeBackFromTheirBytesAndGarbageIsNone) {
+TEST(Thumbnails, RoundTripAndRefuseInvalidBytes) {
   const Image small = app::thumbnailOf(pictureOf(800, 600));
   const auto png = app::pngBytes(small);
   ASSERT_TRUE(png.ok());
@@ -54,7 +54,7 @@ TEST(Thumbnails, ComeBackFromTheirBytesAndGarbageIsNone) {
   EXPECT_FALSE(app::readThumbnail(app::pngBytes(pictureOf(64, 64)).value()).has_value()) << "another size";
 }
 
-TEST(Thumbnails, BelongToTheDocumentAsItIs) {
+TEST(Thumbnails, BelongToTheCurrentVersionOfTheDocument) {
   const TemporaryFolder own;
   const fs::path cache = own.path() / "cache";
   const fs::path document = own.write("a.rig.json", "one");
@@ -69,7 +69,7 @@ TEST(Thumbnails, BelongToTheDocumentAsItIs) {
   EXPECT_NE(app::thumbnailFile(cache, document), file) << "changed elsewhere";
 }
 
-TEST(Thumbnails, TheCacheIsBounded) {
+TEST(Thumbnails, CacheIsBounded) {
   const TemporaryFolder own;
   const fs::path cache = own.path() / "cache";
   fs::create_directories(cache);
@@ -88,7 +88,7 @@ TEST(Thumbnails, TheCacheIsBounded) {
   EXPECT_FALSE(app::keepThumbnail(own.write("file", "") / "below", document, "new").ok());
 }
 
-TEST_F(Drawing, ThumbnailsAreTexturesOfWhatWasKept) {
+TEST_F(Drawing, ThumbnailTexturesComeFromTheCache) {
   const TemporaryFolder own;
   const fs::path document = own.write("a.glb", "one");
   app::Thumbnails thumbnails(own.path() / "cache");

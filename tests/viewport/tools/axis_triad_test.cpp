@@ -77,7 +77,7 @@ glm::vec3 forwardAfter(Camera camera) {
   return viewOf(camera, kWindow).forwardInWorld();
 }
 
-TEST(AxisTriad, EndsLieWhereTheirAxesPointInThePicture) {
+TEST(AxisTriad, EndsMatchTheAxesInThePicture) {
   Random random(31);
   for (int i = 0; i < 100; ++i) {
     const Camera camera = anyCamera(random);
@@ -100,7 +100,7 @@ TEST(AxisTriad, EndsLieWhereTheirAxesPointInThePicture) {
   }
 }
 
-TEST(AxisTriad, AClickLooksFromTheEndAndTheNextFromTheOpposite) {
+TEST(AxisTriad, ClickLooksAlongTheAxisAndTheNextFromTheOpposite) {
   Random random(32);
   for (int i = 0; i < 60; ++i) {
     const AxisEnd end = kEnds[static_cast<std::size_t>(i) % 6];
@@ -119,7 +119,7 @@ TEST(AxisTriad, AClickLooksFromTheEndAndTheNextFromTheOpposite) {
   }
 }
 
-TEST(AxisTriad, ADragOrbitsAndIsNoClick) {
+TEST(AxisTriad, DragOrbitsWithoutClicking) {
   Camera camera;
   AxisTriad triad;
   const TriadLayout layout = layoutTriad(camera, kWindow, 1.0f);
@@ -139,7 +139,7 @@ TEST(AxisTriad, ADragOrbitsAndIsNoClick) {
   EXPECT_NE(camera.stand.yaw, before.yaw);
 }
 
-TEST(AxisTriad, APressThatMovesAsLittleAsAClickElsewhereIsAClick) {
+TEST(AxisTriad, SmallMotionCountsAsAClick) {
   for (const float scale : {1.0f, 2.0f}) {
     for (const float moved : {0.9f * kDragThreshold, 1.1f * kDragThreshold}) {
       Camera camera;
@@ -154,7 +154,7 @@ TEST(AxisTriad, APressThatMovesAsLittleAsAClickElsewhereIsAClick) {
   }
 }
 
-TEST(AxisTriad, TakesTheMouseOnTheBallAloneAndNeverFromOthers) {
+TEST(AxisTriad, TakesTheMouseOnlyOnTheBallAndNeverDuringOtherDrags) {
   Camera camera;
   AxisTriad triad;
   const TriadLayout layout = layoutTriad(camera, kWindow, 1.0f);
@@ -177,7 +177,7 @@ TEST(AxisTriad, TakesTheMouseOnTheBallAloneAndNeverFromOthers) {
   EXPECT_FALSE(triad.pressed);
 }
 
-TEST(AxisTriad, TellsWhatAClickDoes) {
+TEST(AxisTriad, DescribesTheClick) {
   Camera camera;
   AxisTriad triad;
   EXPECT_EQ(describe(triad), "");

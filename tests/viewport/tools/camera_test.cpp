@@ -128,7 +128,7 @@ TEST(Camera, OrbitTurnsTheSceneWithThePointer) {
   EXPECT_GT(pixelOf(camera, nose).y, before.y + 1.0f);
 }
 
-TEST(Camera, FramingHoldsTheBoxTightly) {
+TEST(Camera, FramingIsTight) {
   Random random(16);
   for (int i = 0; i < 300; ++i) {
     Camera camera = randomCamera(random);
@@ -155,7 +155,7 @@ TEST(Camera, FramingHoldsTheBoxTightly) {
 }
 
 // What is covered lies at the edges, as bars and lists do, so that a part is free.
-TEST(Camera, FramingStaysClearOfWhatIsCovered) {
+TEST(Camera, FramingAvoidsCoveredAreas) {
   Random random(18);
   for (int i = 0; i < 200; ++i) {
     Camera camera = randomCamera(random);
@@ -191,7 +191,7 @@ TEST(Camera, FramingStaysClearOfWhatIsCovered) {
   }
 }
 
-TEST(Camera, APanelThatLeavesNoRoomIsPassedOverAndTheBarsAreNot) {
+TEST(Camera, FramingIgnoresAPanelThatLeavesNoRoomButAvoidsBars) {
   Camera camera;
   const glm::vec4 bar(0.0f, 0.0f, 1.0f, 0.2f);
   const std::vector<glm::vec4> covered{bar, {0.1f, 0.3f, 0.95f, 0.9f}};
@@ -202,7 +202,7 @@ TEST(Camera, APanelThatLeavesNoRoomIsPassedOverAndTheBarsAreNot) {
   EXPECT_EQ(camera.stand.distance, beside.stand.distance);
 }
 
-TEST(Camera, AWhollyCoveredPictureIsFramedAsAWhole) {
+TEST(Camera, FullyCoveredPictureIsFramedAsAWhole) {
   Camera camera;
   camera.stand.aim = {0.3f, 0.2f};
   const std::vector<glm::vec4> covered{{0.1f, 0.1f, 0.95f, 0.9f}};
@@ -210,7 +210,7 @@ TEST(Camera, AWhollyCoveredPictureIsFramedAsAWhole) {
   EXPECT_EQ(camera.stand.aim, glm::vec2(0.0f));
 }
 
-TEST(Camera, FramingAPointStaysAwayFromIt) {
+TEST(Camera, FramingAPointKeepsADistance) {
   Camera camera;
   frameBounds(camera, {glm::vec3(1.0f), glm::vec3(1.0f)}, kPicture, false);
   EXPECT_GT(camera.stand.distance, 0.05f * camera.characterHeight);
@@ -220,7 +220,7 @@ TEST(Camera, FramingAPointStaysAwayFromIt) {
   EXPECT_EQ(camera.stand.target, before.target);
 }
 
-TEST(Camera, TransitionsEndWhereTheyShouldAndMoveEvenly) {
+TEST(Camera, TransitionsMoveEvenlyToTheirEnd) {
   Random random(17);
   for (int i = 0; i < 50; ++i) {
     Camera camera = randomCamera(random);
@@ -252,7 +252,7 @@ TEST(Camera, InputEndsATransition) {
   EXPECT_FALSE(isMoving(camera));
 }
 
-TEST(Camera, SixViewsLookAlongTheirAxes) {
+TEST(Camera, StandardViewsLookAlongTheirAxes) {
   const std::array<std::pair<StandardView, glm::vec3>, 6> expected = {{{StandardView::kFront, {0, 0, -1}},
                                                                        {StandardView::kBack, {0, 0, 1}},
                                                                        {StandardView::kLeft, {-1, 0, 0}},
@@ -269,7 +269,7 @@ TEST(Camera, SixViewsLookAlongTheirAxes) {
   }
 }
 
-TEST(Camera, TurnsTheShortWay) {
+TEST(Camera, TransitionRotatesTheShortWay) {
   Camera camera;
   camera.stand.yaw = -3.0f;
   showStandardView(camera, StandardView::kBack);  // Yaw pi, 0.14 away from -3.

@@ -41,7 +41,7 @@ std::vector<float> risesOf(const std::shared_ptr<const Character>& character, co
   return rises;
 }
 
-TEST(DrawnRise, MusclesAreSeenAtOnceAndAreNoLumps) {
+TEST(DrawnMuscleHeight, IsVisibleAndModerate) {
   for (const char* name : {"humanoid", "horse", "demo"}) {
     const auto character =
         importGltf(std::filesystem::path(SINEW_SOURCE_DIR) / "assets" / (std::string(name) + ".glb"));

@@ -66,7 +66,7 @@ TEST_F(GizmoDraw, EveryHandleIsDrawnAtItsPixel) {
   }
 }
 
-TEST_F(GizmoDraw, TheHoveredHandleShines) {
+TEST_F(GizmoDraw, HoveredHandleIsHighlighted) {
   const GizmoScene scene = test::plainGizmo();
   GizmoState state;
   state.hovered = GizmoHandle::kMoveY;
@@ -85,7 +85,7 @@ TEST_F(GizmoDraw, TheHoveredHandleShines) {
   }
 }
 
-TEST_F(GizmoDraw, DragsDrawLinesWedgesAndANumberAndNothingOnAFlatBone) {
+TEST_F(GizmoDraw, DragsDrawGuidesAndNothingOnAFlatBone) {
   for (const GizmoHandle handle : {GizmoHandle::kMoveX, GizmoHandle::kMoveYZ, GizmoHandle::kRotateY,
                                    GizmoHandle::kScaleZ, GizmoHandle::kPolePlusX}) {
     GizmoScene scene = test::plainGizmo();

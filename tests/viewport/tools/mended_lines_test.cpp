@@ -103,7 +103,7 @@ Count countOf(const LaidLine& laid, const Motions& motions) {
   return count;
 }
 
-TEST(MendedLines, NoneLeavesTheFleshAndMostStillFlex) {
+TEST(MendedLines, StayInsideTheBodyAndMostlyStillFlex) {
   std::mt19937 random(5);
   const auto pick = [&](const std::vector<int>& of) { return of[random() % of.size()]; };
   Count all;

@@ -139,7 +139,7 @@ void expectTogether(const Legs& scene, const Legs& before, GizmoHandle handle, c
   }
 }
 
-TEST(MultiSelection, EveryHandleInEverySpaceAndMannerMovesAllAndItsTwinsOnce) {
+TEST(MultiSelection, EveryHandleMovesTheSelectionAndTwinsOnce) {
   int scenes = 0, dragged = 0;
   const Legs before;
   for (int h = 1; h < kGizmoHandleCount; ++h) {
@@ -170,7 +170,7 @@ TEST(MultiSelection, EveryHandleInEverySpaceAndMannerMovesAllAndItsTwinsOnce) {
   EXPECT_GT(dragged, 200);
 }
 
-TEST(MultiSelection, AFrameOfADragCopiesTheRigOnceHoweverManyMove) {
+TEST(MultiSelection, DragFrameCopiesTheRigOnce) {
   Legs scene;
   select(scene.document, {"thigh R", "shin", "belly"});
   scene.setMode(GizmoHandle::kMoveCenter);
@@ -188,7 +188,7 @@ TEST(MultiSelection, AFrameOfADragCopiesTheRigOnceHoweverManyMove) {
   EXPECT_EQ(scene.tools.companions.size(), 2u);
 }
 
-TEST(MultiSelection, WithBothTwinsSelectedOnlyOneIsMovedByTheHand) {
+TEST(MultiSelection, OnlyOneOfTwoSelectedTwinsIsMovedDirectly) {
   Legs scene;
   select(scene.document, {"thigh R", "thigh L"});
   const int active = findPrimitive(scene.document.rig(), "thigh L");
@@ -221,7 +221,7 @@ void drawBoxOver(Legs& scene, const glm::vec2& from, const glm::vec2& to, const 
   EXPECT_FALSE(scene.tools.box.drag);
 }
 
-TEST(BoxSelect, TakesWhatItTouchesAddsAndTakesAway) {
+TEST(BoxSelect, SelectsTouchedMusclesAndAddsOrRemoves) {
   Legs scene;
   const glm::vec2 all(999, 799);
   drawBoxOver(scene, {1, 1}, all, with(true));
@@ -245,7 +245,7 @@ TEST(BoxSelect, TakesWhatItTouchesAddsAndTakesAway) {
   EXPECT_TRUE(scene.document.selection.primitives.empty());
 }
 
-TEST(BoxSelect, EscapeLeavesTheSelectionAndHiddenOnesAreNotTaken) {
+TEST(BoxSelect, EscapeKeepsTheSelectionAndHiddenMusclesAreSkipped) {
   Legs scene;
   select(scene.document, {"shin"});
   scene.press({1, 1}, MouseButton::kLeft, with(true));
@@ -262,7 +262,7 @@ TEST(BoxSelect, EscapeLeavesTheSelectionAndHiddenOnesAreNotTaken) {
   EXPECT_EQ(scene.document.selection.primitives.size(), 3u);
 }
 
-TEST(AddMuscleOnBothSides, AddsATwinInTheSameStepAndASingleOneInTheMiddle) {
+TEST(AddMuscleOnBothSides, AddsATwinInTheSameStepOrOneInTheMiddle) {
   Legs scene;
   ASSERT_TRUE(scene.document.symmetry);
   const Skeleton& skeleton = scene.document.character->skeleton;
@@ -281,7 +281,7 @@ TEST(AddMuscleOnBothSides, AddsATwinInTheSameStepAndASingleOneInTheMiddle) {
   EXPECT_EQ(scene.document.rig().primitives.size(), before + 4);
 }
 
-TEST(AddMuscleOnBothSides, TheTwinGrowsWithTheDragAndGoesWithEscape) {
+TEST(AddMuscleOnBothSides, TwinFollowsTheDragAndIsRemovedByEscape) {
   Legs scene;
   setTool(scene.tools, ToolKind::kAddMuscle);
   const View view = viewOf(scene.tools.camera, LimbScene::kSize);

@@ -147,7 +147,7 @@ std::optional<LimbScene> laid(const std::shared_ptr<const Character>& character,
   return scene;
 }
 
-TEST(PickList, WhatIsPickedFirstIsNeverBehindTheBodySynthetic) {
+TEST(PickList, FirstPickIsNeverBehindASyntheticBody) {
   for (const auto& character : {test::makeTwoLegged(), test::makeLimb()}) {
     std::optional<LimbScene> scene = laid(character, 8);
     ASSERT_TRUE(scene);
@@ -155,7 +155,7 @@ TEST(PickList, WhatIsPickedFirstIsNeverBehindTheBodySynthetic) {
   }
 }
 
-TEST(PickList, WhatIsPickedFirstIsNeverBehindTheBodyReal) {
+TEST(PickList, FirstPickIsNeverBehindARealBody) {
   int found = 0;
   for (const char* file : {"Fox.glb", "cesium_man.gltf", "greenman.glb", "robot.glb"}) {
     const auto character = test::realCharacter(file);
@@ -206,7 +206,7 @@ void expectFromItsSide(const std::shared_ptr<const Character>& character) {
   EXPECT_EQ(through, 0);
 }
 
-TEST(PickList, AMuscleIsTakenFromItsOwnSideAlone) {
+TEST(PickList, MuscleIsPickedOnlyFromItsOwnSide) {
   expectFromItsSide(test::makeTwoLegged());
   for (const char* file : {"Fox.glb", "cesium_man.gltf", "greenman.glb"}) {
     const auto character = test::realCharacter(file);
@@ -258,7 +258,7 @@ struct FrontAndBack : LimbScene {
   glm::vec2 pixel{0.0f};
 };
 
-TEST(PickList, TheChestIsNotTheBack) {
+TEST(PickList, ChestAndBackArePickedFromTheirSides) {
   for (const bool shells : {true, false}) {
     for (const float yaw : {0.0f, 3.14159f}) {
       FrontAndBack scene;
@@ -270,7 +270,7 @@ TEST(PickList, TheChestIsNotTheBack) {
   }
 }
 
-TEST(PickList, ThroughASkinWithoutMusclesNothingBehindIsTaken) {
+TEST(PickList, NothingIsPickedThroughBareSkin) {
   FrontAndBack scene;
   scene.display.primitives = true;
   Rig rig = scene.document.rig();
@@ -282,7 +282,7 @@ TEST(PickList, ThroughASkinWithoutMusclesNothingBehindIsTaken) {
   EXPECT_GE(scene.document.selection.bone, 0);
 }
 
-TEST(PickList, LockedAndHiddenMusclesAreNotInTheList) {
+TEST(PickList, LockedMusclesAreNotListed) {
   FrontAndBack scene;
   scene.display.primitives = true;
   EXPECT_EQ(hoverAt(scene.context(), viewOf(scene.tools.camera, LimbScene::kSize), scene.pixel).here.size(), 2u);
@@ -293,7 +293,7 @@ TEST(PickList, LockedAndHiddenMusclesAreNotInTheList) {
   EXPECT_TRUE(hover.here[1].concealed);
 }
 
-TEST(BodySpan, LayersCountAsOneAndAirDoesNot) {
+TEST(BodySpan, JoinsLayersButNotAirGaps) {
   const auto leave = [](std::vector<SurfaceCrossing> crossings) { return bodySpan(crossings, 1.0f, 0.1f).leave; };
   EXPECT_EQ(leave({{1, true}, {3, false}}), 3.0f);
   EXPECT_EQ(leave({{1, true}, {1.05f, false}, {1.1f, true}, {3, false}}), 3.0f) << "a shirt";

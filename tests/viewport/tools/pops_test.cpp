@@ -43,7 +43,7 @@ constexpr DetailKind kDetails[] = {DetailKind::kUniform, DetailKind::kAdaptive};
 
 // Before slopes were bounded there were 5 and 184 pops (sinew_bench pops); before heights were held below overhangs,
 // one on the horse.
-TEST(Pops, ThereAreNoneOverMusclesLaidWithTheToolsDefaults) {
+TEST(Pops, DoNotOccurOverDefaultMuscles) {
   for (const char* name : {"horse", "humanoid"}) {
     const auto character = bundled(name);
     const Rig rig = layMuscles(character);
@@ -92,7 +92,7 @@ std::optional<std::pair<int, int>> rigsAskedFor() {
 class PopsOfAdaptiveDetail : public testing::TestWithParam<const char*> {};
 
 // A random rig takes up to a minute or two, the horse's half a minute.
-TEST_P(PopsOfAdaptiveDetail, AreRareOnEveryCharacterAtHand) {
+TEST_P(PopsOfAdaptiveDetail, AreRareOnEveryCharacter) {
   const auto rigs = rigsAskedFor();
   if (!rigs) GTEST_SKIP() << "left out without POPS=1 in the environment: ten random rigs take many minutes";
   const std::string name = GetParam();

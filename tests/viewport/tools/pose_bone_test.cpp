@@ -72,7 +72,7 @@ float angleOf(const glm::mat3& rotation) {
   return 2.0f * std::atan2(glm::length(glm::vec3(q.x, q.y, q.z)), std::abs(q.w)) / kDegree;
 }
 
-TEST(PoseTool, ShowsRingsAtTheSelectedJointAndNothingElse) {
+TEST(PoseTool, ShowsOnlyRingsAtTheSelectedJoint) {
   PoseScene scene;
   const RouteResult route = scene.mouse({1, 1}, false);
   ASSERT_TRUE(route.gizmo.visible);
@@ -84,7 +84,7 @@ TEST(PoseTool, ShowsRingsAtTheSelectedJointAndNothingElse) {
   EXPECT_FALSE(scene.mouse({1, 1}, false).gizmo.visible);
 }
 
-TEST(PoseTool, ATypedAngleTurnsThatFarAboutTheWorldsAxis) {
+TEST(PoseTool, TypedAngleRotatesAboutTheWorldAxis) {
   for (const char* ring : {"rotate.x", "rotate.y", "rotate.z"}) {
     PoseScene scene;
     // A frame of its own, so that the world's axes are not the bone's.
@@ -101,7 +101,7 @@ TEST(PoseTool, ATypedAngleTurnsThatFarAboutTheWorldsAxis) {
   }
 }
 
-TEST(PoseTool, BoneAxesAreTheTurnedJointsOwn) {
+TEST(PoseTool, BoneAxesRotateWithTheJoint) {
   PoseScene scene;
   scene.tools.gizmo.axes = GizmoAxes::kBone;
   scene.typeTurn("rotate.x", "50");
@@ -110,7 +110,7 @@ TEST(PoseTool, BoneAxesAreTheTurnedJointsOwn) {
   EXPECT_LT(glm::length(turnFrame(scene.pose.boneInWorld[kMiddle])[2] - own), 1e-4f);
 }
 
-TEST(PoseTool, EscGoesBackToWhatWasThere) {
+TEST(PoseTool, EscapeRestoresTheOverrides) {
   PoseScene scene;
   scene.typeTurn("rotate.x", "25");
   const PoseOverrides before = scene.overrides;
@@ -120,7 +120,7 @@ TEST(PoseTool, EscGoesBackToWhatWasThere) {
   EXPECT_EQ(scene.tools.owner, PressOwner::kNone);
 }
 
-TEST(PoseTool, TheRingFollowsThePointerWhileTheClipPlaysOn) {
+TEST(PoseTool, RingFollowsThePointerDuringPlayback) {
   PoseScene scene;
   scene.tools.gizmo.axes = GizmoAxes::kWorld;
   const RouteResult route = scene.mouse({1, 1}, false);
@@ -147,7 +147,7 @@ TEST(PoseTool, TheRingFollowsThePointerWhileTheClipPlaysOn) {
   EXPECT_EQ(scene.overrides.turns[0].bone, kMiddle);
 }
 
-TEST(PoseTool, AHeldJointDoesNotJumpWhenItIsTakenHoldOf) {
+TEST(PoseTool, HeldJointDoesNotJumpWhenGrabbed) {
   PoseScene scene;
   scene.moment.boneInWorld[kMiddle] *= glm::mat4_cast(glm::angleAxis(0.8f, glm::vec3(1, 0, 0)));
   scene.overrides.from = TurnsFrom::kBindPose;
@@ -157,7 +157,7 @@ TEST(PoseTool, AHeldJointDoesNotJumpWhenItIsTakenHoldOf) {
   EXPECT_NEAR(angleOf(scene.turned(kMiddle)), 10.0f, 0.01f);
 }
 
-TEST(PoseTool, AClickSelectsTheJointUnderThePointerAndKeepsTheMuscle) {
+TEST(PoseTool, ClickSelectsTheJointAndKeepsTheMuscle) {
   PoseScene scene;
   scene.document.selection.set(PrimitiveId{77});
   const RouteResult route = scene.mouse({1, 1}, false);
@@ -173,7 +173,7 @@ TEST(PoseTool, AClickSelectsTheJointUnderThePointerAndKeepsTheMuscle) {
   EXPECT_EQ(scene.document.commands.position(), 0u) << "choosing a joint is no step";
 }
 
-TEST(PoseTool, WithoutOverridesToChangeNothingCanBeTurned) {
+TEST(PoseTool, GizmoIsHiddenWithoutOverrides) {
   test::LimbScene scene;
   setTool(scene.tools, ToolKind::kPose);
   scene.document.selection.bone = kMiddle;

@@ -95,7 +95,7 @@ void expectGoodSkin(const CharacterPtr& character, const Rig& rig, double mostTe
 }
 
 // What the bundled ones do not have, and real ones do.
-TEST(SkinQuality, OfABodyWithShouldersAnOpenNeckAndAFin) {
+TEST(SkinQuality, IsGoodOnABodyWithAnOpenNeckAndAFin) {
   const CharacterPtr body = makeBodyWithArms();
   const auto edgesWith = [&](int triangles) {
     return std::ranges::count(body->mesh.edges, triangles, &Edge::triangleCount);
@@ -111,13 +111,13 @@ TEST(SkinQuality, OfABodyWithShouldersAnOpenNeckAndAFin) {
 
 // Drawn muscles lift the skin by 1 % of the height: less than a long triangle of the horse shows when all are split
 // alike.
-TEST(SkinQuality, OfBundledCharacters) {
+TEST(SkinQuality, IsGoodOnBundledCharacters) {
   for (const char* name : {"humanoid", "horse"})
     expectGoodSkin(bundledNamed(name), layMuscles(bundledNamed(name)), 5.0, 80.0);
 }
 
 // Many small muscles, finer than the mesh at depth 3: their definition is what must not get lost.
-TEST(SkinQuality, OfBundledRigs) {
+TEST(SkinQuality, IsGoodOnBundledRigs) {
   for (const char* name : {"humanoid", "humanoid-flex", "horse", "horse-flex"}) {
     SCOPED_TRACE(name);
     const auto rig = loadRig(std::filesystem::path(SINEW_SOURCE_DIR) / "assets" / (std::string(name) + ".rig.json"));
@@ -126,7 +126,7 @@ TEST(SkinQuality, OfBundledRigs) {
   }
 }
 
-TEST(SkinQuality, OfRealCharacters) {
+TEST(SkinQuality, IsGoodOnRealCharacters) {
   int found = 0;
   for (const char* file : {"Fox.glb", "greenman.glb", "cesium_man.gltf", "robot.glb"}) {
     if (const CharacterPtr character = realCharacter(file)) {

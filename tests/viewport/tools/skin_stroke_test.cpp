@@ -52,7 +52,7 @@ struct StrokeScene : LimbScene {
 /// Pixels on the body, as seen, and beyond it.
 glm::vec2 randomPixel(Random& random) { return {random.uniform(250, 750), random.uniform(50, 750)}; }
 
-TEST(SkinStroke, FollowsWhatThePixelsOfTheLineSee) {
+TEST(SkinStroke, FollowsTheSkinUnderThePointerLine) {
   Random random(61);
   int reached = 0, compared = 0;
   for (int i = 0; i < 200; ++i) {
@@ -87,7 +87,7 @@ TEST(SkinStroke, FollowsWhatThePixelsOfTheLineSee) {
   EXPECT_GT(compared, 500);
 }
 
-TEST(SkinStroke, FarBeyondTheOutlineItEndsOnTheSkin) {
+TEST(SkinStroke, EndsOnTheSkinBeyondTheOutline) {
   StrokeScene scene;
   const glm::vec2 from = scene.skinPixel();
   for (const glm::vec2 to : {glm::vec2(5000, from.y), glm::vec2(-900, -700), glm::vec2(from.x, 1e5f)}) {
@@ -119,7 +119,7 @@ SkinSnapshot sheetWithFold(float depth) {
   return skin;
 }
 
-TEST(SkinStroke, CrossesASmallFoldAndNoLargeOne) {
+TEST(SkinStroke, CrossesSmallFoldsButNotLargeOnes) {
   Camera camera;
   camera.characterHeight = 2.0f;
   camera.scene = {{0, -1, -1}, {2, 1, 1}};
@@ -134,7 +134,7 @@ TEST(SkinStroke, CrossesASmallFoldAndNoLargeOne) {
   EXPECT_NEAR(strokeOnSkin(sheetWithFold(0.5f), start, view, to, 2.0f).points.back().point.x, 1.0f, 1e-3f);
 }
 
-TEST(SkinStroke, StaysOnTheLegItBeganOn) {
+TEST(SkinStroke, StaysOnItsLeg) {
   StrokeScene scene(test::makeTwoLegged());
   const Skeleton& skeleton = scene.document.character->skeleton;
   const auto middleOf = [&](const char* bone) {
@@ -156,7 +156,7 @@ TEST(SkinStroke, StaysOnTheLegItBeganOn) {
   for (const float side : {-1.0f, 1.0f}) EXPECT_GT(shape[3].x + side * shape[0].x, 0.0f);
 }
 
-TEST(SkinStroke, AMuscleAroundABodyEndsAtTheSkin) {
+TEST(SkinStroke, MuscleAroundABodyEndsAtTheSkin) {
   Random random(62);
   int drawn = 0;
   for (int i = 0; i < 120; ++i) {
@@ -192,7 +192,7 @@ TEST(SkinStroke, AMuscleAroundABodyEndsAtTheSkin) {
   EXPECT_GT(drawn, 20);
 }
 
-TEST(SkinStroke, AMuscleDoesNotGrowByItsOwnSwelling) {
+TEST(SkinStroke, IgnoresTheSwellingOfTheNewMuscle) {
   StrokeScene scene;
   const glm::vec2 from = scene.skinPixel(), to = from + glm::vec2(30, -120);
   setTool(scene.tools, ToolKind::kAddMuscle);
@@ -241,7 +241,7 @@ Placement drawnInASecond(bool playing) {
   return scene.document.rig().primitives.at(0).placement;
 }
 
-TEST(SkinStroke, WhileAClipPlaysItIsThatOfTheStillPose) {
+TEST(SkinStroke, DoesNotDependOnPlayback) {
   const Placement still = drawnInASecond(false);
   const Placement moving = drawnInASecond(true);
   EXPECT_EQ(still.center, moving.center);

@@ -23,7 +23,7 @@ struct MuscleOnLimb : LimbScene {
   static constexpr glm::vec2 kBegin{500, 400};
 };
 
-TEST(StartDrag, GrabFollowsThePointerWithoutAButtonAndAClickKeepsIt) {
+TEST(StartDrag, GrabFollowsThePointerAndAClickCommits) {
   MuscleOnLimb scene;
   const Placement start = scene.placement();
   startDrag(scene.tools, ToolKind::kMove);
@@ -43,7 +43,7 @@ TEST(StartDrag, GrabFollowsThePointerWithoutAButtonAndAClickKeepsIt) {
   EXPECT_EQ(scene.placement().center, kept.center);
 }
 
-TEST(StartDrag, EveryKindChangesWhatItIsFor) {
+TEST(StartDrag, EveryToolChangesItsOwnProperty) {
   for (const ToolKind tool : {ToolKind::kMove, ToolKind::kRotate, ToolKind::kScale}) {
     MuscleOnLimb scene;
     const Placement start = scene.placement();
@@ -61,7 +61,7 @@ TEST(StartDrag, EveryKindChangesWhatItIsFor) {
   }
 }
 
-TEST(StartDrag, EscapeAndTheRightButtonTakeItBack) {
+TEST(StartDrag, EscapeAndTheRightButtonCancel) {
   for (const bool escape : {true, false}) {
     MuscleOnLimb scene;
     const Placement start = scene.placement();
@@ -85,7 +85,7 @@ TEST(StartDrag, EscapeAndTheRightButtonTakeItBack) {
   }
 }
 
-TEST(StartDrag, ATypedNumberAndEnterMakeItExact) {
+TEST(StartDrag, TypedNumberAndEnterAreExact) {
   MuscleOnLimb scene;
   scene.tools.gizmo.axes = GizmoAxes::kBone;
   const Placement start = scene.placement();
@@ -105,7 +105,7 @@ TEST(StartDrag, ATypedNumberAndEnterMakeItExact) {
   EXPECT_FALSE(ownsKeyboard(scene.tools));
 }
 
-TEST(StartDrag, WithoutASelectionOrBesideThePictureNothingBegins) {
+TEST(StartDrag, DoesNotStartWithoutASelectionOrOutsideTheViewport) {
   MuscleOnLimb scene;
   startDrag(scene.tools, ToolKind::kMove);
   scene.move({-20, 100});

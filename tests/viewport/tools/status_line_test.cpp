@@ -83,13 +83,13 @@ TEST(StatusLine, JoinsSubjectAndActs) {
   EXPECT_EQ(statusLine("Box", {}), "Box");
 }
 
-TEST(StatusLine, TheFormIsSeenWhereItIsBroken) {
+TEST(StatusLine, FormatCheckDetectsViolations) {
   EXPECT_EQ(rankOf("press here"), -1);
   EXPECT_FALSE(saysWhatItDoes("Click axis"));
   EXPECT_GT(rankOf("Esc ends"), rankOf("Drag orbits"));
 }
 
-TEST(StatusLine, EveryToolOverEverything) {
+TEST(StatusLine, IsWellFormedForEveryTool) {
   for (std::size_t tool = 0; tool < kToolCount; ++tool) {
     for (const bool selected : {true, false}) {
       for (const bool skeleton : {true, false}) {
@@ -114,7 +114,7 @@ TEST(StatusLine, EveryToolOverEverything) {
   }
 }
 
-TEST(StatusLine, EveryHandleHoveredAndDragged) {
+TEST(StatusLine, IsWellFormedForEveryHandle) {
   int handles = 0;
   for (std::size_t tool = 0; tool < kToolCount; ++tool) {
     Worked scene;
@@ -136,7 +136,7 @@ TEST(StatusLine, EveryHandleHoveredAndDragged) {
   EXPECT_GT(handles, 12);
 }
 
-TEST(StatusLine, BoxAndTerritory) {
+TEST(StatusLine, IsWellFormedForBoxAndTerritory) {
   Worked scene;
   armBox(scene.tools);
   expectForm(scene.move({5, 300}).status, "box armed");
@@ -149,7 +149,7 @@ TEST(StatusLine, BoxAndTerritory) {
   expectForm(scene.move(scene.skinPixel()).status, "territory over the skin");
 }
 
-TEST(StatusLine, TheAxisGizmo) {
+TEST(StatusLine, IsWellFormedForTheAxisTriad) {
   AxisTriad triad;
   EXPECT_EQ(describe(triad), "");
   triad.ballHovered = true;
