@@ -11,13 +11,13 @@
 namespace sinew::test {
 namespace {
 
-struct Trials : testing::Test {
+struct BellyTrials : testing::Test {
   const std::shared_ptr<const Character> character = bundledCharacter("humanoid.glb");
   const Motions motions{character};
   const std::vector<BellyChoice> drawn = drawnMuscles(*character, 2, 3);
 };
 
-TEST_F(Trials, SayWhatTheCheckSays) {
+TEST_F(BellyTrials, AgreeWithTheCheck) {
   int clean = 0;
   for (const BellyChoice& choice : drawn) {
     const BellyTrial trial(choice, SurfaceSettings{}, motions);
@@ -30,7 +30,7 @@ TEST_F(Trials, SayWhatTheCheckSays) {
   EXPECT_LT(clean, static_cast<int>(drawn.size())) << "else this says nothing";
 }
 
-TEST_F(Trials, SayTheSameFromWhateverPoseTheyBegin) {
+TEST_F(BellyTrials, DoNotDependOnTheFirstPose) {
   std::mt19937 random(9);
   for (const BellyChoice& choice : drawn) {
     const BellyTrial trial(choice, SurfaceSettings{}, motions);
@@ -46,7 +46,7 @@ TEST_F(Trials, SayTheSameFromWhateverPoseTheyBegin) {
   }
 }
 
-TEST_F(Trials, LinesLearnFromPosesWhatTheyLearnFromClips) {
+TEST_F(BellyTrials, LinesLearnTheSameFromPosesAsFromClips) {
   const Character& moving = motions.character();
   int shortened = 0;
   for (const BellyChoice& choice : drawn) {

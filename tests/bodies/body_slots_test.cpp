@@ -61,7 +61,7 @@ void addCutForearm(const test::NamedBody& body, Names& expected) {
     expected[std::string("frontLower") + side] = expected[std::string("frontUpper") + side];
 }
 
-TEST(BodySlots, EveryStyleOfNamesHasAllItsPartsAndNoWrongOnes) {
+TEST(BodySlots, FindsAllPartsInEveryNamingStyle) {
   for (const test::NamedBody& body : test::namedBodies()) {
     for (const Stance stance : {Stance::kArmsLevel, Stance::kArmsDown}) {
       Names expected;
@@ -107,7 +107,7 @@ Character moved(Character character, const glm::mat4& by, float scale) {
   return character;
 }
 
-TEST(BodySlots, DoNotDependOnOrderSizePlaceOrWhereTheBodyFaces) {
+TEST(BodySlots, DoNotDependOnOrderScaleOrOrientation) {
   for (const test::NamedBody& body : test::namedBodies()) {
     Names expected;
     const Character character = characterOf(body, Stance::kArmsLevel, expected);
@@ -134,7 +134,7 @@ TEST(BodySlots, DoNotDependOnThePrefixOfNames) {
   }
 }
 
-TEST(BodySlots, OfRandomTreesAreBonesOfTheTreeEachOnceAtMost) {
+TEST(BodySlots, RandomTreesGiveEachBoneAtMostOnce) {
   test::Random random(7);
   constexpr const char* kNames[] = {"Bone",  "LeftArm", "RightArm", "thigh.L", "thigh.R", "Head",
                                     "spine", "l",       "hand_r",   "",        "頭",      "tail"};
@@ -296,7 +296,7 @@ const std::vector<Real>& realBodies() {
   return kAll;
 }
 
-TEST(BodySlots, OfRealCharacters) {
+TEST(BodySlots, MatchRealCharacters) {
   for (const Real& real : realBodies()) {
     const auto character = test::realCharacter(real.file);
     if (!character) SINEW_SKIP_WITHOUT_CHARACTERS();
@@ -305,7 +305,7 @@ TEST(BodySlots, OfRealCharacters) {
   }
 }
 
-TEST(BodySlots, ARigCorrectsThem) {
+TEST(BodySlots, CanBeCorrectedByTheRig) {
   Names expected;
   const Character character = characterOf(test::namedBodies().front(), Stance::kArmsLevel, expected);
   const std::vector<SlotCorrection> corrections{

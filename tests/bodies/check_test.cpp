@@ -59,7 +59,7 @@ INSTANTIATE_TEST_SUITE_P(Check, BundledRigs, testing::Values("humanoid", "humano
                            return name;
                          });
 
-struct Faults : testing::Test {
+struct RigFaults : testing::Test {
   Scene scene = bundled("humanoid-flex");
   int muscle = findPrimitive(scene.rig, "biceps L");
   MuscleLine& line = scene.rig.lines[static_cast<std::size_t>(findLine(scene.rig, "biceps L"))];
@@ -71,7 +71,7 @@ struct Faults : testing::Test {
   }
 };
 
-TEST_F(Faults, APivotOnABoneThatIsFarAway) {
+TEST_F(RigFaults, PivotOnADistantBoneIsFound) {
   // The belly thickens away from the bone: its underside comes out with it.
   line.settings.pivot = 1.0f;
   line.settings.flex = {3.0f, 0.0f};
@@ -83,13 +83,13 @@ TEST_F(Faults, APivotOnABoneThatIsFarAway) {
       << listOf(scene, findingsOf(scene));
 }
 
-TEST_F(Faults, ABall) {
+TEST_F(RigFaults, BallShapedBellyIsFound) {
   line.settings.tendons = {0.4f, 0.35f};
   line.settings.flex = {2.0f, 2.0f};
   EXPECT_TRUE(has(findingsOf(scene), FindingKind::kBall, muscle)) << listOf(scene, findingsOf(scene));
 }
 
-TEST_F(Faults, AViaPointAtTheWrongEnd) {
+TEST_F(RigFaults, ViaPointAtTheWrongEndIsFound) {
   line.via = LineAnchor{"hand.L", glm::vec3(0.0f), {}};
   EXPECT_TRUE(has(findingsOf(scene), FindingKind::kSlidesOff, muscle) ||
               has(findingsOf(scene), FindingKind::kComesOut, muscle) ||
@@ -97,7 +97,7 @@ TEST_F(Faults, AViaPointAtTheWrongEnd) {
       << listOf(scene, findingsOf(scene));
 }
 
-TEST_F(Faults, ATerritoryAcrossALimb) {
+TEST_F(RigFaults, TerritoryAcrossLimbsIsFound) {
   const int chest = findPrimitive(scene.rig, "latissimus L");
   Primitive& wide = scene.rig.primitives[static_cast<std::size_t>(chest)];
   wide.territory = std::vector<std::string>{wide.bone, "forearm.L", "hand.L"};
@@ -106,7 +106,7 @@ TEST_F(Faults, ATerritoryAcrossALimb) {
   EXPECT_TRUE(has(findings, FindingKind::kReachesAcross, chest)) << listOf(scene, findings);
 }
 
-TEST_F(Faults, ALineThatGetsTooLong) {
+TEST_F(RigFaults, OverlongLineIsFound) {
   line.insertion = {"hand.L", glm::vec3(0.0f), {}};
   line.settings.rest = 0.4f;
   const std::vector<Finding> findings = findingsOf(scene);
@@ -114,7 +114,7 @@ TEST_F(Faults, ALineThatGetsTooLong) {
 }
 
 /// Where the whole character moves as one, nothing moves against its skin.
-TEST(FollowedBelly, IsStillWhereAllBonesMoveAsOne) {
+TEST(BellyMotion, IsZeroUnderRigidMotion) {
   const CharacterPtr character = makeLimb();
   const Rig rig = randomRig(*character, {.primitives = 8}, 3);
   const RigPoser poser(rig, *character);
@@ -142,7 +142,7 @@ TEST(FollowedBelly, IsStillWhereAllBonesMoveAsOne) {
 }
 
 /// The measure itself: a belly that is lifted out of its skin by a known part of its height.
-TEST(FollowedBelly, MeasuresHowFarABellyIsLifted) {
+TEST(BellyMotion, MeasuresALiftedBelly) {
   const CharacterPtr character = makeLimb();
   Rig rig = randomRig(*character, {.primitives = 1}, 3);
   Primitive& muscle = rig.primitives[0];
@@ -164,7 +164,7 @@ TEST(FollowedBelly, MeasuresHowFarABellyIsLifted) {
   EXPECT_NEAR(belly->motion(posed.muscles[0], frames).out, 0.5f, 0.1f);
 }
 
-TEST(Check, ClipsOfAgesAreSampledThinly) {
+TEST(RigCheck, LongClipsAreSampledSparsely) {
   auto slow = std::make_shared<Character>(*importGltf(std::string(SINEW_SOURCE_DIR) + "/assets/demo.glb").value());
   for (const float seconds : {1e6f, 1e15f}) {
     slow->clips.front().duration = seconds;
@@ -174,7 +174,7 @@ TEST(Check, ClipsOfAgesAreSampledThinly) {
   }
 }
 
-TEST(Check, IsTheSameWithAnyNumberOfThreads) {
+TEST(RigCheck, DoesNotDependOnThreads) {
   const Scene scene = bundled("horse");
   std::vector<std::vector<Finding>> all;
   for (const int threads : {1, 2, 3}) {

@@ -79,7 +79,7 @@ class FitPreset : public ::testing::TestWithParam<Body> {
   MirrorPlan plan_;
 };
 
-TEST_P(FitPreset, EveryBellyLiesInTheBody) {
+TEST_P(FitPreset, EveryBellyLiesInsideTheBody) {
   const Rig rig = fitted();
   ASSERT_TRUE(validate(rig).ok());
   EXPECT_TRUE(missingBones(rig, character_->skeleton).empty());
@@ -88,7 +88,7 @@ TEST_P(FitPreset, EveryBellyLiesInTheBody) {
   }
 }
 
-TEST_P(FitPreset, TwinsAreExactImagesInGroupsOfTheirOwn) {
+TEST_P(FitPreset, TwinsAreExactMirrorImagesInTheirOwnGroups) {
   const Rig rig = fitted();
   for (std::size_t i = 0; i < rig.primitives.size(); ++i) {
     const Primitive& own = rig.primitives[i];
@@ -109,7 +109,7 @@ TEST_P(FitPreset, TwinsAreExactImagesInGroupsOfTheirOwn) {
 }
 
 /// A muscle moves the skin of its own part and its neighbours alone.
-TEST_P(FitPreset, NothingIsOnAWrongLimb) {
+TEST_P(FitPreset, MusclesStayOnTheirLimb) {
   const Rig rig = fitted();
   const BodyFrame frame = makeBodyFrame(*character_, bodySlots(*character_, plan_));
   for (const Primitive& primitive : rig.primitives) {
@@ -165,7 +165,7 @@ Rise riseOf(const std::shared_ptr<const Character>& character, Rig rig) {
           raised.report.unresolved};
 }
 
-TEST_P(FitPreset, MusclesShowAndDoNotSwell) {
+TEST_P(FitPreset, MusclesAreVisibleAndModerate) {
   const Rise rise = riseOf(character_, fitted());
   EXPECT_EQ(rise.unresolved, 0);
   EXPECT_GT(rise.share99, 0.005);
@@ -177,9 +177,9 @@ TEST_P(FitPreset, MusclesShowAndDoNotSwell) {
   EXPECT_GT(riseOf(character_, fitted(heavy)).share99, rise.share99);
 }
 
-TEST_P(FitPreset, GivesTheSameRigAgain) { EXPECT_EQ(fitted(), fitted()); }
+TEST_P(FitPreset, IsRepeatable) { EXPECT_EQ(fitted(), fitted()); }
 
-TEST_P(FitPreset, DefinitionLeavesNoneOut) {
+TEST_P(FitPreset, DefinitionOmitsNoMuscle) {
   const auto count = [&](float definition) { return fitted({1.0f, definition}).primitives.size(); };
   const std::size_t usual = fitted().primitives.size();
   // A body of parts has gaps between them, at some depths only.
@@ -200,7 +200,7 @@ INSTANTIATE_TEST_SUITE_P(Bodies, FitPreset,
                            return name;
                          });
 
-TEST(FitPresetRefuses, ABodyOfAnotherKind) {
+TEST(FitPresetRefusal, RefusesABodyOfAnotherKind) {
   const auto imported = importGltf(fs::path(SINEW_SOURCE_DIR) / "assets" / "horse.glb");
   ASSERT_TRUE(imported.ok());
   const auto fit = fitPreset({}, preset("athlete"), {}, *imported.value(), makeMirrorPlan(*imported.value()));

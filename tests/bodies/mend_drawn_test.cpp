@@ -29,7 +29,7 @@ float apart(const glm::mat4& a, const glm::mat4& b) {
   return most;
 }
 
-class Relaid : public testing::TestWithParam<const char*> {
+class RelaidBellies : public testing::TestWithParam<const char*> {
  protected:
   const std::shared_ptr<const Character> character =
       std::string(GetParam()) == "two legs" ? makeTwoLegged() : bundledCharacter(GetParam());
@@ -48,7 +48,7 @@ class Relaid : public testing::TestWithParam<const char*> {
   }
 };
 
-TEST_P(Relaid, AsDrawnTheMuscleStaysAndItsOtherEndGoesTowardsTheJoint) {
+TEST_P(RelaidBellies, DrawnMuscleStaysAndItsOtherEndMovesTowardsTheJoint) {
   forEach([&](const BellyChoice& choice, const RelaidBelly& relaid) {
     const LineRest before = lineRest(*choice.line, *character).value();
     const glm::dvec3 joint(jointBetween(before, *character));
@@ -71,7 +71,7 @@ TEST_P(Relaid, AsDrawnTheMuscleStaysAndItsOtherEndGoesTowardsTheJoint) {
   });
 }
 
-TEST_P(Relaid, AShorterBellyLiesBetweenItsTendonsAndOnSkinOfItsBone) {
+TEST_P(RelaidBellies, ShorterBellyLiesBetweenItsTendonsUnderSkinOfItsBone) {
   int made = 0;
   forEach([&](const BellyChoice& choice, const RelaidBelly& relaid) {
     for (const BellyBone bone : kBoth) {
@@ -99,7 +99,7 @@ TEST_P(Relaid, AShorterBellyLiesBetweenItsTendonsAndOnSkinOfItsBone) {
   EXPECT_GT(made, 0);
 }
 
-TEST_P(Relaid, UnderFirmSkinItLiesAlongTheSkinAndNoLonger) {
+TEST_P(RelaidBellies, BellyUnderFirmSkinFollowsTheSkinAndIsNoLonger) {
   int made = 0;
   forEach([&](const BellyChoice& choice, const RelaidBelly& relaid) {
     const float drawnHalf = glm::length(glm::vec3(shapeOf(choice.primitive, *character)[1]));
@@ -123,7 +123,7 @@ TEST_P(Relaid, UnderFirmSkinItLiesAlongTheSkinAndNoLonger) {
   EXPECT_GT(made, 0);
 }
 
-TEST_P(Relaid, ALargerOneKeepsItsTopAndItsLength) {
+TEST_P(RelaidBellies, LargerBellyKeepsItsTopAndLength) {
   forEach([&](const BellyChoice& choice, const RelaidBelly&) {
     const glm::mat4 before = shapeOf(choice.primitive, *character);
     const glm::mat4 after = shapeOf(larger(choice, 1.4f).primitive, *character);
@@ -134,7 +134,7 @@ TEST_P(Relaid, ALargerOneKeepsItsTopAndItsLength) {
   });
 }
 
-TEST_P(Relaid, WhatIsCleanIsCleanForTheCheck) {
+TEST_P(RelaidBellies, CleanMusclesPassTheCheck) {
   int found = 0;
   int lined = 0;
   int count = 0;
@@ -164,7 +164,7 @@ TEST_P(Relaid, WhatIsCleanIsCleanForTheCheck) {
   EXPECT_GE(3 * lined, 2 * count) << "most of them flex";
 }
 
-TEST_P(Relaid, OverTwoJointsAnEndMayGoToTheBoneBetween) {
+TEST_P(RelaidBellies, EndAcrossTwoJointsCanMoveToTheBoneBetween) {
   int lined = 0;
   int count = 0;
   int moved = 0;
@@ -192,7 +192,7 @@ TEST_P(Relaid, OverTwoJointsAnEndMayGoToTheBoneBetween) {
   EXPECT_GE(2 * lined, count);
 }
 
-INSTANTIATE_TEST_SUITE_P(Characters, Relaid, testing::Values("humanoid.glb", "horse.glb", "two legs"),
+INSTANTIATE_TEST_SUITE_P(Characters, RelaidBellies, testing::Values("humanoid.glb", "horse.glb", "two legs"),
                          [](const auto& tested) {
                            std::string name = tested.param;
                            std::ranges::replace_if(
@@ -200,7 +200,7 @@ INSTANTIATE_TEST_SUITE_P(Characters, Relaid, testing::Values("humanoid.glb", "ho
                            return name;
                          });
 
-TEST(OwnSkin, IsCarriedByItsBoneAndNearestIsNearest) {
+TEST(OwnSkin, BelongsToItsBoneAndFindsTheNearestPoint) {
   std::mt19937 random(2);
   std::uniform_real_distribution<float> anywhere(-1.0f, 2.0f);
   for (const auto& character : {makeLimb(), makeTwoLegged()}) {

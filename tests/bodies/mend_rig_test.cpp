@@ -45,7 +45,7 @@ struct MendRig : testing::Test {
   }
 };
 
-TEST_F(MendRig, WhatIsGoodStays) {
+TEST_F(MendRig, SoundRigIsUnchanged) {
   ASSERT_TRUE(check(good, motions).empty());
   const auto mended = withMendedRig(good, 0, motions, &plan);
   ASSERT_TRUE(mended.ok());
@@ -53,7 +53,7 @@ TEST_F(MendRig, WhatIsGoodStays) {
   EXPECT_TRUE(mended->said.empty());
 }
 
-TEST_F(MendRig, AMuscleOnTheWrongBoneRidesTheRightOne) {
+TEST_F(MendRig, MuscleOnTheWrongBoneMovesToTheRightOne) {
   for (const auto& [muscle, right, wrong] :
        {std::tuple{"biceps L", "upper_arm.L", "forearm.L"}, std::tuple{"quadriceps L", "thigh.L", "shin.L"}}) {
     const Rig bad = riding(muscle, wrong);
@@ -74,7 +74,7 @@ TEST_F(MendRig, AMuscleOnTheWrongBoneRidesTheRightOne) {
   }
 }
 
-TEST_F(MendRig, WithoutAPlanTheTwinStaysAsItIs) {
+TEST_F(MendRig, WorksWithoutAMirrorPlan) {
   const Rig bad = riding("biceps L", "forearm.L");
   const auto mended = withMendedRig(bad, 0, motions, nullptr);
   ASSERT_TRUE(mended.ok());
@@ -82,7 +82,7 @@ TEST_F(MendRig, WithoutAPlanTheTwinStaysAsItIs) {
   EXPECT_LT(check(mended->rig, motions).size(), check(bad, motions).size());
 }
 
-TEST_F(MendRig, DeeperIsDeeperByItsLowerSideAlone) {
+TEST_F(MendRig, DeepenedMuscleKeepsItsTop) {
   // Somewhat too thin for how far its skin goes: a bundled muscle made as thin as it takes to be found.
   const int index = findPrimitive(good, "latissimus L");
   Rig thin = good;
@@ -110,7 +110,7 @@ TEST_F(MendRig, DeeperIsDeeperByItsLowerSideAlone) {
   EXPECT_GT(std::max(top, bottom), 0.1f * before.placement.radii.z);
 }
 
-TEST_F(MendRig, SkinOfAnotherLimbGoesFromTheTerritory) {
+TEST_F(MendRig, SkinOfAnotherLimbIsRemovedFromTheTerritory) {
   const int index = findPrimitive(good, "latissimus L");
   Rig wide = good;
   Primitive& own = at(wide.primitives, index);
@@ -129,7 +129,7 @@ TEST_F(MendRig, SkinOfAnotherLimbGoesFromTheTerritory) {
   EXPECT_FALSE(at(rig.primitives, index).territory->empty());
 }
 
-TEST_F(MendRig, WhatWasThereBeforeIsLeftAlone) {
+TEST_F(MendRig, ExistingMusclesAreUnchanged) {
   const Rig bad = riding("biceps L", "forearm.L");
   const auto mended = withMendedRig(bad, bad.primitives.size(), motions, &plan);
   ASSERT_TRUE(mended.ok());

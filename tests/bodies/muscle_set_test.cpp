@@ -30,9 +30,9 @@ struct Body {
 };
 std::ostream& operator<<(std::ostream& out, const Body& body) { return out << body.file; }
 
-class MuscleSetOn : public ::testing::TestWithParam<Body> {};
+class MuscleSetOnBody : public ::testing::TestWithParam<Body> {};
 
-TEST_P(MuscleSetOn, NothingIsFoundOfIt) {
+TEST_P(MuscleSetOnBody, PassesTheCheck) {
   std::shared_ptr<const Character> found;
   if (fs::exists(kAssets / GetParam().file)) found = importGltf(kAssets / GetParam().file).value();
   else found = test::realCharacter(GetParam().file);
@@ -61,7 +61,7 @@ TEST_P(MuscleSetOn, NothingIsFoundOfIt) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Bodies, MuscleSetOn,
+INSTANTIATE_TEST_SUITE_P(Bodies, MuscleSetOnBody,
                          ::testing::Values(Body{"humanoid.glb", "athlete", 0}, Body{"demo.glb", "athlete", 0},
                                            Body{"horse.glb", "animal", 3}, Body{"man.glb", "athlete", 0},
                                            Body{"woman.glb", "athlete", 1}, Body{"fighter.glb", "athlete", 16},
@@ -71,7 +71,7 @@ INSTANTIATE_TEST_SUITE_P(Bodies, MuscleSetOn,
                                            Body{"greenman.glb", "athlete", 37}),
                          [](const auto& body) { return fs::path(body.param.file).stem().string(); });
 
-TEST(MuscleSet, LeavesTheDesignersMusclesAlone) {
+TEST(MuscleSet, KeepsExistingMuscles) {
   const Rig own = loadRig(kAssets / "horse.rig.json").value();
   const auto character = importGltf(kAssets / own.character).value();
   const Motions motions(character);

@@ -91,10 +91,10 @@ struct Fitted {
   const char* set;
 };
 std::ostream& operator<<(std::ostream& out, const Fitted& each) { return out << each.file; }
-class OfASet : public ::testing::TestWithParam<Fitted> {};
+class PresetFromFittedSet : public ::testing::TestWithParam<Fitted> {};
 
 /// What fitting made is found again: the same names, pairs, groups and lines, at the same places.
-TEST_P(OfASet, IsTheSetAgain) {
+TEST_P(PresetFromFittedSet, ReproducesTheSet) {
   const BodyOfPreset own = body(GetParam().file);
   if (!own.character) SINEW_SKIP_WITHOUT_CHARACTERS();
   const FittedPreset first = fitPreset({}, shipped(GetParam().set), {}, *own.character, own.plan).value();
@@ -119,14 +119,14 @@ TEST_P(OfASet, IsTheSetAgain) {
   EXPECT_LT(off.extent, 0.005f);
 }
 
-INSTANTIATE_TEST_SUITE_P(PresetFromMuscles, OfASet,
+INSTANTIATE_TEST_SUITE_P(PresetFromMuscles, PresetFromFittedSet,
                          ::testing::Values(Fitted{"humanoid.glb", "athlete"}, Fitted{"horse.glb", "animal"},
                                            Fitted{"man.glb", "athlete"}, Fitted{"woman.glb", "athlete"},
                                            Fitted{"Husky.glb", "animal"}, Fitted{"Fox.glb", "animal"}),
                          [](const auto& each) { return fs::path(each.param.file).stem().string(); });
 
 /// Muscles that a designer laid by hand: pairs, and single ones across the middle.
-TEST(PresetFromMuscles, OfMusclesLaidByHand) {
+TEST(PresetFromMuscles, ReproducesMusclesLaidByHand) {
   for (const char* name : {"humanoid-flex", "horse-flex"}) {
     Rig rig = loadRig(assetFile(std::string(name) + ".rig.json")).value();
     const BodyOfPreset own = body(rig.character);
@@ -152,7 +152,7 @@ TEST(PresetFromMuscles, OfMusclesLaidByHand) {
 }
 
 /// Either side says the same.
-TEST(PresetFromMuscles, TheRightSideIsAsGoodAsTheLeft) {
+TEST(PresetFromMuscles, RightAndLeftSidesGiveTheSamePreset) {
   const BodyOfPreset own = body("humanoid.glb");
   const Rig rig = fitPreset({}, shipped("athlete"), {}, *own.character, own.plan).value().rig;
   std::vector<int> left;
@@ -188,7 +188,7 @@ TEST(PresetFromMuscles, FitsOtherBodies) {
   EXPECT_LE(fitted->leftOut.size(), made->preset.muscles.size() / 10);
 }
 
-TEST(PresetFromMuscles, WhatCannotBeInASetIsLeftOutWithItsReason) {
+TEST(PresetFromMuscles, UnsupportedMusclesAreOmittedWithAReason) {
   const BodyOfPreset own = body("humanoid.glb");
   Rig rig = fitPreset({}, shipped("athlete"), {}, *own.character, own.plan).value().rig;
   const std::size_t before = rig.primitives.size();
@@ -209,7 +209,7 @@ TEST(PresetFromMuscles, WhatCannotBeInASetIsLeftOutWithItsReason) {
 }
 
 /// What is written is read as it was.
-TEST(PresetFromMuscles, IsWrittenAndReadBack) {
+TEST(PresetFromMuscles, RoundTripsThroughJson) {
   for (const char* name : {"humanoid-flex", "horse-flex", "humanoid-wrapped"}) {
     const Rig rig = loadRig(assetFile(std::string(name) + ".rig.json")).value();
     const BodyOfPreset own = body(rig.character);

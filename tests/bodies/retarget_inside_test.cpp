@@ -104,9 +104,9 @@ Zone zoneOfBone(const BodyFrame& frame, const Character& character, const std::s
   return at(frame.zoneOfBone, character.skeleton.findBone(bone).value());
 }
 
-class RetargetTo : public ::testing::TestWithParam<const char*> {};
+class RetargetOntoBody : public ::testing::TestWithParam<const char*> {};
 
-TEST_P(RetargetTo, EveryBellyLiesInTheFleshOfItsPart) {
+TEST_P(RetargetOntoBody, EveryBellyLiesInsideItsPart) {
   const BodyInside to = bodyOf(GetParam());
   if (!to.character) SINEW_SKIP_WITHOUT_CHARACTERS();
   const Motions motions(to.character);
@@ -157,7 +157,7 @@ TEST_P(RetargetTo, EveryBellyLiesInTheFleshOfItsPart) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Bodies, RetargetTo,
+INSTANTIATE_TEST_SUITE_P(Bodies, RetargetOntoBody,
                          ::testing::Values("humanoid.glb", "horse.glb", "demo.glb", "tangle.glb", "wrapped.glb",
                                            "man.glb", "woman.glb", "fighter.glb", "cesium_man.gltf", "greenman.glb",
                                            "robot.glb", "RobotExpressive.glb", "Trex.glb", "Fox.glb", "Husky.glb",

@@ -91,7 +91,7 @@ glm::vec3 centerInBind(const Primitive& primitive, const Skeleton& skeleton) {
 class Retarget : public ::testing::TestWithParam<const char*> {};
 
 /// Rigs as they ship: on muscle lines, wrapped, keyed.
-TEST_P(Retarget, OntoTheSameBodyChangesNothing) {
+TEST_P(Retarget, SameBodyChangesNothing) {
   const Rig rig = rigOf(GetParam());
   const RetargetedBody body = bundled(fs::path(rig.character).filename().string());
   const Retargeted done = onto(rig, body, body);
@@ -123,7 +123,7 @@ TEST_P(Retarget, OntoTheSameBodyChangesNothing) {
 }
 
 /// Three times as large, everything is three times as large.
-TEST_P(Retarget, OntoALargerBodyIsLarger) {
+TEST_P(Retarget, LargerBodyScalesEverything) {
   const Rig rig = rigOf(GetParam());
   const RetargetedBody body = bundled(fs::path(rig.character).filename().string());
   const RetargetedBody large = bodyOf(enlarged(*body.character, 3.0f));
@@ -180,7 +180,7 @@ class RetargetPeople : public ::testing::TestWithParam<const char*> {
   RetargetedBody body_;
 };
 
-TEST_P(RetargetPeople, KeepsPartsTwinsAndTheWayBack) {
+TEST_P(RetargetPeople, KeepsPartsAndTwinsAndRoundTrips) {
   const Rig rig = rigOf("humanoid-flex.rig.json");
   const RetargetedBody man = bundled("humanoid.glb");
   const Retargeted there = onto(rig, man, body_);
@@ -203,7 +203,7 @@ TEST_P(RetargetPeople, KeepsPartsTwinsAndTheWayBack) {
 
 INSTANTIATE_TEST_SUITE_P(Real, RetargetPeople, ::testing::Values("man.glb", "woman.glb", "cesium_man.gltf"));
 
-TEST(RetargetKinds, NothingOfAPersonIsOnALimbOfAHorse) {
+TEST(RetargetKinds, PersonOntoHorseKeepsPartsAndReportsOmissions) {
   const RetargetedBody man = bundled("humanoid.glb");
   const RetargetedBody horse = bundled("horse.glb");
   const Rig rig = rigOf("humanoid-flex.rig.json");
@@ -214,7 +214,7 @@ TEST(RetargetKinds, NothingOfAPersonIsOnALimbOfAHorse) {
   EXPECT_EQ(done.rig.primitives.size() + done.leftOut.size(), rig.primitives.size());
 }
 
-TEST(RetargetKinds, MusclesAnywhereComeBack) {
+TEST(RetargetKinds, RandomMusclesRoundTrip) {
   const RetargetedBody man = bundled("humanoid.glb");
   const RetargetedBody large = bodyOf(enlarged(*man.character, 0.4f));
   std::mt19937 random(5);
@@ -248,7 +248,7 @@ TEST(RetargetKinds, MusclesAnywhereComeBack) {
   }
 }
 
-TEST(RetargetKinds, ABodyWithoutPartsIsRefusedUnlessNamesAgree) {
+TEST(RetargetKinds, BodyWithoutMatchingPartsIsRefused) {
   const RetargetedBody man = bundled("humanoid.glb");
   const RetargetedBody tangle = bundled("tangle.glb");
   const auto done =
@@ -257,7 +257,7 @@ TEST(RetargetKinds, ABodyWithoutPartsIsRefusedUnlessNamesAgree) {
   EXPECT_NE(done.error().reason.find("no muscle"), std::string::npos);
 }
 
-TEST(RetargetedShapes, DriversOfShapesAndOfTheSurfaceGoToTheOtherBones) {
+TEST(RetargetedShapes, ShapeAndSurfaceDriversUseTheNewBones) {
   const RetargetedBody from = bundled("humanoid.glb");
   auto renamed = std::make_shared<Character>(*from.character);
   for (Bone& bone : renamed->skeleton.bones) bone.name = "mixamorig:" + bone.name;

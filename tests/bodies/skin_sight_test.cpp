@@ -33,7 +33,7 @@ TriangleTree boxes(std::initializer_list<float> sizes, bool open) {
   return {triangles, numbers};
 }
 
-TEST(SkinSight, WhatIsCoveredIsNotSeen) {
+TEST(SkinVisibility, CoveredPointsAreNotVisible) {
   const glm::vec3 top(0.1f, 1.0f, 0.2f);
   const glm::vec3 up(0.0f, 5.0f, 0.0f);
   const TriangleTree alone = boxes({1.0f}, false);

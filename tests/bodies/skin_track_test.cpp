@@ -35,7 +35,7 @@ float distanceBySearch(const ControlMesh& mesh, const glm::vec3& point, const gl
   return facing < std::numeric_limits<float>::max() ? facing : any;
 }
 
-TEST(SkinTrack, TheSpotOverAPointIsTheNearestThatFacesOutwards) {
+TEST(SkinTrack, NearestOutwardPointMatchesASearch) {
   std::mt19937 random(8);
   std::uniform_real_distribution<float> anywhere(-1.2f, 1.2f);
   for (const auto& character :
@@ -53,7 +53,7 @@ TEST(SkinTrack, TheSpotOverAPointIsTheNearestThatFacesOutwards) {
   }
 }
 
-TEST(SkinTrack, RunsHoldEveryTriangleOnceInsideTheirBoxes) {
+TEST(SkinTrack, RunsContainEveryTriangleOnceInsideTheirBoxes) {
   const auto character = bundledCharacter("horse.glb");
   const SkinRuns skin(character->mesh);
   int next = 0;

@@ -73,7 +73,7 @@ bool isFinitePose(const Pose& pose) {
   return std::ranges::all_of(pose.boneInWorld, [](const glm::mat4& matrix) { return isFinite(matrix); });
 }
 
-TEST(TransferClips, TheSameSkeletonKeepsEveryBit) {
+TEST(TransferClips, SameSkeletonKeepsEveryBit) {
   Expected slots;
   Character from = bodyOf(0, Stance::kArmsLevel, slots);
   // Turned as files have it: the floats of a rotation are never quite of length 1.
@@ -102,7 +102,7 @@ TEST(TransferClips, TheSameSkeletonKeepsEveryBit) {
   }
 }
 
-TEST(TransferClips, NamesThatAreTakenGetANumber) {
+TEST(TransferClips, TakenNamesGetANumber) {
   Expected slots;
   Character from = bodyOf(0, Stance::kArmsLevel, slots);
   from.clips = {swaying(from.skeleton, 0, 1.0f), swaying(from.skeleton, 0, 1.0f)};
@@ -112,7 +112,7 @@ TEST(TransferClips, NamesThatAreTakenGetANumber) {
   EXPECT_EQ(made.clips[1].name, "sway 3");
 }
 
-TEST(TransferClips, AScaledAndRenamedCopyPlaysAlike) {
+TEST(TransferClips, ScaledAndRenamedCopyPlaysTheSame) {
   for (const char* prefix : {"mixamorig:", "Armature|", "Bip01 ", "hero_"}) {
     Expected slots;
     Character from = bodyOf(0, Stance::kArmsLevel, slots);
@@ -138,7 +138,7 @@ TEST(TransferClips, AScaledAndRenamedCopyPlaysAlike) {
 }
 
 /// A body with level arms plays a clip of one whose arms hang: the limbs point the same way at every moment.
-TEST(TransferClips, ArmsOfAnotherStanceGoWhereTheClipHasThem) {
+TEST(TransferClips, ArmsOfAnotherStanceFollowTheClip) {
   for (const auto& [ours, theirs] : {std::pair{0U, 0U}, std::pair{0U, 1U}, std::pair{1U, 0U}}) {
     Expected fromSlots;
     Expected toSlots;
@@ -168,7 +168,7 @@ TEST(TransferClips, ArmsOfAnotherStanceGoWhereTheClipHasThem) {
   }
 }
 
-TEST(TransferClips, MatchesEveryStyleWithEveryOther) {
+TEST(TransferClips, MatchesEveryNamingStyleWithEveryOther) {
   const std::vector<NamedBody> bodies = test::namedBodies();
   for (std::size_t a = 0; a < bodies.size(); ++a) {
     for (std::size_t b = 0; b < bodies.size(); ++b) {
@@ -191,7 +191,7 @@ TEST(TransferClips, MatchesEveryStyleWithEveryOther) {
   }
 }
 
-TEST(TransferClips, SidesAreNeverExchanged) {
+TEST(TransferClips, SidesAreNeverSwapped) {
   Expected slots;
   Expected others;
   Character from = bodyOf(0, Stance::kArmsLevel, slots);
@@ -212,7 +212,7 @@ TEST(TransferClips, SidesAreNeverExchanged) {
   EXPECT_LT(moved("hand.R"), 1e-6);
 }
 
-TEST(TransferClips, WhatDoesNotMatchIsTold) {
+TEST(TransferClips, MismatchedSkeletonIsReported) {
   Expected slots;
   Character from = bodyOf(0, Stance::kArmsLevel, slots);
   from.clips = {swaying(from.skeleton, 0, 1.0f)};
@@ -229,7 +229,7 @@ TEST(TransferClips, WhatDoesNotMatchIsTold) {
       << made.notes.back();
 }
 
-TEST(TransferClips, ShapesGoByName) {
+TEST(TransferClips, ShapesMatchByName) {
   Expected slots;
   Character from = bodyOf(0, Stance::kArmsLevel, slots);
   Character to = from;
@@ -247,7 +247,7 @@ TEST(TransferClips, ShapesGoByName) {
 }
 
 /// Any tree, flat and mirrored bind poses, any turns: a pose of numbers, never longer than the clip.
-TEST(TransferClips, RandomSkeletonsGiveNumbers) {
+TEST(TransferClips, RandomSkeletonsGiveFinitePoses) {
   std::mt19937 random(11);
   std::uniform_real_distribution<float> any(-1.0f, 1.0f);
   const auto make = [&] {

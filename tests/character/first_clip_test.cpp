@@ -29,7 +29,7 @@ struct Row {
   std::string first;
 };
 
-TEST(FirstClip, IsAWalkElseAnIdleElseARunElseNoDeathAndNoAttack) {
+TEST(FirstClip, PrefersWalkThenIdleThenRun) {
   const Row rows[] = {
       {{"Survey", "Walk", "Run"}, "Walk"},
       {{"Death", "Run", "Idle", "Walk"}, "Walk"},
@@ -59,7 +59,7 @@ TEST(FirstClip, IsAWalkElseAnIdleElseARunElseNoDeathAndNoAttack) {
 }
 
 // The order in the file decides between equals alone: it cannot bring a worse kind to the front.
-TEST(FirstClip, TheKindDoesNotDependOnTheOrder) {
+TEST(FirstClip, DoesNotDependOnTheOrder) {
   std::vector<std::string> names{"Attack", "Death", "Idle", "Jump", "Run", "Walk"};
   do {
     EXPECT_EQ(firstOf(names), "Walk");
@@ -67,7 +67,7 @@ TEST(FirstClip, TheKindDoesNotDependOnTheOrder) {
   } while (std::ranges::next_permutation(names).found);
 }
 
-TEST(FirstClip, AClipOfNoLengthCountsOnlyWhereNoneHasOne) {
+TEST(FirstClip, SkipsEmptyClipsIfPossible) {
   std::vector<AnimationClip> clips = clipsNamed({"Walk", "Jump"});
   clips[0].duration = 0.0f;
   EXPECT_EQ(firstClip(clips), 1);
@@ -75,7 +75,7 @@ TEST(FirstClip, AClipOfNoLengthCountsOnlyWhereNoneHasOne) {
   EXPECT_EQ(firstClip(clips), 0);
 }
 
-TEST(FirstClip, OfCharactersNobodyHereMade) {
+TEST(FirstClip, IsAWalkOnRealCharacters) {
   const std::pair<const char*, const char*> kRows[] = {{"Fox.glb", "Walk"}, {"robot.glb", "Walking"}};
   for (const auto& [file, wanted] : kRows) {
     const auto character = test::realCharacter(file);

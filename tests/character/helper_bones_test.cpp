@@ -41,7 +41,7 @@ bool isAboveSkin(const Skeleton& skeleton, const std::vector<bool>& skin, int bo
   return false;
 }
 
-TEST(HelperBones, AreThoseWithNoSkinOnThemOrBelow) {
+TEST(HelperBones, HaveNoSkinOnThemOrTheirDescendants) {
   std::mt19937 random(11);
   for (int round = 0; round < 500; ++round) {
     std::vector<int> parents{-1};
@@ -65,13 +65,13 @@ TEST(HelperBones, AreThoseWithNoSkinOnThemOrBelow) {
   }
 }
 
-TEST(HelperBones, AreNoneWhereSkinIsNotKnownOrFollowsNoBone) {
+TEST(HelperBones, DoNotExistWithoutSkinInformation) {
   const Skeleton skeleton = skeletonOf({-1, 0, 1});
   EXPECT_EQ(helperBones(skeleton, {}), std::vector<bool>(3, false));
   EXPECT_EQ(helperBones(skeleton, {false, false, false}), std::vector<bool>(3, false));
 }
 
-TEST(HelperBones, StayOutOfTheRangeOfMotion) {
+TEST(HelperBones, AreExcludedFromTheRangeOfMotion) {
   const Skeleton skeleton = skeletonOf({-1, 0, 1, 1, 3, 0});
   RangeOfMotionHints hints;
   hints.carriesSkin = {true, true, true, false, false, false};
@@ -85,7 +85,7 @@ TEST(HelperBones, StayOutOfTheRangeOfMotion) {
 }
 
 // What is called a helper moves no vertex: taken from the weights alone.
-TEST(HelperBones, OfCharactersNobodyHereMade) {
+TEST(HelperBones, MoveNoVertexOfRealCharacters) {
   for (const char* file : {"robot.glb", "Fox.glb", "greenman.glb"}) {
     const auto character = test::realCharacter(file);
     if (!character) GTEST_SKIP() << "left out: no " << file;

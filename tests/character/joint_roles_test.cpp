@@ -24,7 +24,7 @@ JointRole roleOf(const std::string& name) {
 }
 
 // A hip on one side begins a leg; the hip that is no side's is the pelvis.
-TEST(JointRoles, AHipIsALegsWhereItsNameSaysASide) {
+TEST(JointRoles, HipWithASideIsALegJoint) {
   for (const char* name :
        {"hip.L", "hip_R", "LeftHip", "right hip", "hip_fl", "hip_fr", "hip bl", "BR_hip", "hip_rt"}) {
     EXPECT_EQ(roleOf(name), JointRole::kHip) << name;

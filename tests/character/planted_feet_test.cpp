@@ -207,7 +207,7 @@ INSTANTIATE_TEST_SUITE_P(Clips, PlantedFeet,
                          });
 
 /// The same measure on clips that were spoilt: the hips drift, or lie too deep.
-TEST(SpoiltFeet, AreSeenToSlideAndToSink) {
+TEST(PlantedFeetMeasure, DetectsSlidingAndSinking) {
   const auto imported = importGltf(asset("humanoid.glb"));
   ASSERT_TRUE(imported.ok()) << imported.error().text();
   const Character& character = *imported.value();

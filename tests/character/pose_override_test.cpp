@@ -86,11 +86,11 @@ void expectNear(const glm::mat4& a, const glm::mat4& b, const std::string& what)
   EXPECT_LT(largest(glm::dmat4(a) - glm::dmat4(b)), 1e-4 * std::max(1.0, largest(glm::dmat4(b)))) << what;
 }
 
-class TurnedJoints : public testing::TestWithParam<Scale> {};
-INSTANTIATE_TEST_SUITE_P(Scales, TurnedJoints,
+class RotatedJoints : public testing::TestWithParam<Scale> {};
+INSTANTIATE_TEST_SUITE_P(Scales, RotatedJoints,
                          testing::Values(Scale::kNone, Scale::kEven, Scale::kUneven, Scale::kMirrored));
 
-TEST_P(TurnedJoints, MoveWhatHangsOnThemRigidlyAboutTheJointAndNothingElse) {
+TEST_P(RotatedJoints, MoveOnlyTheirDescendantsRigidly) {
   Chance chance(11);
   for (int trial = 0; trial < kTrials; ++trial) {
     const Scene scene = randomScene(chance, GetParam());
@@ -118,7 +118,7 @@ TEST_P(TurnedJoints, MoveWhatHangsOnThemRigidlyAboutTheJointAndNothingElse) {
   }
 }
 
-TEST(PoseOverrides, WithoutUnevenScaleATurnIsTheBonesLocalRotation) {
+TEST(PoseOverrides, RotationIsLocalUnderUniformScale) {
   for (const Scale scale : {Scale::kNone, Scale::kEven}) {
     Chance chance(12);
     for (int trial = 0; trial < kTrials; ++trial) {
@@ -134,7 +134,7 @@ TEST(PoseOverrides, WithoutUnevenScaleATurnIsTheBonesLocalRotation) {
   }
 }
 
-TEST(PoseOverrides, ParentsTurnBeforeChildren) {
+TEST(PoseOverrides, ParentsRotateBeforeChildren) {
   Chance chance(13);
   for (int trial = 0; trial < kTrials; ++trial) {
     const Scene scene = randomScene(chance, Scale::kUneven);
@@ -155,7 +155,7 @@ TEST(PoseOverrides, ParentsTurnBeforeChildren) {
   }
 }
 
-TEST(PoseOverrides, NoTurnIsTheSameBits) {
+TEST(PoseOverrides, IdentityRotationChangesNothing) {
   Chance chance(14);
   const Scene scene = randomScene(chance, Scale::kUneven);
   PoseOverrides overrides;
@@ -173,7 +173,7 @@ TEST(PoseOverrides, NoTurnIsTheSameBits) {
   EXPECT_EQ(posed(scene.skeleton, scene.moment, overrides).boneInWorld, scene.moment.boneInWorld);
 }
 
-TEST(PoseOverrides, TurnsAreKeptInOrderAndUnit) {
+TEST(PoseOverrides, RotationsAreSortedAndNormalized) {
   PoseOverrides overrides;
   for (const int bone : {5, 1, 3, 1}) overrides.set(bone, glm::quat(2.0f, 0.0f, static_cast<float>(bone), 0.0f));
   ASSERT_EQ(overrides.turns.size(), 3u);
@@ -198,7 +198,7 @@ TEST(PoseOverrides, FlattenedBonesStayFinite) {
   }
 }
 
-TEST_P(TurnedJoints, HeldOnesStandToTheirParentAsBoundWhateverTheClipDoes) {
+TEST_P(RotatedJoints, HeldJointsIgnoreTheClip) {
   Chance chance(16);
   for (int trial = 0; trial < kTrials; ++trial) {
     Scene scene = randomScene(chance, GetParam());
@@ -221,7 +221,7 @@ TEST_P(TurnedJoints, HeldOnesStandToTheirParentAsBoundWhateverTheClipDoes) {
   }
 }
 
-TEST_P(TurnedJoints, ChangingWhatTheyStartFromKeepsThisMoment) {
+TEST_P(RotatedJoints, ChangingTheBaseKeepsTheCurrentPose) {
   Chance chance(17);
   for (int trial = 0; trial < kTrials; ++trial) {
     const Scene scene = randomScene(chance, GetParam());
@@ -259,7 +259,7 @@ Skeleton twoArms(Chance& chance) {
   return skeleton;
 }
 
-TEST(PoseOverrides, TheMirrorImageOfAPoseIsOneInTheWorld) {
+TEST(PoseOverrides, MirroredPoseIsMirroredInTheWorld) {
   constexpr int kTwins[] = {0, 3, 4, 1, 2};
   Chance chance(18);
   for (int trial = 0; trial < kTrials; ++trial) {
@@ -281,7 +281,7 @@ TEST(PoseOverrides, TheMirrorImageOfAPoseIsOneInTheWorld) {
   }
 }
 
-TEST(PoseOverride, ATurnSetAgainIsTheSameToTheLastBit) {
+TEST(RepeatedPoseOverride, IsUnchangedBitForBit) {
   std::mt19937 random(5);
   std::uniform_real_distribution<float> part(-1.0f, 1.0f);
   for (int i = 0; i < 1000; ++i) {

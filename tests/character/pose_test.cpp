@@ -103,7 +103,7 @@ TEST(Pose, ComposesParentsAndClampsTime) {
   }
 }
 
-TEST(Pose, FollowsFromWhatEachNodeIsToItsParent) {
+TEST(Pose, IsComposedFromLocalTransforms) {
   const Skeleton skeleton = arm();
   std::vector<LocalTransform> locals = restLocals(skeleton);
   EXPECT_EQ(poseFromLocals(skeleton, locals), restPose(skeleton));
@@ -117,7 +117,7 @@ TEST(Pose, FollowsFromWhatEachNodeIsToItsParent) {
   EXPECT_NEAR(glm::length(glm::vec3(grown.boneInWorld[1][0])), 0.03f, 1e-6f);
 }
 
-TEST(Bones, TipsPointAtChildrenAndGoOnAtTheEnd) {
+TEST(Bones, TipsPointAtChildrenOrContinueTheChain) {
   const Skeleton skeleton = arm();
   EXPECT_NEAR(glm::distance(skeleton.bones[0].tip, glm::vec3(0, 2, 0)), 0.0f, 1e-6f);
   EXPECT_NEAR(glm::distance(skeleton.bones[1].tip, glm::vec3(0, 1, 0)), 0.0f, 1e-6f);

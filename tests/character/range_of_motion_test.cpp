@@ -89,14 +89,14 @@ void expectSound(const Character& character, bool withHints) {
   }
 }
 
-TEST(RangeOfMotion, OfSyntheticCharactersIsSound) {
+TEST(RangeOfMotion, IsSoundOnSyntheticCharacters) {
   for (const auto& character :
        {test::makeLimb(), test::makeTwoLegged(), test::makeStrip(), test::makeTube(), test::makeCube()}) {
     for (const bool hints : {false, true}) expectSound(*character, hints);
   }
 }
 
-TEST(RangeOfMotion, OfTheBundledCharactersIsSound) {
+TEST(RangeOfMotion, IsSoundOnBundledCharacters) {
   for (const char* name : {"demo.glb", "humanoid.glb", "horse.glb"}) {
     const auto file = std::filesystem::path(SINEW_SOURCE_DIR) / "assets" / name;
     if (!std::filesystem::exists(file)) continue;
@@ -107,7 +107,7 @@ TEST(RangeOfMotion, OfTheBundledCharactersIsSound) {
   }
 }
 
-TEST(RangeOfMotion, OfRealCharactersIsSound) {
+TEST(RangeOfMotion, IsSoundOnRealCharacters) {
   if (!test::characterFile("greenman.glb")) SINEW_SKIP_WITHOUT_CHARACTERS();
   for (const char* name : {"Fox.glb", "greenman.glb", "robot.glb", "cesium_man.gltf", "rigged_simple.gltf"}) {
     SCOPED_TRACE(name);
@@ -117,7 +117,7 @@ TEST(RangeOfMotion, OfRealCharactersIsSound) {
   }
 }
 
-TEST(RangeOfMotion, IsTheSameEveryTime) {
+TEST(RangeOfMotion, IsRepeatable) {
   const auto character = test::makeTwoLegged();
   const AnimationClip a = rangeOfMotion(character->skeleton);
   const AnimationClip b = rangeOfMotion(character->skeleton);
@@ -129,7 +129,7 @@ TEST(RangeOfMotion, IsTheSameEveryTime) {
   }
 }
 
-TEST(RangeOfMotion, ARootAloneHasNone) {
+TEST(RangeOfMotion, LoneRootHasNone) {
   Skeleton skeleton;
   skeleton.nodes.resize(1);
   skeleton.bones.resize(1);
@@ -214,7 +214,7 @@ glm::vec3 originAfter(const Skeleton& skeleton, const MovementStep& step, float 
   return glm::vec3(posed(skeleton, bindPose(skeleton), turns).boneInWorld[i][3] - skeleton.bones[i].bindInWorld[3]);
 }
 
-TEST(RangeOfMotion, ElbowsBendForwardsAndKneesBackwardsAlone) {
+TEST(RangeOfMotion, ElbowsBendOnlyForwardsAndKneesOnlyBackwards) {
   for (const float facing : {1.0f, -1.0f}) {
     const Skeleton skeleton = person(facing);
     const struct {
@@ -274,7 +274,7 @@ TEST(RangeOfMotion, LeftAndRightMoveTogetherAsMirrorImages) {
   }
 }
 
-TEST(JointRoles, AreReadFromNamesOfManyStyles) {
+TEST(JointRoles, AreRecognizedInManyNamingStyles) {
   const auto chain = [](std::initializer_list<const char*> names) {
     Skeleton skeleton;
     for (const char* name : names) {

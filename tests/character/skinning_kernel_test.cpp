@@ -59,7 +59,7 @@ TEST(SkinningKernel, GivesTheScalarBitsOnCharacters) {
 }
 
 // Bones that are mirrored, flattened, shrunk to a point, or so small or large that squares leave a float's range.
-TEST(SkinningKernel, GivesTheScalarBitsOfBonesOfAnySize) {
+TEST(SkinningKernel, GivesTheScalarBitsWithExtremeBoneScales) {
   const std::vector<glm::vec3> sizes{{-1.0f, 1.0f, 1.0f},   {1.0f, 0.0f, 1.0f}, {0.0f, 0.0f, 0.0f},
                                      {1e-7f, 1e-7f, 1e-7f}, {1e7f, 2e7f, 1e7f}, {1.0f, 1e-12f, 1.0f}};
   for (const auto& character : {makeLimb(), makeTwoLegged(), makeStrip(), makeTube(), makeCube()}) {
@@ -113,7 +113,7 @@ TEST(SkinningKernel, GivesTheScalarBitsOfCreasedWedges) {
 }
 
 // Vertices behind the last one are neither read into a result nor written.
-TEST(SkinningKernel, FillsAsManyAsAreAskedFor) {
+TEST(SkinningKernel, FillsExactlyTheRequestedCount) {
   const auto character = makeLimb();
   const Pose pose = randomPose(character->skeleton, 0.6f, 0.3f, 1);
   const SkinnedMesh whole = skinBy(scalarSkinKernels(), *character, pose).mesh;

@@ -41,7 +41,7 @@ class ClipFiles : public ::testing::Test {
   const std::filesystem::path folder_ = own_.path();
 };
 
-TEST_F(ClipFiles, AClipMovedToAFileWithoutMeshPlaysBitForBit) {
+TEST_F(ClipFiles, ClipFromAFileWithoutMeshPlaysBitForBit) {
   const auto whole = importGltf(write("whole.glb", test::makePost().file.glb()));
   ASSERT_TRUE(whole.ok()) << whole.error().text();
   write("motion.glb", motionOnly());
@@ -65,7 +65,7 @@ TEST_F(ClipFiles, AClipMovedToAFileWithoutMeshPlaysBitForBit) {
   EXPECT_TRUE(withClipFiles(with.character, Rig{}, folder_).character->clips.empty());
 }
 
-TEST_F(ClipFiles, AFileThatIsGoneLeavesTheOthers) {
+TEST_F(ClipFiles, MissingFileDoesNotAffectOthers) {
   write("motion.glb", motionOnly());
   const auto character = importGltf(write("still.glb", still()));
   Rig rig;
@@ -88,7 +88,7 @@ TEST_F(ClipFiles, BadFilesAreRefusedOnOneLine) {
   }
 }
 
-TEST_F(ClipFiles, TheRigRemembersThem) {
+TEST_F(ClipFiles, AreStoredInTheRig) {
   Rig rig;
   rig.character = "a.glb";
   EXPECT_EQ(rigToJson(rig).find("clips"), std::string::npos);

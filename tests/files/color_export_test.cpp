@@ -49,7 +49,7 @@ class ColorExport : public testing::Test {
   const test::TemporaryFolder folder_;
 };
 
-TEST_F(ColorExport, GlbBringsEveryColorBack) {
+TEST_F(ColorExport, GlbRoundTripsEveryColor) {
   const Character tube = paintedTube();
   const Surface surface = surfaceOf(tube);
   exported(surface, tube, "tube.glb");
@@ -67,7 +67,7 @@ TEST_F(ColorExport, GlbBringsEveryColorBack) {
   }
 }
 
-TEST_F(ColorExport, PlyHasThemAsScreensShowThem) {
+TEST_F(ColorExport, PlyHasSrgbColors) {
   const Character tube = paintedTube();
   const Surface surface = surfaceOf(tube);
   const Refinement& refinement = *surface.refinement;
@@ -88,14 +88,14 @@ TEST_F(ColorExport, PlyHasThemAsScreensShowThem) {
   }
 }
 
-TEST_F(ColorExport, CharactersWithoutColorsHaveNoneInTheirFiles) {
+TEST_F(ColorExport, CharactersWithoutColorsWriteNone) {
   const Character tube = *test::makeTube();
   const Surface surface = surfaceOf(tube);
   EXPECT_EQ(exported(surface, tube, "tube.glb").find("COLOR_0"), std::string::npos);
   EXPECT_EQ(exported(surface, tube, "tube.ply").find("uchar red"), std::string::npos);
 }
 
-TEST_F(ColorExport, ObjIsTheSameWithAndWithoutColors) {
+TEST_F(ColorExport, ObjIgnoresColors) {
   const Character plain = *test::makeTube();
   const Character painted = paintedTube();
   EXPECT_EQ(exported(surfaceOf(plain), plain, "tube.obj"), exported(surfaceOf(painted), painted, "tube.obj"));

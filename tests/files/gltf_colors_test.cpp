@@ -71,7 +71,7 @@ void expectColors(const Post& post, const Character& character, bool withAlpha, 
   EXPECT_TRUE(character.ignored.empty()) << character.ignored.front();
 }
 
-TEST(GltfColors, EveryTypeThatGltfAllows) {
+TEST(GltfColors, AcceptEveryTypeGltfAllows) {
   for (const bool withAlpha : {false, true}) {
     const std::string type = withAlpha ? "VEC4" : "VEC3";
     Post floats = makePost();
@@ -95,7 +95,7 @@ TEST(GltfColors, FloatsBeyondTheRangeAreClamped) {
   for (const Wedge& wedge : character->mesh.wedges) EXPECT_EQ(wedge.color, glm::vec4(1.0f, 0.0f, 0.5f, 1.0f));
 }
 
-TEST(GltfColors, ColorsThatAreNotFiniteAreWhiteAndNoted) {
+TEST(GltfColors, NonFiniteColorsAreWhiteWithANote) {
   for (const float bad : {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity()}) {
     Post post = makePost();
     std::vector<float> colors(48, 0.25f);
@@ -110,7 +110,7 @@ TEST(GltfColors, ColorsThatAreNotFiniteAreWhiteAndNoted) {
 }
 
 /// The lower half of the post in one primitive, the rest in another; which of them has colors, and in which order.
-TEST(GltfColors, PrimitivesWithoutThemAreWhite) {
+TEST(GltfColors, PrimitivesWithoutColorsAreWhite) {
   for (const bool coloredFirst : {true, false}) {
     Post post = makePost();
     const std::vector<std::uint16_t> lower(post.indices.begin(), post.indices.begin() + 24);

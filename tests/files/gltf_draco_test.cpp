@@ -40,16 +40,16 @@ class GltfDraco : public ::testing::TestWithParam<DracoMethod> {
 
 INSTANTIATE_TEST_SUITE_P(, GltfDraco, testing::Values(DracoMethod::kSequential, DracoMethod::kEdgebreaker));
 
-TEST_P(GltfDraco, ShowsWhatThePlainFileShows) { expectShown(compressedPost(GetParam())); }
+TEST_P(GltfDraco, MatchesThePlainFile) { expectShown(compressedPost(GetParam())); }
 
-TEST_P(GltfDraco, AStripIsTheTrianglesThatItIsCompressedAs) {
+TEST_P(GltfDraco, StripDecodesToItsCompressedTriangles) {
   Post post = compressedPost(GetParam());
   post.primitive()["mode"] = 5;
   dracoIndices(post)["count"] = 31;  // Some way of joining twenty triangles.
   expectShown(post);
 }
 
-TEST_P(GltfDraco, WhatTheBytesHaveAndNoAccessorAsksForIsLeft) {
+TEST_P(GltfDraco, UnreferencedAttributesAreIgnored) {
   Post post = compressedPost(GetParam());
   post.attributes().erase("WEIGHTS_0");
   dracoOf(post)["attributes"]["COLOR_0"] = 7;
@@ -62,7 +62,7 @@ TEST_P(GltfDraco, JointsMayBeShortsInTheFile) {
   expectShown(post);
 }
 
-TEST_P(GltfDraco, PrimitivesMayShareTheirBytes) {
+TEST_P(GltfDraco, PrimitivesMayShareBytes) {
   Post post = compressedPost(GetParam());
   post.file.json["meshes"].push_back(post.file.json["meshes"][0]);
   expectShown(post);
@@ -91,7 +91,7 @@ Post halfPost(bool above) {
   return post;
 }
 
-TEST_P(GltfDraco, PrimitivesThatWereRoundedApartStayOneSkin) {
+TEST_P(GltfDraco, PrimitivesSeparatedByRoundingStayOneSkin) {
   constexpr int kBits = 12;
   Post post = makePost();
   useDraco(post, dracoPost(halfPost(false), GetParam(), kBits));
@@ -115,7 +115,7 @@ TEST_P(GltfDraco, PrimitivesThatWereRoundedApartStayOneSkin) {
   for (const Edge& edge : mesh.edges) EXPECT_EQ(edge.triangleCount, 2);
 }
 
-TEST_P(GltfDraco, PrimitivesMayNotShareAccessorsThatTheyGiveDifferentValues) {
+TEST_P(GltfDraco, SharedAccessorsMustDecodeToEqualValues) {
   Post post = compressedPost(GetParam());
   Post moved = makePost();
   moved.positions[0] -= 0.25f;
@@ -127,7 +127,7 @@ TEST_P(GltfDraco, PrimitivesMayNotShareAccessorsThatTheyGiveDifferentValues) {
   EXPECT_NE(imported.error().reason.find("different values"), std::string::npos) << imported.error().text();
 }
 
-TEST_P(GltfDraco, APlainCopyIsUsedWhereTheExtensionIsNotRequired) {
+TEST_P(GltfDraco, PlainCopyIsUsedIfTheExtensionIsOptional) {
   Post post = makePost();
   ordered_json& draco = post.primitive()["extensions"]["KHR_draco_mesh_compression"];
   draco["bufferView"] = post.file.view("no Draco at all");
@@ -136,7 +136,7 @@ TEST_P(GltfDraco, APlainCopyIsUsedWhereTheExtensionIsNotRequired) {
   expectShown(post);
 }
 
-TEST_P(GltfDraco, OpensNoBytesThatAreCutOff) {
+TEST_P(GltfDraco, RefusesTruncatedBytes) {
   const Post plain = makePost();
   const DracoPost whole = dracoPost(plain, GetParam());
   for (std::size_t length = 0; length < whole.bytes.size(); ++length) {
@@ -152,7 +152,7 @@ TEST_P(GltfDraco, OpensNoBytesThatAreCutOff) {
   }
 }
 
-TEST_P(GltfDraco, FlippedBytesDoNoHarm) {
+TEST_P(GltfDraco, FlippedBytesAreSafe) {
   const DracoPost whole = dracoPost(makePost(), GetParam());
   for (unsigned seed = 0; seed < 500; ++seed) {
     std::mt19937 random(seed);
@@ -201,7 +201,7 @@ Post bentDraco(const std::function<void(Post&)>& bend) {
 
 class GltfDracoTrap : public ::testing::TestWithParam<DracoTrap> {};
 
-TEST_P(GltfDracoTrap, IsRefusedWithItsPlaceAndReason) {
+TEST_P(GltfDracoTrap, IsRefusedWithPlaceAndReason) {
   const TemporaryFolder folder;
   const auto file = folder.write("trap.glb", GetParam().make().file.glb());
   const auto imported = importGltf(file);

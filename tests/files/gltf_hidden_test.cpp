@@ -72,7 +72,7 @@ void PrintTo(const Case& each, std::ostream* out) { *out << each.name; }
 
 class HiddenCharacter : public testing::TestWithParam<Case> {};
 
-TEST_P(HiddenCharacter, IsShownOpaqueOnlyIfNothingElseIsSeen) {
+TEST_P(HiddenCharacter, IsShownOpaqueOnlyIfNothingIsVisible) {
   Character cube = cubeOf(GetParam().parts);
   gltf::Notes notes;
   gltf::showHiddenCharacter(cube, notes);
@@ -119,7 +119,7 @@ const Case kCases[] = {
 
 INSTANTIATE_TEST_SUITE_P(All, HiddenCharacter, testing::ValuesIn(kCases));
 
-TEST(HiddenImport, MaterialsThatNothingUsesAreLeftAlone) {
+TEST(HiddenImport, UnusedMaterialsAreUnchanged) {
   Character cube = cubeOf({{kBlend, 0.0f}});
   cube.materials.push_back({.name = "unused"});
   cube.materials.push_back({.name = "unused too", .baseColor = glm::vec4(0.0f), .alphaMode = kBlend});
@@ -130,7 +130,7 @@ TEST(HiddenImport, MaterialsThatNothingUsesAreLeftAlone) {
   EXPECT_FALSE(cube.materials[1].shownOpaque || cube.materials[2].shownOpaque);
 }
 
-TEST(HiddenImport, ComesOutOfTheImport) {
+TEST(HiddenImport, IsDetectedByTheImport) {
   test::Post post = test::makePost();
   post.file.json["materials"].push_back(
       {{"name", "skin"}, {"alphaMode", "BLEND"}, {"pbrMetallicRoughness", {{"baseColorFactor", {1, 1, 1, 0}}}}});

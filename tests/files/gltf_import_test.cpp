@@ -33,7 +33,7 @@ void PrintTo(const Facts& facts, std::ostream* out) { *out << facts.file; }
 
 class RealFile : public testing::TestWithParam<Facts> {};
 
-TEST_P(RealFile, HasItsFacts) {
+TEST_P(RealFile, HasTheExpectedFacts) {
   const Facts& facts = GetParam();
   const auto file = test::characterFile(facts.file);
   if (!file) SINEW_SKIP_WITHOUT_CHARACTERS();
@@ -69,7 +69,7 @@ INSTANTIATE_TEST_SUITE_P(Files, RealFile,
 
 /// The robot's parts touch each other: welded by position alone, which would tie parts that different bones move,
 /// 14 edges get three or four triangles. Welded with their bindings, none.
-TEST(RealRobot, PartsTouchButStayApart) {
+TEST(RealRobot, TouchingPartsStaySeparate) {
   const auto file = test::characterFile("robot.glb");
   if (!file) SINEW_SKIP_WITHOUT_CHARACTERS();
   const auto imported = importGltf(*file);
@@ -88,7 +88,7 @@ TEST(RealRobot, PartsTouchButStayApart) {
   EXPECT_EQ(topologyOf(weld(soup, 1e-6f * imported.value()->height)).nonManifoldEdges.size(), 14u);
 }
 
-TEST(RealFox, HasNamesClipsAndItsTexture) {
+TEST(RealFox, HasNamesClipsAndATexture) {
   const auto file = test::characterFile("Fox.glb");
   if (!file) SINEW_SKIP_WITHOUT_CHARACTERS();
   const auto imported = importGltf(*file);
@@ -150,7 +150,7 @@ TEST_P(RealFile, IsWellFormed) {
   expectWellFormed(*imported.value());
 }
 
-TEST(GltfImport, PostArrivesWhole) {
+TEST(GltfImport, PostIsImportedCompletely) {
   const test::TemporaryFolder folder;
   const auto imported = importGltf(folder.write("my post.glb", test::makePost().file.glb()));
   ASSERT_TRUE(imported.ok()) << imported.error().text();
@@ -177,7 +177,7 @@ TEST(GltfImport, PostArrivesWhole) {
 }
 
 /// The same file in its three containers gives the same character.
-TEST(GltfImport, ContainersAgree) {
+TEST(GltfImport, ContainersGiveTheSameCharacter) {
   const test::TemporaryFolder folder;
   const test::Post post = test::makePost();
   folder.write("sub/data 1.bin", post.file.binary());

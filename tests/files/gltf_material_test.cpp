@@ -51,14 +51,14 @@ void expectWhole(const Character& character) {
   }
 }
 
-TEST(GltfMaterial, AllMapsArrive) {
+TEST(GltfMaterial, AllMapsAreImported) {
   const auto character = importMaterial(wholeMaterial(), 3);
   ASSERT_TRUE(character.ok()) << character.error().text();
   expectWhole(*character.value());
   EXPECT_TRUE(character.value()->ignored.empty());
 }
 
-TEST(GltfMaterial, SurfacesInGlbKeepThem) {
+TEST(GltfMaterial, MapsSurviveAGlbExport) {
   const auto character = importMaterial(wholeMaterial(), 3);
   ASSERT_TRUE(character.ok());
   Smoother smoother(character.value());
@@ -76,7 +76,7 @@ TEST(GltfMaterial, SurfacesInGlbKeepThem) {
 }
 
 /// Where the base color has its own transform, the surface's uv are what that makes; other maps are placed from there.
-TEST(GltfMaterial, MapsArePlacedFromTheBaseColor) {
+TEST(GltfMaterial, MapTransformsAreRelativeToTheBaseColor) {
   const ordered_json base{{"scale", {2, 2}}, {"offset", {1, 0}}};
   ordered_json material{{"pbrMetallicRoughness", {{"baseColorTexture", mapAt(0, base)}}},
                         {"normalTexture", mapAt(1, {{"scale", {6, 2}}})},
@@ -89,7 +89,7 @@ TEST(GltfMaterial, MapsArePlacedFromTheBaseColor) {
   EXPECT_EQ(read.normalMap.place[1], glm::vec3(0.0f, 1.0f, 0.0f));
 }
 
-TEST(GltfMaterial, MapsOfOtherCoordinatesAreNamedAndLeftOut) {
+TEST(GltfMaterial, MapsWithOtherCoordinatesAreReportedAndSkipped) {
   for (const ordered_json& other : {ordered_json{{"index", 1}, {"texCoord", 1}}, mapAt(1)}) {
     const ordered_json collapsed{{"scale", {0, 1}}};
     const bool second = other.contains("texCoord");
@@ -109,7 +109,7 @@ TEST(GltfMaterial, MapsOfOtherCoordinatesAreNamedAndLeftOut) {
   }
 }
 
-TEST(GltfMaterial, WithoutABaseColorTheFirstMapHasTheCoordinates) {
+TEST(GltfMaterial, FirstMapSetsTheCoordinatesWithoutABaseColor) {
   const ordered_json moved{{"offset", {0.5, 0.5}}};
   const auto character = importMaterial({{"normalTexture", mapAt(0, moved)}}, 1);
   ASSERT_TRUE(character.ok());
@@ -117,7 +117,7 @@ TEST(GltfMaterial, WithoutABaseColorTheFirstMapHasTheCoordinates) {
   EXPECT_EQ(character.value()->mesh.wedges.at(0).uv, glm::vec2(0.75f, 1.25f));
 }
 
-TEST(GltfMaterial, UnlitOnesNeedNoMaps) {
+TEST(GltfMaterial, UnlitMaterialsHaveNoMaps) {
   ordered_json material = wholeMaterial();
   material["extensions"]["KHR_materials_unlit"] = ordered_json::object();
   const auto character = importMaterial(material, 3);
@@ -126,7 +126,7 @@ TEST(GltfMaterial, UnlitOnesNeedNoMaps) {
   EXPECT_TRUE(character.value()->textures.empty());
 }
 
-TEST(GltfMaterial, BrokenMapsAreLeftOutAndWrongOnesRefused) {
+TEST(GltfMaterial, BrokenMapsAreSkippedAndInvalidOnesRefused) {
   const auto character = importMaterial(wholeMaterial(), 3, "missing.png");
   ASSERT_TRUE(character.ok());
   const Material& read = character.value()->materials.at(0);

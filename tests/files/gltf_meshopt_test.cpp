@@ -29,12 +29,12 @@ class GltfMeshopt : public ::testing::Test {
   TemporaryFolder folder_;
 };
 
-TEST_F(GltfMeshopt, ShowsWhatThePlainFileShows) {
+TEST_F(GltfMeshopt, MatchesThePlainFile) {
   expectShown(meshoptPost(false), 1e-6);
   expectShown(meshoptPost(true), 1e-6);
 }
 
-TEST_F(GltfMeshopt, IsTheSameCharacterToTheBit) {
+TEST_F(GltfMeshopt, GivesTheSameCharacterBitForBit) {
   const auto plain = importGltf(folder_.write("plain.glb", makePost().file.glb()));
   const auto packed = importGltf(folder_.write("packed.glb", meshoptPost(true).file.glb()));
   ASSERT_TRUE(plain.ok() && packed.ok());
@@ -42,13 +42,13 @@ TEST_F(GltfMeshopt, IsTheSameCharacterToTheBit) {
   EXPECT_EQ(packed.value()->clips.at(0).channels.at(0).values, plain.value()->clips.at(0).channels.at(0).values);
 }
 
-TEST_F(GltfMeshopt, AFallbackIsNotOpened) {
+TEST_F(GltfMeshopt, FallbackBufferIsNotOpened) {
   Post post = meshoptPost();
   post.file.json["buffers"][1]["uri"] = "for-others.bin";
   expectShown(post, 1e-6);
 }
 
-TEST_F(GltfMeshopt, AViewWithoutTheExtensionNeedsBytesOfItsOwn) {
+TEST_F(GltfMeshopt, ViewWithoutTheExtensionNeedsItsOwnBytes) {
   Post post = meshoptPost();
   post.file.json["bufferViews"][0].erase("extensions");
   const auto imported = importGltf(folder_.write("post.glb", post.file.glb()));
@@ -56,7 +56,7 @@ TEST_F(GltfMeshopt, AViewWithoutTheExtensionNeedsBytesOfItsOwn) {
   EXPECT_EQ(imported.error().place, "buffers[1]");
 }
 
-TEST_F(GltfMeshopt, PositionsMayHaveExponents) {
+TEST_F(GltfMeshopt, PositionsMayUseTheExponentialFilter) {
   Post post = makePost();
   std::vector<float> packed(post.positions.size());
   meshopt_encodeFilterExp(packed.data(), 12, 12, 24, post.positions.data());
@@ -65,7 +65,7 @@ TEST_F(GltfMeshopt, PositionsMayHaveExponents) {
   expectShown(post, 1e-6);
 }
 
-TEST_F(GltfMeshopt, ClipsMayHaveFilteredRotations) {
+TEST_F(GltfMeshopt, RotationsMayUseTheQuaternionFilter) {
   Post post = makePost();
   const float half = std::sqrt(0.5f);
   const std::vector<float> turns{0, 0, 0, 1, half, 0, 0, half};
@@ -104,7 +104,7 @@ std::vector<float> undone(const std::vector<Number>& packed, std::size_t count, 
 }
 
 /// Any number of elements, of which the library takes four at once.
-TEST(MeshoptView, FiltersComeBackWithinTheirStep) {
+TEST(MeshoptView, FiltersRoundTripWithinTheirPrecision) {
   for (unsigned seed = 0; seed < 40; ++seed) {
     std::mt19937 random(seed);
     const std::size_t count = 1 + random() % 40;
@@ -138,7 +138,7 @@ TEST(MeshoptView, FiltersComeBackWithinTheirStep) {
   }
 }
 
-TEST_F(GltfMeshopt, OpensNoBytesThatAreCutOff) {
+TEST_F(GltfMeshopt, RefusesTruncatedBytes) {
   for (const char* part : {"POSITION", "indices"}) {
     Post whole = meshoptPost();
     const int view = viewOfPart(whole, part);
@@ -153,7 +153,7 @@ TEST_F(GltfMeshopt, OpensNoBytesThatAreCutOff) {
   }
 }
 
-TEST_F(GltfMeshopt, FlippedBytesDoNoHarm) {
+TEST_F(GltfMeshopt, FlippedBytesAreSafe) {
   flipBytes(meshoptPost(false).file.glb(), "flipped.glb", 400);
   flipBytes(meshoptPost(true).file.glb(), "flipped.glb", 400);
 }
@@ -169,7 +169,7 @@ void PrintTo(const MeshoptTrap& trap, std::ostream* out) { *out << trap.name; }
 
 class GltfMeshoptTrap : public ::testing::TestWithParam<MeshoptTrap> {};
 
-TEST_P(GltfMeshoptTrap, IsRefusedWithItsPlaceAndReason) {
+TEST_P(GltfMeshoptTrap, IsRefusedWithPlaceAndReason) {
   const TemporaryFolder folder;
   Post post = meshoptPost();
   const int view = viewOfPart(post, "POSITION");

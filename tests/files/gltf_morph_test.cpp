@@ -55,14 +55,14 @@ void expectAsMovedBase(const std::filesystem::path& file, std::uint64_t seed) {
 
 class MorphForms : public ::testing::TestWithParam<DeltaForm> {};
 
-TEST_P(MorphForms, GiveTheMeshOfMovedBasePositions) {
+TEST_P(MorphForms, MatchAMeshWithMovedBasePositions) {
   const TemporaryFolder folder;
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
     expectAsMovedBase(folder.write("post.glb", makeMorphingPost(4, seed, GetParam()).file.glb()), seed + 100);
   }
 }
 
-TEST_P(MorphForms, PlayAsTheFileSays) {
+TEST_P(MorphForms, PlayAsInTheFile) {
   const TemporaryFolder folder;
   for (std::uint64_t seed = 0; seed < 10; ++seed) {
     expectSkinsLikeTheFile(folder.write("post.glb", makeMorphingPost(3, seed, GetParam()).file.glb()));
@@ -72,13 +72,13 @@ TEST_P(MorphForms, PlayAsTheFileSays) {
 INSTANTIATE_TEST_SUITE_P(Forms, MorphForms,
                          ::testing::Values(DeltaForm::kFloats, DeltaForm::kSparse, DeltaForm::kShorts));
 
-TEST(GltfMorphs, ARealFaceIsThatOfMovedBasePositions) {
+TEST(GltfMorphs, RealFaceMatchesMovedBasePositions) {
   const auto file = characterFile("RobotExpressive.glb");
   if (!file) SINEW_SKIP_WITHOUT_CHARACTERS();
   for (std::uint64_t seed = 0; seed < 5; ++seed) expectAsMovedBase(*file, seed);
 }
 
-TEST(GltfMorphs, SteppedAndCubicWeightsPlayAsTheFileSays) {
+TEST(GltfMorphs, StepAndCubicWeightsPlayAsInTheFile) {
   const TemporaryFolder folder;
   for (const bool cubic : {false, true}) {
     for (std::uint64_t seed = 0; seed < 10; ++seed) {
@@ -92,7 +92,7 @@ TEST(GltfMorphs, SteppedAndCubicWeightsPlayAsTheFileSays) {
   }
 }
 
-TEST(GltfMorphs, WeightsOfTheNodeCountBeforeThoseOfTheMesh) {
+TEST(GltfMorphs, NodeWeightsOverrideMeshWeights) {
   const TemporaryFolder folder;
   Post post = makeMorphingPost(2, 3);
   post.file.json["animations"][0]["channels"].erase(1);
@@ -106,7 +106,7 @@ TEST(GltfMorphs, WeightsOfTheNodeCountBeforeThoseOfTheMesh) {
   expectSkinsLikeTheFile(folder.path() / "node.glb");
 }
 
-TEST(GltfMorphs, NamesAreTheFilesOrTheNodesWithANumber) {
+TEST(GltfMorphs, NamesComeFromTheFileOrTheNode) {
   const TemporaryFolder folder;
   Post post = makeMorphingPost(3, 1);
   post.file.json["meshes"][0]["extras"]["targetNames"] = {"smile", 7};
@@ -118,7 +118,7 @@ TEST(GltfMorphs, NamesAreTheFilesOrTheNodesWithANumber) {
 }
 
 /// Elsewhere than beside what has moved the normals keep their bits; positions everywhere.
-TEST(GltfMorphs, WhatDoesNotMoveKeepsItsBits) {
+TEST(GltfMorphs, UnmovedVerticesKeepTheirBits) {
   const TemporaryFolder folder;
   Post post = makeMorphingPost(0, 0);
   std::vector<float> deltas(post.positions.size(), 0.0f);
@@ -152,7 +152,7 @@ TEST(GltfMorphs, WhatDoesNotMoveKeepsItsBits) {
 }
 
 /// The result is that of the weights at hand, whatever the memory held before.
-TEST(GltfMorphs, MemoryOfFormerWeightsChangesNothing) {
+TEST(GltfMorphs, ResultDoesNotDependOnPreviousWeights) {
   const TemporaryFolder folder;
   const auto character = importGltf(folder.write("post.glb", makeMorphingPost(3, 5).file.glb())).value();
   Random random(9);
@@ -185,7 +185,7 @@ std::vector<glm::dvec3> fanNormals(const ControlMesh& sharp, const std::vector<g
   return sums;
 }
 
-TEST(GltfMorphs, CreasesTurnWithTheirFaces) {
+TEST(GltfMorphs, CreasesRotateWithTheirFaces) {
   const TemporaryFolder folder;
   for (std::uint64_t seed = 0; seed < 10; ++seed) {
     const auto character = importGltf(folder.write("post.glb", makeMorphingPost(3, seed).file.glb())).value();
@@ -217,14 +217,14 @@ class BadMorphs : public ::testing::Test {
   Post post_ = makeMorphingPost(2, 1);
 };
 
-TEST_F(BadMorphs, CountsThatDoNotFitAreRefused) {
+TEST_F(BadMorphs, MismatchedCountsAreRefused) {
   post_.primitive()["targets"][0]["POSITION"] = post_.file.accessor(std::vector<float>(9, 0.5f), "VEC3");
   const auto imported = import();
   ASSERT_FALSE(imported.ok());
   EXPECT_NE(imported.error().reason.find("3 deltas for 12 positions"), std::string::npos) << imported.error().text();
 }
 
-TEST_F(BadMorphs, DeltasThatAreNotFiniteAreNoted) {
+TEST_F(BadMorphs, NonFiniteDeltasAreReported) {
   std::vector<float> deltas(36, 0.125f);
   deltas[4] = std::numeric_limits<float>::quiet_NaN();
   deltas[9] = 1e30f;
@@ -237,7 +237,7 @@ TEST_F(BadMorphs, DeltasThatAreNotFiniteAreNoted) {
 }
 
 /// Whatever a file asks for, positions stay numbers.
-TEST_F(BadMorphs, HugeWeightsAreBrokenOff) {
+TEST_F(BadMorphs, HugeWeightsAreClamped) {
   post_.file.json["meshes"][0]["weights"] = {1e30, -1e30};
   setWeightKeys(post_, {0.0f, 1e-6f, 1.0f}, std::vector<float>(18, 1e15f), "CUBICSPLINE");
   const auto imported = import();
@@ -254,14 +254,14 @@ TEST_F(BadMorphs, HugeWeightsAreBrokenOff) {
   }
 }
 
-TEST_F(BadMorphs, MoreThanOneThousandAreRefused) {
+TEST_F(BadMorphs, TooManyTargetsAreRefused) {
   for (int i = 0; i < 1023; ++i) post_.primitive()["targets"].push_back(ordered_json::object());
   const auto imported = import();
   ASSERT_FALSE(imported.ok());
   EXPECT_NE(imported.error().text().find("1,024 morph targets"), std::string::npos) << imported.error().text();
 }
 
-TEST_F(BadMorphs, WeightKeysThatDoNotFitAreRefused) {
+TEST_F(BadMorphs, MismatchedWeightKeysAreRefused) {
   setWeightKeys(post_, {0.0f, 1.0f}, {0.0f, 1.0f, 0.5f}, "LINEAR");
   const auto imported = import();
   ASSERT_FALSE(imported.ok());

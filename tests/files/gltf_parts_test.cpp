@@ -29,7 +29,7 @@ std::vector<std::string> namesOf(const Character& character) {
 
 using Names = std::vector<std::string>;
 
-TEST(GltfParts, AMeshIsAPartAndAMaterialIsOneWhereTheMeshHasSeveral) {
+TEST(GltfParts, PartsAreMeshesOrTheirMaterials) {
   test::Post post = test::makePost();
   EXPECT_EQ(namesOf(*importOf(post)), Names{"default"}) << "the mesh has no name";
   post.file.json["meshes"][0]["name"] = "Post";
@@ -54,7 +54,7 @@ TEST(GltfParts, AMeshIsAPartAndAMaterialIsOneWhereTheMeshHasSeveral) {
   EXPECT_EQ(namesOf(*importOf(post)), (Names{"Wood", "material 2"})) << "a material without a name gets one";
 }
 
-TEST(GltfParts, AMeshThatNodesShowTwiceIsOnePartAndWhatCollapsesIsNone) {
+TEST(GltfParts, MeshUsedTwiceIsOnePartAndACollapsedMeshIsNone) {
   test::Post post = test::makePost();
   post.file.json["meshes"][0]["name"] = "Post";
   auto& nodes = post.file.json["nodes"];
@@ -70,7 +70,7 @@ TEST(GltfParts, AMeshThatNodesShowTwiceIsOnePartAndWhatCollapsesIsNone) {
   EXPECT_EQ(namesOf(*character), Names{"Post"});
 }
 
-TEST(GltfParts, ADressedBodyHasItsClothesByName) {
+TEST(GltfParts, DressedBodyHasNamedClothes) {
   const auto dressed = test::dressedHumanoid();
   EXPECT_EQ(namesOf(*dressed), (Names{"humanoid", "Shirt", "Trousers", "Eyes", "Hair"}));
   std::set<int> used;
@@ -78,7 +78,7 @@ TEST(GltfParts, ADressedBodyHasItsClothesByName) {
   EXPECT_EQ(used.size(), dressed->parts.size());
 }
 
-TEST(GltfParts, RealCharactersHaveUniqueNamesForAllTheirTriangles) {
+TEST(GltfParts, RealCharactersHaveUniquePartNames) {
   for (const char* file : {"man.glb", "woman.glb", "fighter.glb", "RobotExpressive.glb", "Bull.glb", "Fox.glb"}) {
     const auto path = test::characterFile(file);
     if (!path) SINEW_SKIP_WITHOUT_CHARACTERS();

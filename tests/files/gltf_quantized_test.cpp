@@ -123,7 +123,7 @@ INSTANTIATE_TEST_SUITE_P(, GltfQuantized,
                          testing::Values(Rounding{14}, Rounding{13}, Rounding{16}, Rounding{0},
                                          Rounding{14, Packed::kMeshopt}, Rounding{0, Packed::kMeshopt}));
 
-TEST_P(GltfQuantized, MeshesOnGridsOfTheirOwnStayOneSkin) {
+TEST_P(GltfQuantized, MeshesOnDifferentGridsStayOneSkin) {
   const Borders whole = bordersOf(folder_.write("whole.glb", makePost().file.glb()));
   ASSERT_EQ(whole.edges, 0);
   for (const double shift : {0.0, 0.0123, 0.04567, 0.0891}) {
@@ -133,7 +133,7 @@ TEST_P(GltfQuantized, MeshesOnGridsOfTheirOwnStayOneSkin) {
   }
 }
 
-TEST_P(GltfQuantized, WhatIsFartherApartThanRoundingGoesStaysApart) {
+TEST_P(GltfQuantized, MeshesBeyondRoundingStaySeparate) {
   // The upper half is 0.15 % of the height up.
   Post moved = twoMeshes(GetParam());
   for (std::size_t i = 1; i < moved.positions.size(); i += 3) moved.positions[i] += 0.003f;
@@ -144,7 +144,7 @@ TEST_P(GltfQuantized, WhatIsFartherApartThanRoundingGoesStaysApart) {
 }
 
 /// On one grid, what met is in one place still, and what did not is not.
-TEST(GltfQuantizedTogether, OnOneGridNothingIsJoinedThatIsAStepApart) {
+TEST(GltfQuantizedOnOneGrid, VerticesOneStepApartAreNotJoined) {
   TemporaryFolder folder;
   Post post = twoMeshes({0});
   ordered_json& file = post.file.json;

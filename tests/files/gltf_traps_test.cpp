@@ -47,7 +47,7 @@ void expectPost(const Character& character) {
   EXPECT_TRUE(topologyOf(character.mesh).closed());
 }
 
-TEST_F(GltfTrap, SparsePositions) {
+TEST_F(GltfTrap, SparsePositionsAreImported) {
   Post post = makePost();
   ordered_json& accessor = post.file.json["accessors"][post.attributes()["POSITION"].get<std::size_t>()];
   const int indices = post.file.viewOf(std::vector<std::uint8_t>{8, 11});
@@ -60,7 +60,7 @@ TEST_F(GltfTrap, SparsePositions) {
   EXPECT_EQ(character->height, 3.0f);
 }
 
-TEST_F(GltfTrap, SparseWithoutABaseStartsFromZero) {
+TEST_F(GltfTrap, SparseAccessorWithoutABaseStartsFromZero) {
   Post post = makePost();
   std::vector<std::uint16_t> all(12);
   for (std::uint16_t i = 0; i < 12; ++i) all[i] = i;
@@ -73,7 +73,7 @@ TEST_F(GltfTrap, SparseWithoutABaseStartsFromZero) {
   expectPost(*import(post, false));
 }
 
-TEST_F(GltfTrap, MoreThanFourJointsAVertex) {
+TEST_F(GltfTrap, MoreThanFourJointsPerVertexAreImported) {
   Post post = makePost();
   std::vector<std::uint8_t> joints(48, 0);
   std::vector<float> weights(48, 0.0f);
@@ -89,7 +89,7 @@ TEST_F(GltfTrap, MoreThanFourJointsAVertex) {
   EXPECT_NEAR(character->mesh.influencesOf(0)[1].weight, 0.5f, 1e-6f);
 }
 
-TEST_F(GltfTrap, NormalizedIntegerWeightsAndShortJoints) {
+TEST_F(GltfTrap, NormalizedIntegerWeightsAndShortJointsAreImported) {
   for (const bool bytes : {true, false}) {
     Post post = makePost();
     std::vector<std::uint8_t> asBytes;
@@ -106,7 +106,7 @@ TEST_F(GltfTrap, NormalizedIntegerWeightsAndShortJoints) {
   }
 }
 
-TEST_F(GltfTrap, WeightsThatDoNotSumToOneAreScaled) {
+TEST_F(GltfTrap, WeightsAreNormalized) {
   Post post = makePost();
   for (float& weight : post.weights) weight *= 3.0f;
   post.attributes()["WEIGHTS_0"] = post.file.accessor(post.weights, "VEC4");
@@ -114,7 +114,7 @@ TEST_F(GltfTrap, WeightsThatDoNotSumToOneAreScaled) {
   EXPECT_NEAR(character->mesh.influencesOf(0)[0].weight, 1.0f, 1e-6f);
 }
 
-TEST_F(GltfTrap, WeightsBelowZeroCountAsZeroAndAreToldOf) {
+TEST_F(GltfTrap, NegativeWeightsAreZeroWithANote) {
   Post post = makePost();
   for (std::size_t v = 0; v < 12; ++v) {
     post.weights[4 * v + 2] = -0.25f;
@@ -140,7 +140,7 @@ TEST_F(GltfTrap, ZeroWeightsFollowTheFirstJoint) {
   EXPECT_TRUE(mentions(*character, "weights are all zero"));
 }
 
-TEST_F(GltfTrap, InterleavedVertices) {
+TEST_F(GltfTrap, InterleavedVerticesAreImported) {
   Post post = makePost();
   std::vector<float> rows;
   for (std::size_t v = 0; v < 12; ++v) {
@@ -159,7 +159,7 @@ TEST_F(GltfTrap, InterleavedVertices) {
   expectPost(*import(post));
 }
 
-TEST_F(GltfTrap, NoIndices) {
+TEST_F(GltfTrap, UnindexedPrimitivesAreImported) {
   Post post = makePost();
   std::vector<float> positions;
   std::vector<float> weights;
@@ -205,7 +205,7 @@ TEST_F(GltfTrap, StripsAndFansKeepTheirWinding) {
   }
 }
 
-TEST_F(GltfTrap, PointsLinesAndFurtherColorsAreListed) {
+TEST_F(GltfTrap, PointsLinesAndFurtherColorsAreReported) {
   Post post = makePost();
   post.attributes()["COLOR_1"] = post.file.accessor(std::vector<float>(48, 1.0f), "VEC4");
   ordered_json points = post.primitive();
@@ -224,7 +224,7 @@ TEST_F(GltfTrap, PointsLinesAndFurtherColorsAreListed) {
   EXPECT_FALSE(mentions(*character, "KHR_texture_transform"));
 }
 
-TEST_F(GltfTrap, ScenesBesidesTheDefaultAreLeftOut) {
+TEST_F(GltfTrap, OnlyTheDefaultSceneIsImported) {
   Post post = makePost();
   post.file.json["nodes"].push_back({{"mesh", 0}});
   post.file.json["scenes"].push_back({{"nodes", {3}}});
@@ -235,7 +235,7 @@ TEST_F(GltfTrap, ScenesBesidesTheDefaultAreLeftOut) {
   EXPECT_TRUE(mentions(*character, "meshes outside"));
 }
 
-TEST_F(GltfTrap, QuantizedPositions) {
+TEST_F(GltfTrap, QuantizedPositionsAreImported) {
   Post post = makePost();
   std::vector<std::int16_t> positions;
   for (const float p : post.positions) positions.push_back(static_cast<std::int16_t>(std::lround(100.0f * p)));
@@ -249,7 +249,7 @@ TEST_F(GltfTrap, QuantizedPositions) {
 }
 
 /// KHR_texture_transform is taken into the uv: rotate a quarter turn, scale, shift.
-TEST_F(GltfTrap, TextureTransformMovesTheUv) {
+TEST_F(GltfTrap, TextureTransformIsAppliedToTheUv) {
   Post post = makePost();
   std::vector<std::uint16_t> uv;
   for (std::size_t v = 0; v < 12; ++v) uv.insert(uv.end(), {65535, 0});
@@ -269,7 +269,7 @@ TEST_F(GltfTrap, TextureTransformMovesTheUv) {
   EXPECT_TRUE(mentions(*character, "missing.png")) << "a missing texture does not stop the import";
 }
 
-TEST_F(GltfTrap, MaterialsTheyFallBackTo) {
+TEST_F(GltfTrap, MaterialsHaveFallbacks) {
   Post post = makePost();
   ordered_json glossy{{"diffuseFactor", {0.1, 0.2, 0.3, 1.0}}, {"glossinessFactor", 0.25}};
   post.file.json["materials"] = {{{"name", "skin"}, {"extensions", {{"KHR_materials_pbrSpecularGlossiness", glossy}}}},

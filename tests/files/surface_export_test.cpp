@@ -139,7 +139,7 @@ TEST_F(SurfaceExport, ObjKeepsSeamsInItsTextureCoordinates) {
   }
 }
 
-TEST_F(SurfaceExport, ObjNamesMaterialsAndBringsTheirTextures) {
+TEST_F(SurfaceExport, ObjNamesMaterialsAndWritesTheirTextures) {
   const Obj obj = readObj(exported("my tube.obj"));
   ASSERT_EQ(obj.library, "my_tube.mtl");
   for (std::size_t t = 0; t < obj.faces.size(); ++t) {
@@ -162,7 +162,7 @@ Value readAt(const std::string& bytes, std::size_t at) {
   return value;
 }
 
-TEST_F(SurfaceExport, PlyHoldsEveryDrawnVertexAndTriangle) {
+TEST_F(SurfaceExport, PlyContainsEveryDrawnVertexAndTriangle) {
   const std::string bytes = exported("tube.PLY");
   const Refinement& refinement = *surface_.refinement;
   const std::string end = "end_header\n";
@@ -186,7 +186,7 @@ TEST_F(SurfaceExport, PlyHoldsEveryDrawnVertexAndTriangle) {
   }
 }
 
-TEST_F(SurfaceExport, GlbIsLaidOutAsItsHeaderSays) {
+TEST_F(SurfaceExport, GlbLayoutMatchesItsHeader) {
   const std::string bytes = exported("tube.glb");
   ASSERT_EQ(readAt<std::uint32_t>(bytes, 0), 0x46546C67u);
   EXPECT_EQ(readAt<std::uint32_t>(bytes, 4), 2u);
@@ -209,7 +209,7 @@ TEST_F(SurfaceExport, GlbIsLaidOutAsItsHeaderSays) {
   }
 }
 
-TEST_F(SurfaceExport, GlbComesBackThroughTheImporter) {
+TEST_F(SurfaceExport, GlbCanBeImported) {
   exported("tube.glb");
   const auto imported = importGltf(folder_ / "tube.glb");
   ASSERT_TRUE(imported.ok()) << imported.error().text();
@@ -228,7 +228,7 @@ TEST_F(SurfaceExport, GlbComesBackThroughTheImporter) {
   EXPECT_TRUE(back.ignored.empty()) << back.ignored.front();
 }
 
-TEST_F(SurfaceExport, NamesThatAreNoUtf8AreMended) {
+TEST_F(SurfaceExport, InvalidUtf8NamesAreRepaired) {
   Character named = *character_;
   named.name = "tube\xff";
   for (Material& material : named.materials) material.name = "skin\xfe";
@@ -293,7 +293,7 @@ TEST_F(CreasedExport, PlyAndGlbHaveTheSameNormals) {
   }
 }
 
-TEST_F(SurfaceExport, OtherEndingsAndUnwritablePlacesAreErrors) {
+TEST_F(SurfaceExport, OtherExtensionsAndUnwritablePathsAreErrors) {
   for (const char* name : {"tube.stl", "tube", "tube.obj.bak", ".obj"}) {
     EXPECT_FALSE(isExportName(name)) << name;
     EXPECT_FALSE(exportSurface(surface_, *character_, folder_ / name).ok()) << name;

@@ -27,7 +27,7 @@ class VrmFile : public ::testing::TestWithParam<bool> {
   Post post_ = makeMorphingPost(3, 1);
 };
 
-TEST_P(VrmFile, BonesAreSure) {
+TEST_P(VrmFile, BonesHaveSureConfidence) {
   const auto character = import().value();
   const BodySlots slots = bodySlots(*character, makeMirrorPlan(*character));
   const auto boneAt = [&](Slot slot) {
@@ -46,7 +46,7 @@ TEST_P(VrmFile, BonesAreSure) {
 }
 
 /// No bone is two parts, whatever the search has made of it.
-TEST_P(VrmFile, NoBoneIsTwoParts) {
+TEST_P(VrmFile, BoneIsAtMostOnePart) {
   for (const char* as : {"spine", "chest", "upperChest", "neck", "head", "leftHand"}) {
     ordered_json& bones = vrm()["humanoid"]["humanBones"];
     bones = GetParam() ? ordered_json{{as, {{"node", 2}}}} : ordered_json::array({{{"bone", as}, {"node", 2}}});
@@ -57,7 +57,7 @@ TEST_P(VrmFile, NoBoneIsTwoParts) {
   }
 }
 
-TEST_P(VrmFile, AnExpressionIsAShapeThatSetsItsTargets) {
+TEST_P(VrmFile, ExpressionSetsItsTargets) {
   const auto character = import().value();
   EXPECT_EQ(morphNames(*character), (std::vector<std::string>{"happy", morphName(0), morphName(1), morphName(2)}));
   Rig rig;
@@ -69,14 +69,14 @@ TEST_P(VrmFile, AnExpressionIsAShapeThatSetsItsTargets) {
   EXPECT_FLOAT_EQ(weights[2], 0.9f);
 }
 
-TEST_P(VrmFile, AnExpressionCalledAsATargetIsToldApart) {
+TEST_P(VrmFile, ExpressionNamedLikeATargetIsDisambiguated) {
   post_.file.json["meshes"][0]["extras"]["targetNames"][1] = "happy";
   const auto character = import().value();
   EXPECT_EQ(morphNames(*character).front(), "happy (expression)");
 }
 
 /// Whatever stands in the extension, the character opens, and what is read of it names what is there.
-TEST_P(VrmFile, FaultsDoNoHarm) {
+TEST_P(VrmFile, FaultyExtensionsAreSafe) {
   const ordered_json sound = post_.file.json["extensions"];
   const std::vector<ordered_json> odd{nullptr,
                                       -1,

@@ -104,7 +104,7 @@ void expectSameGeometry(const ControlMesh& a, const ControlMesh& b) {
   }
 }
 
-TEST(Creases, EveryCornerOfACubeHasItsThreeFaces) {
+TEST(Creases, EveryCubeCornerIsSplitIntoThree) {
   const ControlMesh cube = test::makeCube()->mesh;
   ASSERT_EQ(cube.wedges.size(), 8u);
   for (const float degrees : {0.0f, 30.0f, 89.0f}) {
@@ -123,7 +123,7 @@ TEST(Creases, EveryCornerOfACubeHasItsThreeFaces) {
   }
 }
 
-TEST(Creases, CylindersAreSplitAtTheirCapsAlone) {
+TEST(Creases, CylindersAreSplitOnlyAtTheirCaps) {
   const ControlMesh round = prism(24);  // 15 degrees from side to side
   const ControlMesh sharp = creased(round, 40.0f);
   expectSameGeometry(round, sharp);
@@ -141,7 +141,7 @@ TEST(Creases, CylindersAreSplitAtTheirCapsAlone) {
   EXPECT_EQ(creased(round, 15.0f).wedges.size(), 2 * round.positions.size()) << "as sharp as the angle is no crease";
 }
 
-TEST(Creases, RoundMeshesStayAsTheyAre) {
+TEST(Creases, RoundMeshesAreUnchanged) {
   for (const auto& character : {test::makeLimb(), test::makeStrip()}) {
     const ControlMesh same = creased(character->mesh, 60.0f);
     expectSameGeometry(character->mesh, same);
@@ -150,7 +150,7 @@ TEST(Creases, RoundMeshesStayAsTheyAre) {
   }
 }
 
-TEST(Creases, ACreaseThatEndsInTheMeshSplitsNothingAtItsEnd) {
+TEST(Creases, CreaseEndingInTheMeshDoesNotSplitItsEnd) {
   // A fold from the left border to the middle; to the right of it the sheet is one smooth fan.
   const ControlMesh fold =
       meshOf({{0, 0, 0}, {-1, 0, 0}, {-0.3f, -1, -1}, {-0.3f, 1, -1}, {1, -1, -0.3f}, {1, 1, -0.3f}},
@@ -160,7 +160,7 @@ TEST(Creases, ACreaseThatEndsInTheMeshSplitsNothingAtItsEnd) {
   for (const Wedge& wedge : sharp.wedges) EXPECT_EQ(wedge.creased, wedge.vertex == 1) << wedge.vertex;
 }
 
-TEST(Creases, TrianglesWithoutAreaGoWithTheirLongestEdge) {
+TEST(Creases, DegenerateTrianglesFollowTheirLongestEdge) {
   // Two halves of a square; one has a corner on their common diagonal, and a sliver closes the gap.
   const auto square = [](float lift) {
     return meshOf({{0, 0, 0}, {2, 2, 0}, {1, 1, 0}, {2, 0, lift}, {0, 2, 0}},
@@ -174,7 +174,7 @@ TEST(Creases, TrianglesWithoutAreaGoWithTheirLongestEdge) {
   EXPECT_EQ(folded.triangles[0].wedges[0], folded.triangles[1].wedges[0]);
 }
 
-TEST(Creases, EdgesOfManyTrianglesJoinThoseThatGoOnSmoothly) {
+TEST(Creases, NonManifoldEdgesJoinSmoothNeighbors) {
   // A floor of two halves with a wall on their common edge.
   const ControlMesh wall =
       meshOf({{0, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {1, 0, 0}, {0, 0, 1}}, {{0, 1, 2}, {1, 0, 3}, {0, 1, 4}});
@@ -269,7 +269,7 @@ TEST(Creases, RandomSheetsMatchASlowSearch) {
   EXPECT_GT(creases, 200);
 }
 
-TEST(Creases, CrumpledMeshesGiveUnitNormalsAndTheSameEveryTime) {
+TEST(Creases, CrumpledMeshesGiveRepeatableUnitNormals) {
   for (std::uint32_t seed = 0; seed < 20; ++seed) {
     const ControlMesh mesh = shakenSheet(6, seed % 3 == 0 ? 1e-9f : 4.0f, seed);
     for (const float degrees : {0.0f, 1e-6f, 50.0f, 179.9f}) {

@@ -27,7 +27,7 @@ TEST(IsFlat, DoesNotDependOnScale) {
   }
 }
 
-TEST(IsFlat, WhatIsZeroOrNotFiniteIsFlat) {
+TEST(IsFlat, ZeroAndNonFiniteMatricesAreFlat) {
   EXPECT_TRUE(isFlat(glm::dmat3(0.0)));
   glm::dmat3 squashed(1.0);
   squashed[1] = glm::dvec3(0.0);

@@ -8,7 +8,7 @@
 namespace sinew::test {
 namespace {
 
-TEST(InstructionSetScope, LeavesWhatWasChosenBefore) {
+TEST(InstructionSetScope, RestoresThePreviousChoice) {
   const InstructionSet widest = chosenInstructionSet();
   {
     const InstructionSetScope outer(InstructionSet::kScalar);

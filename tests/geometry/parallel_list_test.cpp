@@ -9,7 +9,7 @@
 namespace sinew::test {
 namespace {
 
-TEST(ParallelList, IsThatOfOneLoopWhateverTheThreads) {
+TEST(ParallelList, MatchesASequentialLoop) {
   std::mt19937 random(7);
   for (const std::size_t count : {0u, 1u, 63u, 64u, 65u, 640u, 5'000u, 100'001u}) {
     for (const unsigned rarity : {1u, 3u, 1000u}) {

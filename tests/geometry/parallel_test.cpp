@@ -12,7 +12,7 @@
 namespace sinew::test {
 namespace {
 
-TEST(Parallel, EveryIndexComesOnceWhateverTheThreads) {
+TEST(Parallel, EveryIndexIsVisitedOnce) {
   for (const int most : {0, 1, 2, 3, 8}) {
     const ThreadLimit limit(most);
     for (const std::size_t count : {std::size_t{0}, std::size_t{1}, std::size_t{63}, std::size_t{10'000}}) {
@@ -28,7 +28,7 @@ TEST(Parallel, EveryIndexComesOnceWhateverTheThreads) {
   }
 }
 
-TEST(Parallel, LimitsHoldInsideAndEndWithTheirScope) {
+TEST(Parallel, ThreadLimitLastsForItsScope) {
   const int before = threadCount();
   {
     const ThreadLimit limit(2);
@@ -46,7 +46,7 @@ TEST(Parallel, LimitsHoldInsideAndEndWithTheirScope) {
   EXPECT_EQ(threadCount(), before);
 }
 
-TEST(Parallel, WhatIsThrownIsThrownAgain) {
+TEST(Parallel, ExceptionsPropagate) {
   for (const int most : {1, 4}) {
     const ThreadLimit limit(most);
     const auto thrower = [](std::size_t i) {

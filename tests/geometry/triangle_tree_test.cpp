@@ -34,7 +34,7 @@ std::optional<bool> goesThrough(const TriangleCorners& triangle, const glm::dvec
   return along > 0.0;
 }
 
-TEST(TriangleTree, RaysMeetWhatTheyMeet) {
+TEST(TriangleTree, RayHitsMatchASearch) {
   std::mt19937 random(3);
   std::uniform_real_distribution<float> anywhere(-1.0f, 1.0f);
   const auto point = [&](float size) { return size * glm::vec3(anywhere(random), anywhere(random), anywhere(random)); };

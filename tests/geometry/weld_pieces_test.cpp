@@ -49,7 +49,7 @@ TriangleSoup inRoundedPieces(const TriangleSoup& whole, std::uint32_t trianglesI
   return soup;
 }
 
-TEST(Weld, PiecesThatWereRoundedApartMeetAgain) {
+TEST(Weld, PiecesSeparatedByRoundingAreJoined) {
   const TriangleSoup whole = torus(40, 23);
   const ControlMesh expected = weld(whole, kPieceTolerance);
   for (const float step : {1e-5f, 1e-4f, 1e-3f}) {
@@ -66,7 +66,7 @@ TEST(Weld, PiecesThatWereRoundedApartMeetAgain) {
   }
 }
 
-TEST(Weld, WithinAPieceRoundingPartsNothing) {
+TEST(Weld, RoundingToleranceAppliesOnlyBetweenPieces) {
   TriangleSoup soup = hinge({{0, 1.0f}}, {{0, 1.0f}});
   for (const std::size_t v : {3u, 4u}) soup.positions[v].z = 1e-4f;
   soup.pieces.assign(2, {1e-3f, 0.01f});

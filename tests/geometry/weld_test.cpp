@@ -132,7 +132,7 @@ TEST(Weld, DifferentBindingsKeepVerticesApart) {
   EXPECT_EQ(weld(hinge({{0, 0.5f}, {1, 0.5f}}, {{0, 0.50005f}, {1, 0.49995f}}), kTolerance).positions.size(), 4u);
 }
 
-TEST(Weld, SeamsSplitWedgesAndNotVertices) {
+TEST(Weld, SeamsSplitWedgesButNotVertices) {
   const ControlMesh mesh = weld(hinge({{0, 1.0f}}, {{0, 1.0f}}, {0.5f, 0.25f}), kTolerance);
   EXPECT_EQ(mesh.positions.size(), 4u);
   EXPECT_EQ(mesh.wedges.size(), 6u);
@@ -143,7 +143,7 @@ TEST(Weld, SeamsSplitWedgesAndNotVertices) {
   }
 }
 
-TEST(Weld, DegenerateTrianglesAreCountedAndTheirVerticesVanish) {
+TEST(Weld, DegenerateTrianglesAreCountedAndTheirVerticesRemoved) {
   TriangleSoup soup = hinge({{0, 1.0f}}, {{0, 1.0f}});
   addVertex(soup, {7, 7, 7});
   addVertex(soup, {7, 7, 7 + 2e-7f});
@@ -157,7 +157,7 @@ TEST(Weld, DegenerateTrianglesAreCountedAndTheirVerticesVanish) {
   EXPECT_EQ(mesh.positions.size(), 4u);
 }
 
-TEST(Weld, EveryTriangleKnowsWhatBecomesOfIt) {
+TEST(Weld, EveryInputTriangleIsMappedToItsResult) {
   TriangleSoup soup = splitAtRandom(torus(12, 9), 5, 0.0f);
   const auto corner = soup.triangles[7];
   soup.triangles.insert(soup.triangles.begin() + 4, {corner[0], corner[0], corner[2]});
@@ -176,7 +176,7 @@ TEST(Weld, EveryTriangleKnowsWhatBecomesOfIt) {
   }
 }
 
-TEST(Weld, SliversStay) {
+TEST(Weld, SliversAreKept) {
   TriangleSoup soup;
   for (const float x : {0.0f, 1.0f, 2.0f}) addVertex(soup, {x, 0, 0});
   addTriangle(soup, 0, 1, 2);
@@ -185,7 +185,7 @@ TEST(Weld, SliversStay) {
   EXPECT_EQ(mesh.trianglesDropped, 0);
 }
 
-TEST(Weld, MinusZeroIsZero) {
+TEST(Weld, MinusZeroEqualsZero) {
   TriangleSoup soup = hinge({{0, 1.0f}}, {{0, 1.0f}});
   soup.positions[3].z = -0.0f;
   soup.uvs[4] = {-0.0f, 0.0f};
@@ -204,7 +204,7 @@ TEST(Weld, EmptySoupGivesAnEmptyMesh) {
 
 /// A hundred thousand vertices in one place, alike or each bound in its own way: a quadratic welder would not come
 /// back.
-TEST(Weld, CrowdsInOnePlaceAreNoTrouble) {
+TEST(Weld, ManyCoincidentVerticesAreFast) {
   for (const bool alike : {true, false}) {
     TriangleSoup soup;
     constexpr std::uint32_t kTriangles = 100'000;
@@ -223,7 +223,7 @@ TEST(Weld, CrowdsInOnePlaceAreNoTrouble) {
 
 /// Three sheets of different bones along one edge: no edge of the bound mesh has more than one triangle, the shape
 /// does.
-TEST(JoinedByPosition, ShowsWherePartsOfDifferentBonesMeet) {
+TEST(JoinedByPosition, JoinsPartsOfDifferentBones) {
   TriangleSoup soup;
   for (int sheet = 0; sheet < 3; ++sheet) {
     const auto base = static_cast<std::uint32_t>(soup.positions.size());
@@ -241,7 +241,7 @@ TEST(JoinedByPosition, ShowsWherePartsOfDifferentBonesMeet) {
   EXPECT_EQ(topologyOf(joined).nonManifoldEdges.size(), 1u);
 }
 
-TEST(JoinedByPosition, LeavesAWeldedMeshAsItIs) {
+TEST(JoinedByPosition, WeldedMeshIsUnchanged) {
   const ControlMesh mesh = weld(torus(7, 9), kTolerance);
   const ControlMesh joined = joinedByPosition(mesh, kTolerance);
   EXPECT_EQ(joined.positions, mesh.positions);
@@ -249,7 +249,7 @@ TEST(JoinedByPosition, LeavesAWeldedMeshAsItIs) {
 }
 
 // Two triangles on one edge, each with vertices of its own: how many wedges depends on the colors there alone.
-TEST(Weld, ColorsSplitWedgesAndNothingElse) {
+TEST(Weld, ColorsSplitOnlyWedges) {
   TriangleSoup soup;
   for (const glm::vec3& p : {glm::vec3(0, 0, 0), glm::vec3(1, 0, 0), glm::vec3(0, 1, 0), glm::vec3(1, 0, 0),
                              glm::vec3(1, 1, 0), glm::vec3(0, 1, 0)}) {

@@ -45,7 +45,7 @@ TEST(BundledLines, StayWithinPlausibleLengths) {
 }
 
 // A muscle that keeps its length in the gallop had better been left on its bone.
-TEST(BundledLines, OfTheHorseWorkInItsGallop) {
+TEST(BundledLines, ChangeLengthInTheHorsesGallop) {
   const Bundled horse("horse");
   for (const MuscleLine& line : horse.rig.lines) {
     const LineLengths lengths = horse.lengths(line, {&horse.clip("Gallop"), 1});

@@ -33,13 +33,13 @@ Rig rigKeyedIn(const std::vector<std::string>& clips) {
   return rig;
 }
 
-TEST(ClipKeys, AreCountedOfEveryOwner) {
+TEST(ClipKeys, AreCountedForEveryOwner) {
   const Rig rig = rigKeyedIn({"Walk", "Run"});
   EXPECT_EQ(countKeyTracks(rig, "Walk"), 5u);
   EXPECT_EQ(countKeyTracks(rig, "Jump"), 0u);
 }
 
-TEST(ClipKeys, GoWithTheirClipsAndBack) {
+TEST(ClipKeys, FollowRenamedClipsAndBack) {
   const Rig rig = rigKeyedIn({"Walk", "Walk 2", "Run", ""});
   const Rig swapped = withClipsRenamed(rig, {{"Walk", "Walk 2"}, {"Walk 2", "Walk"}});
   EXPECT_EQ(swapped.surface.animated[0].keys[0], track("Walk 2", 0.0f));
@@ -52,7 +52,7 @@ TEST(ClipKeys, GoWithTheirClipsAndBack) {
   EXPECT_EQ(withClipsRenamed(rig, {{"Walk", "Walk"}, {"Run", "Run"}}), rig);
 }
 
-TEST(ClipKeys, OfAClipThatIsNotThereGiveWay) {
+TEST(ClipKeys, OfAMissingClipAreReplaced) {
   const Rig rig = rigKeyedIn({"Walk", "Walk 2"});
   const Rig renamed = withClipsRenamed(rig, {{"Walk 2", "Walk"}});
   ASSERT_EQ(renamed.lines[0].animated[0].keys.size(), 1u);
@@ -66,7 +66,7 @@ TEST(ClipKeys, OfAClipThatIsNotThereGiveWay) {
 }
 
 /// Whatever permutation of names: as many tracks, and each clip once in every list.
-TEST(ClipKeys, NoListNamesAClipTwice) {
+TEST(ClipKeys, NeverNameAClipTwice) {
   std::mt19937 random(5);
   for (int trial = 0; trial < 50; ++trial) {
     std::vector<std::string> clips{"a", "b", "c", "d"};

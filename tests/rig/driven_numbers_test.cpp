@@ -24,12 +24,12 @@
 namespace sinew {
 namespace {
 
-struct Driven : testing::Test {
+struct DrivenParameters : testing::Test {
   std::shared_ptr<const Character> character = test::makeLimb();
   const Skeleton& skeleton = character->skeleton;
   Rig rig;
 
-  Driven() {
+  DrivenParameters() {
     Primitive belly;
     belly.name = "belly";
     belly.bone = "middle";
@@ -61,7 +61,7 @@ struct Driven : testing::Test {
   }
 };
 
-TEST_F(Driven, DriversJoinTheNumberInOrder) {
+TEST_F(DrivenParameters, DriversApplyInOrder) {
   drive(Parameter::kRadiusX, byBend(DriverMode::kAdd, {{0.0f, 0.0f}, {90.0f, 0.1f}}));
   EXPECT_NEAR(at(Parameter::kRadiusX, bentBy(45.0f)), 0.25f, 1e-4f);
   drive(Parameter::kRadiusX, byBend(DriverMode::kMultiply, {{0.0f, 1.0f}, {90.0f, 2.0f}}));
@@ -71,7 +71,7 @@ TEST_F(Driven, DriversJoinTheNumberInOrder) {
   EXPECT_EQ(at(Parameter::kRadiusY, bentBy(45.0f)), 0.3f) << "what is not driven stays";
 }
 
-TEST_F(Driven, KeysReplaceTheNumberInTheirClipAlone) {
+TEST_F(DrivenParameters, KeysReplaceTheNumberOnlyInTheirClip) {
   const AnimationClip& clip = character->clips.front();
   rig = setKey(rig, {Parameter::kRadiusX, 0}, clip.name, 0.5f, 0.4f).value();
   rig = setKey(rig, {Parameter::kRadiusX, 0}, clip.name, 1.5f, 0.8f).value();
@@ -86,7 +86,7 @@ TEST_F(Driven, KeysReplaceTheNumberInTheirClipAlone) {
   EXPECT_NEAR(at(Parameter::kRadiusX, samplePose(skeleton, clip, 1.0f)), 0.7f, 1e-5f) << "drivers join the keyed value";
 }
 
-TEST_F(Driven, ChannelsAreReadAtTheMoment) {
+TEST_F(DrivenParameters, ChannelsAreSampledAtTheCurrentTime) {
   const AnimationClip& clip = character->clips.front();
   rig = setChannelKey(rig, "effort", clip.name, 0.0f, 0.0f).value();
   rig = setChannelKey(rig, "effort", clip.name, 2.0f, 1.0f).value();
@@ -99,7 +99,7 @@ TEST_F(Driven, ChannelsAreReadAtTheMoment) {
   EXPECT_EQ(at(Parameter::kRadiusX, bindPose(skeleton)), 0.2f);
 }
 
-TEST_F(Driven, LengthsAreThoseOfTheLineAsItIsDrawn) {
+TEST_F(DrivenParameters, LengthsUseTheUnanimatedLine) {
   MuscleLine line;
   line.name = "flexor";
   line.origin = {"root", {0.1f, 0.2f, 0.0f}, {}};
@@ -121,7 +121,7 @@ TEST_F(Driven, LengthsAreThoseOfTheLineAsItIsDrawn) {
   }
 }
 
-TEST_F(Driven, DistancesAreRelativeToTheBindPose) {
+TEST_F(DrivenParameters, DistancesAreRelativeToTheBindPose) {
   Driver driver = byBend(DriverMode::kReplace, {{0.0f, 0.0f}, {10.0f, 10.0f}});
   driver.input = {};
   driver.input.kind = DriverInputKind::kDistance;
@@ -143,7 +143,7 @@ TEST_F(Driven, DistancesAreRelativeToTheBindPose) {
   EXPECT_LE(at(bend, pose), kMostBend) << "brought into range";
 }
 
-TEST_F(Driven, ADriverWhoseBoneIsMissingIsLeftOutAndListed) {
+TEST_F(DrivenParameters, DriverOfAMissingBoneIsIgnoredAndListed) {
   Driver driver = byBend(DriverMode::kReplace, {{0.0f, 0.7f}});
   driver.input.bone = "tail";
   drive(Parameter::kRadiusX, driver);
@@ -153,7 +153,7 @@ TEST_F(Driven, ADriverWhoseBoneIsMissingIsLeftOutAndListed) {
   EXPECT_EQ(missing[0].place, "primitives[0].animated[0].drivers[0].input.bone");
 }
 
-TEST(DrivenRigs, AreRigsAndDoNotDependOnWhatCameBefore) {
+TEST(DrivenRigs, AreValidAndDoNotDependOnHistory) {
   const auto character = test::makeLimb();
   const AnimationClip& clip = character->clips.front();
   int changed = 0;
@@ -175,7 +175,7 @@ TEST(DrivenRigs, AreRigsAndDoNotDependOnWhatCameBefore) {
   EXPECT_GT(changed, 100);
 }
 
-TEST(DrivenRigs, PosingAllocatesNothingOnceItHasRun) {
+TEST(DrivenRigs, RepeatedPosingAllocatesNothing) {
   const auto character = test::makeLimb();
   const AnimationClip& clip = character->clips.front();
   const Rig rig = test::animatedLimbRig(*character, 7);

@@ -36,7 +36,7 @@ TEST(Field, ChainBlendsWithTheMiddleOnly) {
   EXPECT_NEAR(sampleField(three, all, {}, x).value, f[0] + f[1] + f[2], 1e-6f);
 }
 
-TEST(Field, CarveWorksWhateverUnlinkedGroupsExist) {
+TEST(Field, CarveIgnoresUnlinkedGroups) {
   const std::vector<PosedPrimitive> two{sphere({0, 0, 0}, 1, -1.0f), sphere({9, 0, 0}, 1)};
   const std::vector<Candidate> all{{0, 1.0f, 0}, {1, 1.0f, 1}};
   const CliqueLists unlinked{{0}, {1}};
@@ -103,7 +103,7 @@ TEST(Field, GradientBetweenMirroredMusclesLiesInThePlane) {
 }
 
 // An empty clique ties with one that is nearly empty, and must not count.
-TEST(Field, GradientNearARimIsTheMusclesOwnWhateverIsFarAway) {
+TEST(Field, GradientNearARimIgnoresDistantMuscles) {
   const std::vector<PosedPrimitive> two{sphere({0, 0, 0}, 1), sphere({100, 0, 0}, 1)};
   const std::vector<Candidate> all{{0, 1.0f, 0}, {1, 1.0f, 1}};
   const CliqueLists unlinked{{0}, {1}};

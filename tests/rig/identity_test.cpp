@@ -36,7 +36,7 @@ bool allDifferent(const Rig& rig) {
   return unique.size() == ids.size() && !unique.contains(PrimitiveId{});
 }
 
-TEST(Identity, EveryPrimitiveAndGroupGetsOne) {
+TEST(RigIdentity, EveryPrimitiveAndGroupGetsAnIdentity) {
   Rig rig = rigOf(5);
   IdentitySource source;
   source.identify(rig, Rig{});
@@ -45,14 +45,14 @@ TEST(Identity, EveryPrimitiveAndGroupGetsOne) {
   for (const Group& group : rig.groups) EXPECT_TRUE(group.id());
 }
 
-TEST(Identity, IsNoPartOfTheDocument) {
+TEST(RigIdentity, IsNotPartOfTheDocument) {
   Rig rig = rigOf(3);
   const Rig before = rig;
   IdentitySource().identify(rig, Rig{});
   EXPECT_EQ(rig, before);
 }
 
-TEST(Identity, ACopyGetsItsOwnWhereverItStands) {
+TEST(RigIdentity, CopyGetsItsOwnIdentity) {
   Rig before = rigOf(3);
   IdentitySource source;
   source.identify(before, Rig{});
@@ -67,7 +67,7 @@ TEST(Identity, ACopyGetsItsOwnWhereverItStands) {
   }
 }
 
-TEST(Identity, AnOverwrittenTwinKeepsItsOwn) {
+TEST(RigIdentity, OverwrittenTwinKeepsItsIdentity) {
   Rig before = rigOf(2);
   IdentitySource source;
   source.identify(before, Rig{});
@@ -78,7 +78,7 @@ TEST(Identity, AnOverwrittenTwinKeepsItsOwn) {
   EXPECT_EQ(idsOf(rig), idsOf(before));
 }
 
-TEST(Identity, WhatIsMadeAnewInEveryFrameOfADragStaysTheSame) {
+TEST(RigIdentity, MuscleRecreatedInEveryDragFrameKeepsItsIdentity) {
   Rig start = rigOf(2);
   IdentitySource source;
   source.identify(start, Rig{});
@@ -97,7 +97,7 @@ TEST(Identity, WhatIsMadeAnewInEveryFrameOfADragStaysTheSame) {
 }
 
 /// Whatever is edited: who is still there, by index and with what it holds, is still the same one.
-TEST(Identity, RandomEdits) {
+TEST(RigIdentity, SurvivesRandomEdits) {
   std::mt19937 random(7);
   Rig rig = rigOf(4);
   IdentitySource source;

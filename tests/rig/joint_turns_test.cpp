@@ -28,7 +28,7 @@ Pose turned(const Character& character, int bone, const glm::quat& turn) {
   return posed(character.skeleton, bindPose(character.skeleton), overrides);
 }
 
-TEST(JointTurns, NothingInTheBindPose) {
+TEST(JointRotations, AreZeroInTheBindPose) {
   const auto character = test::makeTwoLegged();
   const Pose bind = bindPose(character->skeleton);
   for (int bone = 0; bone < static_cast<int>(character->skeleton.bones.size()); ++bone) {
@@ -37,7 +37,7 @@ TEST(JointTurns, NothingInTheBindPose) {
   }
 }
 
-TEST(JointTurns, ABendIsTheAngleThatWasPutIn) {
+TEST(JointRotations, BendIsTheAppliedAngle) {
   const auto character = test::makeLimb();
   const int bone = boneNamed(*character, "middle");
   const glm::vec3 along = boneDirection(character->skeleton.bones[static_cast<std::size_t>(bone)]);
@@ -49,7 +49,7 @@ TEST(JointTurns, ABendIsTheAngleThatWasPutIn) {
   }
 }
 
-TEST(JointTurns, ATwistIsTheAngleThatWasPutInAndNoBend) {
+TEST(JointRotations, TwistIsTheAppliedAngleWithoutBend) {
   const auto character = test::makeLimb();
   const int bone = boneNamed(*character, "middle");
   const glm::vec3 along = boneDirection(character->skeleton.bones[static_cast<std::size_t>(bone)]);
@@ -67,7 +67,7 @@ TEST(JointTurns, ATwistIsTheAngleThatWasPutInAndNoBend) {
   }
 }
 
-TEST(JointTurns, NearnessIsTheClosedForm) {
+TEST(JointRotations, NearnessMatchesTheClosedForm) {
   test::Random random(6);
   for (int i = 0; i < 200; ++i) {
     const glm::quat wanted = random.rotation();
@@ -103,9 +103,9 @@ void expectContinuous(const Character& character) {
   }
 }
 
-TEST(JointTurns, ContinuousOverTheRangeOfMotion) { expectContinuous(*test::makeTwoLegged()); }
+TEST(JointRotations, AreContinuousOverTheRangeOfMotion) { expectContinuous(*test::makeTwoLegged()); }
 
-TEST(JointTurns, ContinuousOverTheRangeOfMotionOfFox) {
+TEST(JointRotations, AreContinuousOverTheRangeOfMotionOfFox) {
   const auto fox = test::realCharacter("Fox.glb");
   if (!fox) GTEST_SKIP() << "left out: real characters are not at hand";
   expectContinuous(*fox);

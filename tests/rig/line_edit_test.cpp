@@ -37,7 +37,7 @@ struct LineEdit : testing::Test {
   ~LineEdit() override { EXPECT_TRUE(validate(rig)) << validate(rig).error().text(); }
 };
 
-TEST_F(LineEdit, NamesAreMadeUniqueAndFollowed) {
+TEST_F(LineEdit, NamesAreUniqueAndRenamesAreFollowed) {
   rig = addLine(rig, lineNamed("biceps")).value();
   EXPECT_EQ(rig.lines[1].name, "biceps 2");
   EXPECT_FALSE(renameLine(rig, 1, "biceps").ok());
@@ -47,7 +47,7 @@ TEST_F(LineEdit, NamesAreMadeUniqueAndFollowed) {
   EXPECT_EQ(primitivesOn(rig, "triceps"), (std::vector<int>{0, 1}));
 }
 
-TEST_F(LineEdit, ALineGoesWithItsLastPrimitive) {
+TEST_F(LineEdit, LineIsRemovedWithItsLastPrimitive) {
   rig = addLine(rig, lineNamed("bare")).value();
   rig = removePrimitives(rig, std::vector<int>{0});
   EXPECT_GE(findLine(rig, "biceps"), 0);
@@ -56,14 +56,14 @@ TEST_F(LineEdit, ALineGoesWithItsLastPrimitive) {
   EXPECT_GE(findLine(rig, "bare"), 0) << "a line that carried nothing is not this edit's to take";
 }
 
-TEST_F(LineEdit, TakenOffTheLineMusclesRideTheirBones) {
+TEST_F(LineEdit, MusclesRemovedFromTheirLineFollowTheirBones) {
   const Rig off = setLineOfSeveral(rig, std::vector<int>{0, 1}, -1);
   EXPECT_TRUE(off.primitives[0].line.empty());
   EXPECT_TRUE(off.lines.empty());
   EXPECT_TRUE(validate(off));
 }
 
-TEST_F(LineEdit, TwinsNameEachOther) {
+TEST_F(LineEdit, TwinLinesReferToEachOther) {
   MuscleLine twin = lineNamed("other");
   twin.mirror = "biceps";
   rig = addLine(rig, twin).value();
@@ -74,7 +74,7 @@ TEST_F(LineEdit, TwinsNameEachOther) {
   EXPECT_TRUE(rig.lines[0].mirror.empty()) << "it went with its last muscle";
 }
 
-TEST_F(LineEdit, WhatIsOutOfRangeIsRefusedAndNothingChanges) {
+TEST_F(LineEdit, OutOfRangeValuesAreRefused) {
   const Rig before = rig;
   EXPECT_FALSE(editLine(rig, 0, [](MuscleLine& line) { line.settings.full = 1.0f; }).ok());
   EXPECT_FALSE(addPrimitive(rig, on("calf")).ok());

@@ -36,7 +36,7 @@ struct LineFitting : testing::Test {
   }
 };
 
-TEST_F(LineFitting, ClipsOfAgesAreSampledThinly) {
+TEST_F(LineFitting, LongClipsAreSampledSparsely) {
   const LineLengths seen = lengths();
   for (const float seconds : {3700.0f, 1e6f, 1e15f}) {
     Character slow = *limb;
@@ -57,7 +57,7 @@ TEST_F(LineFitting, ClipsOfAgesAreSampledThinly) {
   }
 }
 
-TEST_F(LineFitting, LengthsAreThoseOfTheClip) {
+TEST_F(LineFitting, LengthsCoverTheClip) {
   const LineLengths seen = lengths();
   EXPECT_EQ(seen.poses, 31);
   EXPECT_LT(seen.least, 0.98f);
@@ -69,7 +69,7 @@ TEST_F(LineFitting, LengthsAreThoseOfTheClip) {
   EXPECT_EQ(seen.shortestIn, "bend");
 }
 
-TEST_F(LineFitting, LearnedContractionActivatesFullyWhereTheLineIsShortest) {
+TEST_F(LineFitting, LearnedContractionIsFullAtTheShortestLength) {
   const LineLengths seen = lengths();
   const Result<Learned> learned = withLearned(rig, 0, seen);
   ASSERT_TRUE(learned.ok()) << learned.error().text();
@@ -82,7 +82,7 @@ TEST_F(LineFitting, LearnedContractionActivatesFullyWhereTheLineIsShortest) {
   EXPECT_NE(withLearned(rig, 0, far)->warning.find("160 %"), std::string::npos);
 }
 
-TEST_F(LineFitting, RestNowIsAHundredPercentThere) {
+TEST_F(LineFitting, RestNowMakesTheCurrentLengthOneHundredPercent) {
   const float before = stretchAt(rig, 0.5f);
   const Rig rested = withRestNow(rig, 0, before).value();
   EXPECT_NEAR(stretchAt(rested, 0.5f), 1.0f, 1e-5f);
@@ -90,7 +90,7 @@ TEST_F(LineFitting, RestNowIsAHundredPercentThere) {
   EXPECT_FLOAT_EQ(withFullNow(rig, 0, 0.8f)->lines[0].settings.full, 0.8f);
 }
 
-TEST_F(LineFitting, AViaPointKeepsTheLineOutOfTheJoint) {
+TEST_F(LineFitting, ViaPointKeepsTheLineOutOfTheJoint) {
   const Rig bent = withViaPoint(rig, 0, *limb).value();
   ASSERT_TRUE(bent.lines[0].via);
   EXPECT_EQ(bent.lines[0].via->bone, "root");
@@ -102,7 +102,7 @@ TEST_F(LineFitting, AViaPointKeepsTheLineOutOfTheJoint) {
   EXPECT_EQ(withoutViaPoint(bent, 0).value(), rig);
 }
 
-TEST(OtherEnd, TheMuscleStaysWhereItIsAndItsTwinFollows) {
+TEST(OtherEnd, KeepsTheMuscleInPlaceAndTheTwinFollows) {
   const std::shared_ptr<const Character> legs = test::makeTwoLegged();
   const MirrorPlan plan = makeMirrorPlan(*legs);
   Primitive thigh;

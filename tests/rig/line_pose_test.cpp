@@ -110,7 +110,7 @@ TEST(LinePose, BindPoseDeformsNothingBitForBit) {
   }
 }
 
-TEST(LinePose, BindPoseIsWhatTheFormulaComesTo) {
+TEST(LinePose, FormulaGivesIdentityInTheBindPose) {
   const Character character = arm();
   Random random(2);
   Pose almost = bindPose(character.skeleton);
@@ -126,7 +126,7 @@ TEST(LinePose, BindPoseIsWhatTheFormulaComesTo) {
 }
 
 /// The definition's table of a biceps over the elbow.
-TEST(LinePose, BicepsOverTheElbow) {
+TEST(LinePose, BicepsMatchesTheDocumentedTable) {
   struct Row {
     double degrees, stretch, belly, girth, activation, height;
   };
@@ -146,7 +146,7 @@ TEST(LinePose, BicepsOverTheElbow) {
   }
 }
 
-TEST(LinePose, VolumeStaysWhereTheDesignerAsksForIt) {
+TEST(LinePose, VolumeIsPreservedIfRequested) {
   const Character character = arm();
   Random random(3);
   int kept = 0;
@@ -172,7 +172,7 @@ TEST(LinePose, VolumeStaysWhereTheDesignerAsksForIt) {
   EXPECT_GT(kept, 3000);
 }
 
-TEST(LinePose, TheBellyLiesAlongTheLine) {
+TEST(LinePose, BellyLiesAlongTheLine) {
   const Character character = arm();
   Random random(4);
   for (int i = 0; i < 2000; ++i) {
@@ -188,7 +188,7 @@ TEST(LinePose, TheBellyLiesAlongTheLine) {
   }
 }
 
-TEST(LinePose, FlexingLeavesWhatGirthGrowsFrom) {
+TEST(LinePose, FlexingKeepsThePivot) {
   const Character character = arm();
   Random random(5);
   for (int i = 0; i < 500; ++i) {
@@ -226,7 +226,7 @@ TEST(LinePose, TendonsKeepTheirLength) {
   }
 }
 
-TEST(LinePose, ScheepersClosedForm) {
+TEST(LinePose, GirthMatchesScheepersClosedForm) {
   LineSettings settings;
   settings.limits = {1e-30f, 1e30f};
   for (double stretch = 0.3; stretch < 3.0; stretch += 0.1) {
@@ -234,7 +234,7 @@ TEST(LinePose, ScheepersClosedForm) {
   }
 }
 
-TEST(LinePose, GirthFallsAsTheBellyStretchesAndLevelsOff) {
+TEST(LinePose, GirthDecreasesWithStretchAndLevelsOff) {
   LineSettings settings;
   double before = 1e9;
   for (double stretch = 0.05; stretch < 20.0; stretch *= 1.01) {
@@ -246,7 +246,7 @@ TEST(LinePose, GirthFallsAsTheBellyStretchesAndLevelsOff) {
   }
 }
 
-TEST(LinePose, MovesAndGrowsWithTheWholeBody) {
+TEST(LinePose, MovesAndScalesWithTheWholeBody) {
   const Character character = arm();
   Random random(7);
   for (int i = 0; i < 500; ++i) {
@@ -267,7 +267,7 @@ TEST(LinePose, MovesAndGrowsWithTheWholeBody) {
   }
 }
 
-TEST(LinePose, MirroredPoseMirroredBelly) {
+TEST(LinePose, MirroredPoseGivesAMirroredBelly) {
   const Character character = arm();
   Random random(8);
   const glm::dmat4 mirror = glm::scale(glm::dmat4(1.0), glm::dvec3(-1.0, 1.0, 1.0));
@@ -292,7 +292,7 @@ TEST(LinePose, MirroredPoseMirroredBelly) {
   }
 }
 
-TEST(LinePose, TwistFollowsOneBoneOrTheOther) {
+TEST(LinePose, TwistFollowsTheChosenBone) {
   const Character character = arm();
   MuscleLine line = biceps();
   line.origin.point = {0.0f, -3.0f, 1.5f};
@@ -313,7 +313,7 @@ TEST(LinePose, TwistFollowsOneBoneOrTheOther) {
 }
 
 /// Behind the elbow a straight line passes through the joint as the arm bends; round a via point it does not.
-TEST(LinePose, AViaPointKeepsTheBellyOutOfTheJoint) {
+TEST(LinePose, ViaPointKeepsTheBellyOutOfTheJoint) {
   const Character character = arm();
   MuscleLine line;
   line.name = "triceps";
@@ -336,7 +336,7 @@ TEST(LinePose, AViaPointKeepsTheBellyOutOfTheJoint) {
   EXPECT_GT(round.stretch, 1.05f);
 }
 
-TEST(LinePose, SweepsWithoutJumps) {
+TEST(LinePose, MovesContinuously) {
   const Character character = arm();
   Random random(9);
   for (int i = 0; i < 20; ++i) {
@@ -356,7 +356,7 @@ TEST(LinePose, SweepsWithoutJumps) {
   }
 }
 
-TEST(LinePose, WhatIsNotThereIsNotSeen) {
+TEST(LinePose, UnusableLinesAreHidden) {
   const Character character = arm();
   Pose flat = bindPose(character.skeleton);
   flat.boneInWorld[kFore] = glm::scale(flat.boneInWorld[kFore], {1.0f, 0.0f, 1.0f});
@@ -374,7 +374,7 @@ TEST(LinePose, WhatIsNotThereIsNotSeen) {
             "Muscle line \"biceps\", origin: this character has no bone \"tail\"");
 }
 
-TEST(NearestRotation, OfTurnedScaledShearedMatrices) {
+TEST(NearestRotation, RecoversTheRotationOfScaledAndShearedMatrices) {
   Random random(10);
   for (int i = 0; i < 1000; ++i) {
     const glm::dmat3 turn(glm::rotate(glm::dmat4(1.0), random.in(-kPi, kPi), random.direction()));

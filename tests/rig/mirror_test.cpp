@@ -122,9 +122,9 @@ struct Expected {
 
 void PrintTo(const Expected& expected, std::ostream* out) { *out << expected.file; }
 
-class RealCharacters : public testing::TestWithParam<Expected> {};
+class MirrorOnCharacters : public testing::TestWithParam<Expected> {};
 
-TEST_P(RealCharacters, ArePairedAndMirrored) {
+TEST_P(MirrorOnCharacters, ArePairedAndMirrored) {
   const auto character = test::realCharacter(GetParam().file);
   if (!character) SINEW_SKIP_WITHOUT_CHARACTERS();
   const MirrorPlan plan = makeMirrorPlan(*character);
@@ -135,13 +135,13 @@ TEST_P(RealCharacters, ArePairedAndMirrored) {
   expectSoundPlan(plan);
 }
 
-INSTANTIATE_TEST_SUITE_P(Mirror, RealCharacters,
+INSTANTIATE_TEST_SUITE_P(Mirror, MirrorOnCharacters,
                          testing::Values(Expected{"Fox.glb", {1, 0, 0}, 7, 10},
                                          Expected{"greenman.glb", {1, 0, 0}, 4, 4},
                                          Expected{"cesium_man.gltf", {0, 0, 1}, 7, 5},
                                          Expected{"robot.glb", {1, 0, 0}, 18, 7}));
 
-TEST(Mirror, TheBundledLizardIsPairedToTheLastBone) {
+TEST(Mirror, BundledLizardIsFullyPaired) {
   const auto lizard = importGltf(std::filesystem::path(SINEW_SOURCE_DIR) / "assets/demo.glb");
   ASSERT_TRUE(lizard);
   const MirrorPlan plan = makeMirrorPlan(*lizard.value());
@@ -179,7 +179,7 @@ std::string twinNameOf(const MirrorPlan& plan, int bone) {
   return twin < 0 ? "" : plan.skeleton.bones[static_cast<std::size_t>(twin)].path;
 }
 
-TEST(Mirror, PairsNastyNames) {
+TEST(Mirror, PairsIrregularNames) {
   const std::vector<Joint> joints = {{"Root", -1, {0, 0, 0}},
                                      {"b_LeftLeg01_015", 0, {1, 0, 0}},
                                      {"b_RightLeg01_019", 0, {-1, 0, 0}},
@@ -205,7 +205,7 @@ TEST(Mirror, PairsNastyNames) {
   EXPECT_EQ(plan.pairedBy[0], PairedBy::kCenter);
 }
 
-TEST(Mirror, PairsBonesWithoutNamesByPlaceThroughTheTree) {
+TEST(Mirror, PairsUnnamedBonesByPositionAndHierarchy) {
   // Two bones at one place on each side: only the tree says which is whose.
   const std::vector<Joint> joints = {
       {"joint 0", -1, {0, 0, 0}}, {"joint 1", 0, {1, 0, 0}}, {"joint 2", 0, {-1, 0, 0}},
@@ -217,7 +217,7 @@ TEST(Mirror, PairsBonesWithoutNamesByPlaceThroughTheTree) {
   EXPECT_EQ(plan.twinOf, expected);
 }
 
-TEST(Mirror, NamedPairsThatAreNotOppositeAreNotBelieved) {
+TEST(Mirror, NamedPairsMustBeOpposite) {
   const std::vector<Joint> joints = {{"root", -1, {0, 0, 0}},
                                      {"wing L", 0, {1, 0, 0}},
                                      {"wing R", 0, {-1, 9, 0}},
@@ -228,7 +228,7 @@ TEST(Mirror, NamedPairsThatAreNotOppositeAreNotBelieved) {
   EXPECT_EQ(twinNameOf(plan, 3), "root/foot R");
 }
 
-TEST(Mirror, UnevenScaleAndShearAreExact) {
+TEST(Mirror, NonuniformScaleAndShearAreExact) {
   Random random(11);
   std::vector<Joint> joints = {{"root", -1, {0, 0, 0}}, {"arm L", 0, {1, 1, 0}}, {"arm R", 0, {-1, 1, 0}}};
   Skeleton skeleton = skeletonOf(joints);
@@ -244,7 +244,7 @@ TEST(Mirror, UnevenScaleAndShearAreExact) {
   for (int i = 0; i < 200; ++i) expectMirrored(plan, random, 1 + i % 2, false);
 }
 
-TEST(Mirror, AFlattenedBoneHasNoCounterpart) {
+TEST(Mirror, FlattenedBoneHasNoCounterpart) {
   Skeleton skeleton = skeletonOf({{"root", -1, {0, 0, 0}}, {"arm L", 0, {1, 1, 0}}, {"arm R", 0, {-1, 1, 0}}});
   skeleton.bones[2].bindInWorld[1] = glm::vec4(0.0f);
   const MirrorPlan plan = pairBones(skeleton, {}, 2.0f);
@@ -261,7 +261,7 @@ Placement mirroredPlacement(const Placement& inBone, const glm::mat4& bone, cons
   return imageOf(inBone, boneMirror(bone, twin, plane).value());
 }
 
-TEST(Mirror, FramesMirroredAlongTheirAxesGiveTheBitsBack) {
+TEST(Mirror, AxisMirroredFramesRoundTripBitForBit) {
   Random random(5);
   // Frames of twins as tools make them: both upright, or the twin's turned over along some of its axes, or all three.
   for (const glm::vec3 signs : {glm::vec3(1, 1, 1), glm::vec3(-1, 1, -1), glm::vec3(1, -1, -1), glm::vec3(-1, -1, 1)}) {
@@ -282,7 +282,7 @@ TEST(Mirror, FramesMirroredAlongTheirAxesGiveTheBitsBack) {
   }
 }
 
-TEST(Mirror, AnUnsymmetricCharacterWithoutNamesHasNoPlane) {
+TEST(Mirror, AsymmetricCharacterWithoutNamesHasNoPlane) {
   const auto limb = test::makeLimb();
   Character lopsided = *limb;
   Random random(2);
@@ -293,7 +293,7 @@ TEST(Mirror, AnUnsymmetricCharacterWithoutNamesHasNoPlane) {
   EXPECT_TRUE(makeMirrorPlan(*limb).usable());
 }
 
-TEST(Mirror, SnapsToThePlaneAndKnowsWhatLiesInIt) {
+TEST(Mirror, SnapsToThePlaneAndDetectsWhatLiesInIt) {
   const auto legs = test::makeTwoLegged();
   const MirrorPlan plan = makeMirrorPlan(*legs);
   ASSERT_EQ(plan.pairCount(), 2);

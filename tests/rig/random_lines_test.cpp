@@ -150,7 +150,7 @@ void expectAgreement(const PosedLine& line, const oracle::Line& wanted, const Li
   EXPECT_NEAR(line.activation, wanted.activation, kFloat);
 }
 
-TEST(RandomLines, IsTheDefinitionsLineByLine) {
+TEST(RandomLines, MatchesTheDefinition) {
   int compared = 0;
   double leastAgreement = 1.0;
   for (unsigned seed = 0; seed < 40; ++seed) {
@@ -178,7 +178,7 @@ TEST(RandomLines, IsTheDefinitionsLineByLine) {
   EXPECT_LT(leastAgreement, 0.01) << "frames almost a half turn apart were not among them";
 }
 
-TEST(RandomLines, OneLineHasTheBitsOfMany) {
+TEST(RandomLines, SingleLineMatchesTheBatchBitForBit) {
   for (unsigned seed = 100; seed < 120; ++seed) {
     Trial trial(seed);
     const Skeleton& skeleton = trial.character.skeleton;
@@ -238,7 +238,7 @@ class DegenerateLine : public testing::Test {
   Pose pose;
 };
 
-TEST_F(DegenerateLine, AnchorsThatMeetKeepTheOriginsDirection) {
+TEST_F(DegenerateLine, CoincidentAnchorsKeepTheOriginsDirection) {
   pose.boneInWorld[1] = glm::translate(glm::mat4(1.0f), {0.0f, -2.0f, 0.0f});
   const PosedLine met = posed();
   ASSERT_TRUE(met.usable);
@@ -249,7 +249,7 @@ TEST_F(DegenerateLine, AnchorsThatMeetKeepTheOriginsDirection) {
   EXPECT_LT(met.deformation[1].y, 0.15f);
 }
 
-TEST_F(DegenerateLine, OppositeDirectionsTurnAboutTheHeight) {
+TEST_F(DegenerateLine, OppositeDirectionsRotateAboutTheHeight) {
   pose.boneInWorld[1] = glm::translate(glm::mat4(1.0f), {0.0f, -4.0f, 0.0f});
   const PosedLine opposite = posed();
   ASSERT_TRUE(opposite.usable);
@@ -257,7 +257,7 @@ TEST_F(DegenerateLine, OppositeDirectionsTurnAboutTheHeight) {
   EXPECT_LT(glm::distance(glm::normalize(glm::vec3(opposite.deformation[1])), glm::vec3(0, -1, 0)), 1e-6f);
 }
 
-TEST_F(DegenerateLine, BonesThatAreNotUsableHideTheLine) {
+TEST_F(DegenerateLine, UnusableBonesHideTheLine) {
   for (const std::size_t bone : {0u, 1u}) {
     const glm::mat4 whole = pose.boneInWorld[bone];
     pose.boneInWorld[bone] = glm::scale(whole, {1.0f, 0.0f, 1.0f});
@@ -269,7 +269,7 @@ TEST_F(DegenerateLine, BonesThatAreNotUsableHideTheLine) {
   EXPECT_TRUE(posed().usable);
 }
 
-TEST_F(DegenerateLine, AViaPointNeedsNoMoreThanAPlace) {
+TEST_F(DegenerateLine, ViaPointNeedsOnlyAPosition) {
   line.via = LineAnchor{"c", {0.0f, 2.0f, 1.5f}, {}};
   pose.boneInWorld[2] = glm::scale(pose.boneInWorld[2], {1.0f, 1.0f, 0.0f});
   EXPECT_TRUE(posed().usable);
@@ -279,7 +279,7 @@ TEST_F(DegenerateLine, AViaPointNeedsNoMoreThanAPlace) {
 }
 
 /// As much as lineRest() of the same line with those settings would make of it.
-TEST(RandomLines, TakeOtherSettings) {
+TEST(RandomLines, SettingsCanBeReplaced) {
   Trial trial(300);
   for (int i = 0; i < 29; ++i) {
     MuscleLine line = trial.line(false);
@@ -295,7 +295,7 @@ TEST(RandomLines, TakeOtherSettings) {
   }
 }
 
-TEST(RandomLines, AllocatesNothingOnceItsMemoryHasGrown) {
+TEST(RandomLines, RepeatedPosingAllocatesNothing) {
   Trial trial(400);
   Rests rests = trial.lines(100);
   LineScratch scratch;
@@ -311,7 +311,7 @@ TEST(RandomLines, AllocatesNothingOnceItsMemoryHasGrown) {
 }
 
 /// Logarithm and exponential function are series.
-TEST(RandomLines, GirthIsThatOfTheStandardLibrary) {
+TEST(RandomLines, GirthMatchesTheStandardLibrary) {
   for (const glm::vec2& limits : {glm::vec2(0.4f, 2.0f), glm::vec2(0.999f, 1.001f), glm::vec2(1e-30f, 1e30f)}) {
     for (const float volume : {0.0f, 1.0f, 4.0f}) {
       LineSettings settings;

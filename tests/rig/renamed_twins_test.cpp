@@ -36,7 +36,7 @@ struct RenamedScene {
   }
 };
 
-TEST(RenamedTwins, ANewNameIsNoChangeOfWhatItNames) {
+TEST(RenamedTwins, RenameDoesNotSyncOtherFields) {
   RenamedScene scene;
   scene.rig.primitives[1].group = "torso";  // They never were in one group.
   MuscleLine line;
@@ -59,7 +59,7 @@ TEST(RenamedTwins, ANewNameIsNoChangeOfWhatItNames) {
   EXPECT_TRUE(scene.rig.primitives[1].animated.empty());
 }
 
-TEST(RenamedTwins, WhatIsRenamedAndMovedAtOnceIsFollowed) {
+TEST(RenamedTwins, RenameWithAMoveIsFollowed) {
   RenamedScene scene;
   IdentitySource().identify(scene.rig, Rig{});
   Rig renamed = renamePrimitive(scene.rig, 0, "quad").value();

@@ -89,7 +89,7 @@ std::optional<Rig> randomEdit(test::Random& random, const Rig& rig) {
   return first == second ? rig : setMirror(rig, first, second);
 }
 
-TEST(RigEdit, AnySequenceOfEditsKeepsTheRigValidAndItsInputUntouched) {
+TEST(RigEdit, RandomEditsKeepTheRigValidAndTheInputUnchanged) {
   for (std::uint64_t seed = 0; seed < 60; ++seed) {
     test::Random random(seed);
     Rig rig = test::randomDocument(seed);
@@ -112,7 +112,7 @@ TEST(RigEdit, AnySequenceOfEditsKeepsTheRigValidAndItsInputUntouched) {
   }
 }
 
-TEST(RigEdit, AddMakesNamesUniqueAndFindsAGroup) {
+TEST(RigEdit, AddMakesNamesUniqueAndAssignsAGroup) {
   const auto first = addPrimitive(Rig{}, named(""));
   ASSERT_TRUE(first.ok()) << first.error().text();
   EXPECT_EQ(first->groups.at(0).name, "muscles");
@@ -136,7 +136,7 @@ TEST(RigEdit, AddMakesNamesUniqueAndFindsAGroup) {
   EXPECT_EQ(refused.error().place, "primitives[3].radii[2]");
 }
 
-TEST(RigEdit, AddingATwinPairsBothAndLetsTheFormerGo) {
+TEST(RigEdit, AddingATwinPairsBothAndReleasesTheFormerTwin) {
   Primitive twin = named("new");
   twin.mirror = "L";
   const auto rig = addPrimitive(sample(), twin);
@@ -146,7 +146,7 @@ TEST(RigEdit, AddingATwinPairsBothAndLetsTheFormerGo) {
   EXPECT_EQ(rig->primitives[1].mirror, "");
 }
 
-TEST(RigEdit, RenameRemoveAndDuplicateKeepTwinsInStep) {
+TEST(RigEdit, RenameRemoveAndDuplicateUpdateTwins) {
   const auto renamed = renamePrimitive(sample(), 0, "left");
   ASSERT_TRUE(renamed.ok());
   EXPECT_EQ(renamed->primitives[1].mirror, "left");
@@ -176,7 +176,7 @@ TEST(RigEdit, MirrorsAreMutual) {
   EXPECT_EQ(cleared.primitives[2].mirror, "");
 }
 
-TEST(RigEdit, RenamingAGroupTakesMembersAndLinksAlong) {
+TEST(RigEdit, RenamingAGroupUpdatesMembersAndLinks) {
   const auto rig = renameGroup(sample(), 0, "hind legs");
   ASSERT_TRUE(rig.ok());
   EXPECT_EQ(rig->primitives[1].group, "hind legs");
@@ -185,7 +185,7 @@ TEST(RigEdit, RenamingAGroupTakesMembersAndLinksAlong) {
   EXPECT_TRUE(renameGroup(sample(), 0, "legs").value() == sample());
 }
 
-TEST(RigEdit, GroupsGoOnlyEmptyAndTakeTheirLinks) {
+TEST(RigEdit, OnlyEmptyGroupsAreRemovedWithTheirLinks) {
   EXPECT_FALSE(removeGroup(sample(), 1).ok());
   const Rig emptied = removePrimitives(sample(), std::vector{2});
   const auto rig = removeGroup(emptied, 1);
@@ -194,7 +194,7 @@ TEST(RigEdit, GroupsGoOnlyEmptyAndTakeTheirLinks) {
   EXPECT_TRUE(rig->links.empty());
 }
 
-TEST(RigEdit, LinksGoOnAndOffOnce) {
+TEST(RigEdit, LinksAreSetAndClearedOnce) {
   Rig rig = sample();
   rig.links.push_back({"torso", "legs"});  // Files may say it twice.
   EXPECT_TRUE(setLink(rig, 1, 0, false)->links.empty());
@@ -204,7 +204,7 @@ TEST(RigEdit, LinksGoOnAndOffOnce) {
   EXPECT_FALSE(setLink(sample(), 0, 0, true).ok());
 }
 
-TEST(RigEdit, SettingsAreChecked) {
+TEST(RigEdit, SettingsAreValidated) {
   SurfaceSettings surface;
   surface.iso = 1.0f;
   EXPECT_EQ(setSurface(sample(), surface).error().place, "surface.iso");

@@ -34,7 +34,7 @@ TEST(Tendons, RunFromInsideTheBellyToBothAnchors) {
   }
 }
 
-TEST(Tendons, GoThroughTheViaPointInOneDirection) {
+TEST(Tendons, PassSmoothlyThroughTheViaPoint) {
   std::mt19937 random(7);
   std::uniform_real_distribution<float> aside(-0.4f, 0.4f), along(0.55f, 0.95f);
   for (int i = 0; i < 100; ++i) {
@@ -70,7 +70,7 @@ TEST(Tendons, LeaveABentBellyAlongItsAxis) {
   }
 }
 
-TEST(Tendons, NoneWhereTheAnchorLiesInTheBelly) {
+TEST(Tendons, AreOmittedForAnchorsInsideTheBelly) {
   LinePath line = kLine;
   line.insertion = {0.0f, 0.3f, 0.0f};
   const std::vector<Tendon> tendons = tendonsOf(kBelly, line);
@@ -79,7 +79,7 @@ TEST(Tendons, NoneWhereTheAnchorLiesInTheBelly) {
   EXPECT_TRUE(tendonsOf(glm::scale(kBelly, glm::vec3(1, 0, 1)), kLine).empty()) << "a flat belly has no ends";
 }
 
-TEST(Tendons, PointsAlongALineBeginEndAndPassWhereItDoes) {
+TEST(Tendons, PointsAlongALineMatchItsAnchors) {
   EXPECT_EQ(pointsAlong(kLine).front(), kLine.origin);
   EXPECT_LT(glm::distance(pointsAlong(kLine).back(), kLine.insertion), 1e-6f);
   LinePath bent = kLine;

@@ -65,7 +65,7 @@ void expectExact(const Rig& rig, const MirrorPlan& plan) {
   }
 }
 
-TEST(Twins, AMuscleIsAddedOnBothSides) {
+TEST(Twins, AddsAMuscleOnBothSides) {
   const Scene scene;
   ASSERT_EQ(scene.rig.primitives.size(), 2u);
   EXPECT_EQ(scene.rig.primitives[1].name, "thigh R");
@@ -75,7 +75,7 @@ TEST(Twins, AMuscleIsAddedOnBothSides) {
   expectExact(scene.rig, scene.plan);
 }
 
-TEST(Twins, AMuscleInThePlaneStaysSingleAndCannotBeMirrored) {
+TEST(Twins, MuscleInThePlaneStaysSingle) {
   Scene scene;
   Primitive belly;
   belly.name = "belly";
@@ -86,7 +86,7 @@ TEST(Twins, AMuscleInThePlaneStaysSingleAndCannotBeMirrored) {
   EXPECT_FALSE(mirrorToOtherSide(scene.rig, 2, scene.plan));
 }
 
-TEST(Twins, APairWhoseNameSaysNoSideGetsTheSidesItLiesOn) {
+TEST(Twins, PairWithoutASideInItsNameIsNamedByPosition) {
   for (const float x : {0.3f, -0.3f}) {
     for (const bool later : {false, true}) {
       Scene scene;
@@ -126,7 +126,7 @@ TEST(Twins, APairWhoseNameSaysNoSideGetsTheSidesItLiesOn) {
   }
 }
 
-TEST(Twins, ANameWithSeveralSidesIsLeftAlone) {
+TEST(Twins, NameWithSeveralSidesIsKept) {
   Scene scene;
   Primitive belt;
   belt.name = "left to right";
@@ -137,7 +137,7 @@ TEST(Twins, ANameWithSeveralSidesIsLeftAlone) {
   EXPECT_EQ(scene.rig.primitives[3].name, "left to right 2");
 }
 
-TEST(Twins, EveryFieldFollowsFromEitherSide) {
+TEST(Twins, EveryFieldFollowsInBothDirections) {
   Scene scene;
   for (const int leads : {0, 1}) {
     const int follows = 1 - leads;
@@ -161,7 +161,7 @@ TEST(Twins, EveryFieldFollowsFromEitherSide) {
   }
 }
 
-TEST(Twins, ShapesFollowMirrored) {
+TEST(Twins, ShapesAreMirrored) {
   Scene scene;
   const auto shaped = [&](int index, const Shape& shape) {
     Placement placement = scene.rig.primitives[static_cast<std::size_t>(index)].placement;
@@ -181,7 +181,7 @@ TEST(Twins, ShapesFollowMirrored) {
   EXPECT_EQ(scene.rig.primitives[0].placement.shape.core, 0.1f);
 }
 
-TEST(Twins, ABellyIsLessenedToTheFollowersOwnReach) {
+TEST(Twins, BellyIsLimitedByTheTwinsOwnReach) {
   Scene scene;
   scene.rig.primitives[1].reach = 3.0f;  // A pair that was never exact.
   Placement placement = scene.rig.primitives[0].placement;
@@ -191,7 +191,7 @@ TEST(Twins, ABellyIsLessenedToTheFollowersOwnReach) {
   EXPECT_EQ(std::abs(scene.rig.primitives[1].placement.shape.belly), mostBelly(0.0f, 3.0f));
 }
 
-TEST(Twins, WhatIsNotTouchedKeepsItsBits) {
+TEST(Twins, UneditedFieldsKeepTheirBits) {
   Scene scene;
   for (int i = 0; i < 50; ++i) {
     const Placement before0 = scene.rig.primitives[0].placement;
@@ -207,7 +207,7 @@ TEST(Twins, WhatIsNotTouchedKeepsItsBits) {
   }
 }
 
-TEST(Twins, AnEditOfBothFollowsTheFirstUnlessBothAgree) {
+TEST(Twins, EditOfBothFollowsTheFirstUnlessTheyAgree) {
   Scene scene;
   Rig both = scene.rig;
   both.primitives[0].reach = 1.5f;
@@ -221,7 +221,7 @@ TEST(Twins, AnEditOfBothFollowsTheFirstUnlessBothAgree) {
   EXPECT_EQ(keepTwins(scene.rig, scene.rig, kept, scene.plan), kept);
 }
 
-TEST(Twins, AGestureRebuiltFromItsStartStillFollows) {
+TEST(Twins, GestureRebuiltFromItsStartStillFollows) {
   Scene scene;
   const Rig start = scene.rig;
   Rig shown = start;
@@ -234,7 +234,7 @@ TEST(Twins, AGestureRebuiltFromItsStartStillFollows) {
   EXPECT_EQ(shown, start);
 }
 
-TEST(Twins, ADragBackToItsStartBringsTheTwinBack) {
+TEST(Twins, DragBackToItsStartReturnsTheTwin) {
   Scene scene;
   const Rig start = scene.rig;
   Rig shown = start;
@@ -246,7 +246,7 @@ TEST(Twins, ADragBackToItsStartBringsTheTwinBack) {
   }
 }
 
-TEST(Twins, LetGoStayWhereTheyAre) {
+TEST(Twins, UnlinkedTwinsStayInPlace) {
   Scene scene;
   scene.edit(clearMirror(scene.rig, 0));
   const Primitive before = scene.rig.primitives[1];
@@ -258,7 +258,7 @@ TEST(Twins, LetGoStayWhereTheyAre) {
   expectExact(scene.rig, scene.plan);
 }
 
-TEST(Twins, AMoveToABoneWithoutCounterpartIsNotFollowedButTheLinkStays) {
+TEST(Twins, MoveToABoneWithoutCounterpartKeepsTheLink) {
   Scene scene;
   scene.plan.twinOf[static_cast<std::size_t>(*scene.plan.skeleton.findBone("spine"))] = -1;
   const Primitive before = scene.rig.primitives[1];
@@ -268,7 +268,7 @@ TEST(Twins, AMoveToABoneWithoutCounterpartIsNotFollowedButTheLinkStays) {
   EXPECT_FALSE(mirrorToOtherSide(scene.rig, 0, scene.plan));
 }
 
-TEST(Twins, FlippingTwiceIsNothingAndALinkedPairSwapsSides) {
+TEST(Twins, FlippingSwapsALinkedPairAndTwiceRestoresIt) {
   Scene scene;
   const Rig start = scene.rig;
   const std::vector<int> one{0};
@@ -296,7 +296,7 @@ TEST(Twins, CopiesOfPairsArePairs) {
   EXPECT_EQ(withTwins(scene.rig, std::vector<int>{3, 4, 0}), (std::vector<int>{0, 1, 2, 3, 4}));
 }
 
-TEST(Twins, NamesFollowWhereTheSideIsClear) {
+TEST(Twins, NamesFollowIfTheSideIsClear) {
   Scene scene;
   scene.edit(renameWithTwin(scene.rig, 0, "quad L"));
   EXPECT_EQ(scene.rig.primitives[1].name, "quad R");
@@ -359,7 +359,7 @@ std::optional<Rig> randomEdit(Random& random, const Rig& rig, const Character& c
   return other == index ? std::nullopt : value(linkTwins(rig, index, other, plan));
 }
 
-TEST(Twins, RandomEditsKeepEveryPairExactAndTheRigValid) {
+TEST(Twins, RandomEditsKeepPairsExactAndTheRigValid) {
   const auto character = test::makeTwoLegged();
   const MirrorPlan plan = makeMirrorPlan(*character);
   Random random(20);

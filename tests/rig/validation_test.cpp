@@ -12,7 +12,7 @@ namespace {
 
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
-TEST(Validation, NamesNotANumberAndInfinity) {
+TEST(Validation, ErrorsNameNanAndInfinity) {
   Placement placement;
   placement.radii.y = std::numeric_limits<float>::quiet_NaN();
   EXPECT_EQ(validatePlacement(placement, "primitives[2]").error().text(),
@@ -28,7 +28,7 @@ TEST(Validation, NamesNotANumberAndInfinity) {
   EXPECT_EQ(validatePlacement(placement, "p").error().place, "p.rotation[3]");
 }
 
-TEST(Validation, ShapesHaveTheirRanges) {
+TEST(Validation, ShapeRangesAreChecked) {
   Primitive primitive;
   primitive.name = "calf";
   primitive.bone = "leg";
@@ -54,7 +54,7 @@ TEST(Validation, ShapesHaveTheirRanges) {
 }
 
 /// The interface shows no JSON paths: a muscle is called by its name.
-TEST(Validation, WhatIsWrongHasASubjectInPlainWords) {
+TEST(Validation, ErrorsNameTheirSubjectInPlainLanguage) {
   Rig rig;
   rig.groups = {{"arms", {}}, {"legs", {}}};
   Primitive& muscle = rig.primitives.emplace_back();
@@ -87,7 +87,7 @@ TEST(Validation, WhatIsWrongHasASubjectInPlainWords) {
   EXPECT_EQ(saidOf([](Rig& r) { r.smoothing.depth = 0; }).substr(0, 6), "Depth:");
 }
 
-TEST(Validation, RotationsNearUnitLengthAreTakenAsTheyAre) {
+TEST(Validation, RotationsNearUnitLengthAreAccepted) {
   Placement placement;
   for (const float w : {0.9991f, 1.0009f}) {
     placement.rotation = glm::quat(w, 0, 0, 0);
@@ -99,7 +99,7 @@ TEST(Validation, RotationsNearUnitLengthAreTakenAsTheyAre) {
   }
 }
 
-TEST(Validation, CreaseAnglesLieBetween0And180) {
+TEST(Validation, CreaseAnglesMustLieBetween0And180) {
   SmoothingSettings smoothing;
   for (const float angle : {0.0f, 40.0f, 180.0f}) {
     smoothing.creaseAngle = angle;

@@ -38,7 +38,7 @@ glm::vec3 axisAt(const BentMuscle& muscle, float y) {
   return glm::vec3(shapeInWorld(muscle.placement, 1.0f, muscle.carrier) * glm::vec4(bend.x, y, bend.y, 1.0f));
 }
 
-TEST(ViaBend, TheMiddleGoesAllTheWayAndTheEndsStay) {
+TEST(ViaBend, MiddleReachesTheViaPointAndTheEndsStay) {
   const ViaBend bend = viaBend(rest(), placed({1.0f, 4.0f, 1.5f}), glm::mat4(1.0f));
   EXPECT_NEAR(bend.share, 1.0f, 1e-6f);
   const glm::mat4 carrier = someCarrier();
@@ -55,7 +55,7 @@ TEST(ViaBend, TheMiddleGoesAllTheWayAndTheEndsStay) {
   }
 }
 
-TEST(ViaBend, AShareOfTheBellyBendsByItsSquareAndAcrossNothingDoes) {
+TEST(ViaBend, BendIsQuadraticInTheFractionAndZeroAcrossTheLine) {
   EXPECT_NEAR(viaBend(rest(), placed({0.5f, 2.0f, 0.5f}), glm::mat4(1.0f)).share, 0.25f, 1e-6f);
   EXPECT_NEAR(viaBend(rest(), placed({0.5f, 40.0f, 0.5f}), glm::mat4(1.0f)).share, 1.0f, 1e-6f);
   float before = 1.0f;
@@ -70,7 +70,7 @@ TEST(ViaBend, AShareOfTheBellyBendsByItsSquareAndAcrossNothingDoes) {
   EXPECT_EQ(before, 0.0f);
 }
 
-TEST(ViaBend, APlainEllipsoidIsTheSameWhicheverOfItsAxesLiesAlongTheLine) {
+TEST(ViaBend, PlainEllipsoidBendsTheSameAlongAnyAxis) {
   std::mt19937 random(3);
   std::uniform_real_distribution<float> number(-3.0f, 3.0f);
   for (int along = 0; along < 3; ++along) {
@@ -95,7 +95,7 @@ TEST(ViaBend, APlainEllipsoidIsTheSameWhicheverOfItsAxesLiesAlongTheLine) {
   }
 }
 
-TEST(ViaBend, WhatExceedsTheLargestBendMovesTheMuscleWhole) {
+TEST(ViaBend, ExcessBendMovesTheWholeMuscle) {
   const ViaBend bend = viaBend(rest(), placed({1.0f, 4.0f, 1.5f}), glm::mat4(1.0f));
   const glm::mat4 inWorld = shapeInWorld(bend.placement, 1.0f, someCarrier());
   glm::vec3 before = axisAt(bentMuscle(bend, someCarrier(), {}), 1.0f);
@@ -114,7 +114,7 @@ TEST(ViaBend, WhatExceedsTheLargestBendMovesTheMuscleWhole) {
   }
 }
 
-TEST(ViaBend, DrawnMusclesAreThoseOfTheField) {
+TEST(ViaBend, DrawnMusclesMatchTheField) {
   const std::filesystem::path assets = std::filesystem::path(SINEW_SOURCE_DIR) / "assets";
   const auto character = importGltf(assets / "humanoid.glb").value();
   const Rig rig = loadRig(assets / "humanoid-flex.rig.json").value();

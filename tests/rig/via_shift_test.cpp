@@ -24,7 +24,7 @@ glm::dvec3 shiftAt(double y, double beside) {
 /// What `beside` is multiplied by.
 double factorAt(double y) { return glm::dot(shiftAt(y, 1.0), kBeside); }
 
-TEST(ViaShift, PutsAParabolaThroughAViaPointOverTheBellysMiddle) {
+TEST(ViaShift, PutsAParabolaThroughAViaPointOverTheBelly) {
   for (double y = -0.59; y <= 0.59; y += 0.01) {
     // A parabola from end to end that is `shift` high in the middle.
     const double atVia = factorAt(y) * (1.0 - y * y);
@@ -32,7 +32,7 @@ TEST(ViaShift, PutsAParabolaThroughAViaPointOverTheBellysMiddle) {
   }
 }
 
-TEST(ViaShift, FadesTowardsTheBellysEndsWithoutJumpsOrKinks) {
+TEST(ViaShift, FadesSmoothlyTowardsTheBellysEnds) {
   constexpr double kStep = 1e-3;
   double most = 0.0;
   for (double y = -2.0; y < 2.0; y += kStep) {
@@ -51,7 +51,7 @@ TEST(ViaShift, FadesTowardsTheBellysEndsWithoutJumpsOrKinks) {
   EXPECT_LT(most, 1.94);
 }
 
-TEST(ViaShift, LiesStraightBesideTheLineAndIsNeverMoreThanHalfTheBelly) {
+TEST(ViaShift, IsPerpendicularToTheLineAndAtMostHalfTheBelly) {
   for (const double y : {-1.5, -0.7, 0.0, 0.3, 0.9}) {
     for (const double beside : {-3.0, 0.5, 4.9, 50.0}) {
       const glm::dvec3 shift = shiftAt(y, beside);

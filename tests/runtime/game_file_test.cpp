@@ -59,7 +59,7 @@ GameCharacter limbGame() {
 
 class BundledGameFile : public testing::TestWithParam<const char*> {};
 
-TEST_P(BundledGameFile, GivesTheSameSurfaceToTheBit) {
+TEST_P(BundledGameFile, GivesTheSameSurfaceBitForBit) {
   const TrialScene scene = bundledTrialScene(GetParam());
   const Bytes bytes = gameFile(*scene.character, scene.rig);
   const auto read = readGameFile(bytes);
@@ -95,7 +95,7 @@ TEST(GameFile, KeepsAdaptiveDetailCreasesAndEveryAnimatedNumber) {
   }
 }
 
-TEST(GameFile, RefusesWhatIsNoGameFileAndWhatIsOfAnotherVersion) {
+TEST(GameFile, RefusesOtherFilesAndOtherVersions) {
   const GameCharacter game = limbGame();
   Bytes bytes = gameFile(*game.character, game.rig);
   EXPECT_NE(reasonOf({}).find("too short"), std::string::npos);
@@ -114,7 +114,7 @@ TEST(GameFile, RefusesWhatIsNoGameFileAndWhatIsOfAnotherVersion) {
   EXPECT_NE(reasonOf(other).find("damaged"), std::string::npos) << reasonOf(other);
 }
 
-TEST(GameFile, RefusesEveryShorterFileOnOneLine) {
+TEST(GameFile, RefusesEveryTruncatedFileOnOneLine) {
   const GameCharacter game = limbGame();
   const Bytes bytes = gameFile(*game.character, game.rig);
   for (std::size_t size = 0; size < bytes.size(); size += size < 200 ? 1 : 37) {
@@ -124,7 +124,7 @@ TEST(GameFile, RefusesEveryShorterFileOnOneLine) {
   }
 }
 
-TEST(GameFile, NamesWhatIsWrong) {
+TEST(GameFile, NamesTheInvalidElement) {
   using Break = void (*)(Character&, Rig&);
   const std::pair<const char*, Break> cases[] = {
       {"triangles[2]: expected a vertex of", [](Character& c, Rig&) { c.mesh.triangles[2].vertices[1] = 1 << 20; }},
@@ -161,7 +161,7 @@ TEST(GameFile, NamesWhatIsWrong) {
   }
 }
 
-TEST(GameFile, DoesNoHarmWhateverItsBytesAre) {
+TEST(GameFile, CorruptedBytesAreSafe) {
   GameCharacter game = limbGame();
   game.rig.smoothing.depth = 1;
   const Bytes bytes = gameFile(*game.character, game.rig);

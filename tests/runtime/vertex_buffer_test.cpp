@@ -38,7 +38,7 @@ T read(const std::vector<std::byte>& bytes, std::size_t at) {
   return value;
 }
 
-TEST(VertexBuffer, HoldsTheSurfaceToTheBitAndLeavesTheRestAlone) {
+TEST(VertexBuffer, HoldsTheSurfaceBitForBitAndKeepsOtherBytes) {
   for (const float crease : {180.0f, 30.0f}) {
     const Scene scene = smoothed("humanoid", crease);
     ASSERT_EQ(scene.surface.shadingNormals.empty(), crease == 180.0f);
@@ -68,7 +68,7 @@ TEST(VertexBuffer, HoldsTheSurfaceToTheBitAndLeavesTheRestAlone) {
   }
 }
 
-TEST(VertexBuffer, HalvesAndTenBitsComeAsNearAsTheyCan) {
+TEST(VertexBuffer, HalvesAndTenBitsRoundCorrectly) {
   const Scene scene = smoothed("horse");
   VertexLayout layout{.stride = 12,
                       .position = 0,
@@ -100,7 +100,7 @@ TEST(VertexBuffer, HasTextureCoordinatesOfDrawnVertices) {
   }
 }
 
-TEST(VertexBuffer, IndicesAreTheTrianglesByMaterial) {
+TEST(VertexBuffer, IndicesAreGroupedByMaterial) {
   Scene scene = smoothed("demo");
   Character several = *scene.character;  // Three materials in turn.
   for (std::size_t t = 0; t < several.mesh.triangles.size(); ++t) {
@@ -134,7 +134,7 @@ TEST(VertexBuffer, IndicesAreTheTrianglesByMaterial) {
   }
 }
 
-TEST(VertexBuffer, RefusesWhatDoesNotFit) {
+TEST(VertexBuffer, RefusesBuffersThatDoNotFit) {
   const Scene scene = smoothed("demo");
   const Refinement& refinement = *scene.surface.refinement;
   const std::size_t count = vertexCount(refinement, BufferVertices::kDrawn);
@@ -156,7 +156,7 @@ TEST(VertexBuffer, RefusesWhatDoesNotFit) {
   EXPECT_FALSE(writeUvs(refinement, 8, 1, bytes).ok());
 }
 
-TEST(VertexBuffer, SixteenBitsHoldNoMoreThanTheyCan) {
+TEST(VertexBuffer, SixteenBitIndicesAreRefusedForLargeMeshes) {
   const TrialScene scene = bundledTrialScene("humanoid");
   const Refinement refinement = refine(scene.character->mesh, 15);
   ASSERT_GT(refinement.drawVertex.size(), 65535U);

@@ -41,7 +41,7 @@ struct Prepared {
   }
 };
 
-TEST(AdaptiveSurface, IsClosedWhereTheMeshIs) {
+TEST(AdaptiveSurface, IsClosedIfTheMeshIs) {
   for (const CharacterPtr& character : {makeLimb(), makeTube(), makeBodyWithArms()}) {
     const Topology control = topologyOf(character->mesh);
     for (std::uint64_t seed = 0; seed < 3; ++seed) {
@@ -57,7 +57,7 @@ TEST(AdaptiveSurface, IsClosedWhereTheMeshIs) {
 }
 
 // A drag, undo, and everything else that was edited before leave no trace.
-TEST(AdaptiveSurface, LevelsFollowFromTheRigAlone) {
+TEST(AdaptiveSurface, LevelsDependOnlyOnTheRig) {
   Prepared prepared;
   std::shared_ptr<const Preparation> former;
   for (std::uint64_t seed = 0; seed < 24; ++seed) {
@@ -101,7 +101,7 @@ TEST(AdaptiveSurface, UndoAndRedoGiveTheSameBytes) {
   expectSame(smoothed(fresh, after), done);
 }
 
-TEST(AdaptiveSurface, SkinThatAMuscleMayNoLongerMoveIsLookedAtAnew) {
+TEST(AdaptiveSurface, SkinReleasedByATerritoryChangeIsReevaluated) {
   Prepared prepared{.character = makeTwoLegged()};
   const std::vector<Bone>& bones = prepared.character->skeleton.bones;
   Rig rig = adaptiveRig(*prepared.character, 1);
@@ -118,7 +118,7 @@ TEST(AdaptiveSurface, SkinThatAMuscleMayNoLongerMoveIsLookedAtAnew) {
   EXPECT_GT(different, 0);
 }
 
-TEST(AdaptiveSurface, ADragKeepsTheLevelsUntilItEnds) {
+TEST(AdaptiveSurface, DragKeepsTheLevelsUntilItEnds) {
   Prepared prepared;
   Rig rig = adaptiveRig(*prepared.character, 3);
   const auto before = prepared(rig);
@@ -130,7 +130,7 @@ TEST(AdaptiveSurface, ADragKeepsTheLevelsUntilItEnds) {
   EXPECT_EQ(after->detail->needed, prepared(rig)->detail->needed);
 }
 
-TEST(AdaptiveSurface, IsTheSameWithAnyNumberOfThreadsAndInACrowd) {
+TEST(AdaptiveSurface, DoesNotDependOnThreadsOrCrowd) {
   const CharacterPtr character = makeTube();
   const Rig rig = adaptiveRig(*character, 5, 0.0005f);
   const Pose pose = samplePose(character->skeleton, character->clips.front(), 0.7f);
@@ -153,7 +153,7 @@ TEST(AdaptiveSurface, IsTheSameWithAnyNumberOfThreadsAndInACrowd) {
   }
 }
 
-TEST(AdaptiveSurface, NumbersOfTheRigDoNotChangeTheMeshOfAnotherPose) {
+TEST(AdaptiveSurface, MeshDoesNotDependOnThePose) {
   Prepared prepared;
   const Rig rig = adaptiveRig(*prepared.character, 4);
   const auto preparation = prepared(rig);
@@ -200,7 +200,7 @@ int fartherThan(float most, const ControlMesh& mesh, const Surface& fine, const 
 }
 
 // Against depth 12, as projected: stages after it (filter, folds) need neighbors, and may differ by more.
-TEST(AdaptiveSurface, LiesWithinItsToleranceOfTheFineSurface) {
+TEST(AdaptiveSurface, IsWithinToleranceOfTheFineSurface) {
   for (const CharacterPtr& character : {makeLimb(), makeTube()}) {
     for (const float tolerance : {0.001f, 0.004f}) {
       Rig rig = adaptiveRig(*character, 2, tolerance);

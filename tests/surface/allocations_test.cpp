@@ -23,7 +23,7 @@ TEST(Allocations, AreCounted) {
 
 class FrameAllocations : public testing::TestWithParam<SurfaceMode> {};
 
-TEST_P(FrameAllocations, ThereAreNoneInAFrameThatHasBeenSeenBefore) {
+TEST_P(FrameAllocations, RepeatedFrameAllocatesNothing) {
   for (const TrialScene& scene : trialScenes()) {
     Rig rig = withMode(scene.rig, GetParam());
     rig.smoothing.detail = DetailKind::kUniform;
@@ -49,7 +49,7 @@ TEST_P(FrameAllocations, ThereAreNoneInAFrameThatHasBeenSeenBefore) {
 }
 
 // Some vertices of each are left to the scalar path, which must not allocate either.
-TEST(SearchAllocations, ThereAreNoneOnBundledRigs) {
+TEST(SearchAllocations, BundledRigsAllocateNothing) {
   for (const char* name : {"humanoid", "humanoid-wrapped", "horse-flex", "tangle"}) {
     const TrialScene scene = bundledTrialScene(name);
     const std::vector<Pose> poses = spreadPoses(*scene.character, 3);

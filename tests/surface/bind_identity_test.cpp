@@ -91,13 +91,13 @@ void expectIdentity(const TrialScene& scene, SurfaceMode mode) {
   EXPECT_GT(moved, 1000) << scene.name << ": nothing moved, so nothing was shown";
 }
 
-TEST(BindIdentity, OutOfReachIsThePatchForEveryPatchAndDepth) {
+TEST(BindIdentity, SkinOutOfReachIsThePatchForEveryKindAndDepth) {
   for (const char* name : {"wrapped", "tangle"}) {
     for (const SurfaceMode mode : {SurfaceMode::kSwell, SurfaceMode::kReplace}) expectIdentity(trialScene(name), mode);
   }
 }
 
-TEST(BindIdentity, ControlVerticesStandWhereTheMeshPutsThem) {
+TEST(BindIdentity, ControlVerticesKeepTheirMeshPositions) {
   for (const char* name : {"wrapped", "tangle"}) {
     const TrialScene& scene = trialScene(name);
     for (const PatchKind patch : kEveryPatch) {

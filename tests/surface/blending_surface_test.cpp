@@ -66,7 +66,7 @@ TEST(BlendingSurface, UnlinkedGroupsNeverSum) {
   EXPECT_GT(byB, 10);
 }
 
-TEST(BlendingSurface, LinkedGroupsDoSum) {
+TEST(BlendingSurface, LinkedGroupsSum) {
   const CharacterPtr strip = makeStrip();
   Rig rig = only(threeBalls(*strip), "AB");
   const Surface apart = surfaceOf(strip, rig);
@@ -81,7 +81,7 @@ TEST(BlendingSurface, LinkedGroupsDoSum) {
 }
 
 // A - B - C: both neighbors blend with B, never with each other.
-TEST(BlendingSurface, ChainIsTheHigherOfItsTwoPairs) {
+TEST(BlendingSurface, ChainIsTheMaximumOfItsPairs) {
   const CharacterPtr strip = makeStrip();
   Rig rig = threeBalls(*strip);
   rig.links = {{"A", "B"}, {"B", "C"}};
@@ -127,7 +127,7 @@ class PosedField {
   Bounds bounds_;
 };
 
-TEST(BlendingSurface, FieldHasNoJumps) {
+TEST(BlendingSurface, FieldIsContinuous) {
   constexpr int kSegments = 10000;
   constexpr std::array kSteps{8, 32, 128};
   std::printf("  largest change of F over a step of 10,000 segments, by steps a segment\n");

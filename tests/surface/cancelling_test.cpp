@@ -26,7 +26,7 @@ Rig undone(Rig rig) {
   return rig;
 }
 
-TEST(Canceling, AMuscleAndTheCarveThatUndoesItLeaveTheSkin) {
+TEST(Canceling, MuscleAndOppositeCarveCancel) {
   for (const auto& character : {makeLimb(), makeTwoLegged(), makeStrip()}) {
     int projected = 0;
     for (std::uint64_t seed = 0; seed < 20; ++seed) {
@@ -51,7 +51,7 @@ TEST(Canceling, AMuscleAndTheCarveThatUndoesItLeaveTheSkin) {
 }
 
 // An influence that just touches a vertex: the field there is rounding, and so must be what it does.
-TEST(Canceling, AnInfluenceThatBarelyTouchesBarelyMoves) {
+TEST(Canceling, BarelyTouchingInfluenceBarelyMovesTheSkin) {
   const auto character = makeLimb();
   RigRecipe recipe;
   recipe.primitives = 1;

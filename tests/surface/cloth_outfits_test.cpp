@@ -34,9 +34,9 @@ Rig athleteOn(const Character& character) {
   return rig;
 }
 
-class ClothesOf : public ::testing::TestWithParam<test::Outfit> {};
+class ClothingOutfits : public ::testing::TestWithParam<test::Outfit> {};
 
-TEST_P(ClothesOf, StayAboveTheSkinInFoldsToo) {
+TEST_P(ClothingOutfits, StayAboveTheSkinEvenInFolds) {
   const auto character = test::dressedHumanoid(GetParam());
   const std::vector<Pose> poses = test::posesOfClips(*character, 12);
   const ClothCount count = countClothBelow(character, athleteOn(*character), poses).value();
@@ -50,13 +50,13 @@ TEST_P(ClothesOf, StayAboveTheSkinInFoldsToo) {
   EXPECT_LE(count.seen, GetParam() == test::Outfit::kLoose ? 12 : 2) << "in pose " << count.lastSeen;
 }
 
-INSTANTIATE_TEST_SUITE_P(Outfits, ClothesOf, ::testing::ValuesIn(test::kOutfits), [](const auto& outfit) {
+INSTANTIATE_TEST_SUITE_P(Outfits, ClothingOutfits, ::testing::ValuesIn(test::kOutfits), [](const auto& outfit) {
   std::string name = test::nameOf(outfit.param);
   std::erase(name, ' ');
   return name;
 });
 
-TEST(ClothesOfTheUsualCut, PopNoMoreThanTheSkinUnderThem) {
+TEST(StandardClothing, PopsNoMoreThanTheSkin) {
   const auto character = test::dressedHumanoid();
   const Rig rig = athleteOn(*character);
   Rig stiff = rig;
@@ -98,7 +98,7 @@ double meanTurnAlongHems(const Character& character, const std::string& part, co
   return sum / std::max(vertices, 1);
 }
 
-TEST(ClothesOfTheUsualCut, HaveNoTeethAlongTheirHems) {
+TEST(StandardClothing, HasSmoothHems) {
   const auto character = test::dressedHumanoid();
   const Rig rig = athleteOn(*character);
   std::vector<int> all(rig.primitives.size());

@@ -59,9 +59,9 @@ struct DressedSurface {
   }
 };
 
-class ClothIn : public ::testing::TestWithParam<SurfaceMode> {};
+class ClothBySurfaceMode : public ::testing::TestWithParam<SurfaceMode> {};
 
-TEST_P(ClothIn, NothingSinksThatTheFileHasAboveTheSkin) {
+TEST_P(ClothBySurfaceMode, ClothStaysAboveTheSkin) {
   const DressedSurface dressed;
   Rig rig = flexRig();
   rig.surface.mode = GetParam();
@@ -81,10 +81,10 @@ TEST_P(ClothIn, NothingSinksThatTheFileHasAboveTheSkin) {
   EXPECT_GT(more, 5);
 }
 
-INSTANTIATE_TEST_SUITE_P(Modes, ClothIn, ::testing::Values(SurfaceMode::kSwell, SurfaceMode::kReplace),
+INSTANTIATE_TEST_SUITE_P(Modes, ClothBySurfaceMode, ::testing::Values(SurfaceMode::kSwell, SurfaceMode::kReplace),
                          [](const auto& mode) { return std::string(nameOf(mode.param)); });
 
-TEST(Cloth, MovesWithTheSkinAndEyesStayToTheBit) {
+TEST(Cloth, MovesWithTheSkinAndRigidPartsAreUnchanged) {
   const DressedSurface dressed;
   const Rig rig = flexRig();
   for (const Pose& pose : test::posesOfClips(*dressed.character, 2)) {
@@ -104,7 +104,7 @@ TEST(Cloth, MovesWithTheSkinAndEyesStayToTheBit) {
   }
 }
 
-TEST(Cloth, TheSkinIsWhatItIsWithoutClothes) {
+TEST(Cloth, DoesNotChangeTheSkin) {
   const DressedSurface dressed;
   const auto naked = importGltf(kClothAssets / "humanoid.glb").value();
   const Rig rig = flexRig();
@@ -131,7 +131,7 @@ TEST(Cloth, TheSkinIsWhatItIsWithoutClothes) {
   }
 }
 
-TEST(Cloth, AllSkinIsTheSurfaceWithoutParts) {
+TEST(Cloth, AllSkinLayersMatchACharacterWithoutParts) {
   const auto dressed = test::dressedHumanoid();
   auto plain = std::make_shared<Character>(*dressed);
   plain->parts.clear();
@@ -151,7 +151,7 @@ TEST(Cloth, AllSkinIsTheSurfaceWithoutParts) {
   EXPECT_EQ(a.normals, b.normals);
 }
 
-TEST(Cloth, BundledRigsHaveNoLayersAndSoTheirFormerSurfaces) {
+TEST(Cloth, BundledRigsHaveNoLayers) {
   for (const char* name : {"humanoid", "humanoid-flex", "humanoid-wrapped", "horse", "horse-flex", "horse-wrapped",
                            "demo", "tangle", "wrapped"}) {
     const fs::path file = kClothAssets / (std::string(name) + ".rig.json");
@@ -165,7 +165,7 @@ TEST(Cloth, BundledRigsHaveNoLayersAndSoTheirFormerSurfaces) {
   }
 }
 
-TEST(Cloth, AnEditOfTheLayersIsThatOfAFreshStart) {
+TEST(Cloth, LayerEditMatchesAFreshSmoother) {
   const auto dressed = test::dressedHumanoid();
   const Pose pose = test::posesOfClips(*dressed, 3).back();
   for (const DetailKind detail : {DetailKind::kUniform, DetailKind::kAdaptive}) {
@@ -187,7 +187,7 @@ TEST(Cloth, AnEditOfTheLayersIsThatOfAFreshStart) {
   }
 }
 
-TEST(Cloth, AnyNumberOfThreadsGivesTheSameBytesAndAFrameAllocatesNothing) {
+TEST(Cloth, DoesNotDependOnThreadsAndAFrameAllocatesNothing) {
   const auto dressed = test::dressedHumanoid();
   const std::vector<Pose> poses = test::posesOfClips(*dressed, 2);
   Smoother smoother(dressed);

@@ -116,11 +116,11 @@ float leastRise(const TrialScene& scene) {
   return least;
 }
 
-class CoherenceOfClips : public ::testing::TestWithParam<Walk> {};
+class ClipCoherence : public ::testing::TestWithParam<Walk> {};
 
 // Nothing pops: where the skin steps further than 1 % H a frame it does so for causes docs/design.md names (In time),
 // no more often and no further than is recorded. Over muscles that lie in the flesh it does not, but for the Fox.
-TEST_P(CoherenceOfClips, StepsNoFurtherThanRecorded) {
+TEST_P(ClipCoherence, StepsAreNoLargerThanRecorded) {
   const Walk& walk = GetParam();
   const auto scene = sceneOf(walk);
   if (!scene) GTEST_SKIP() << "left out: " << walk.scene << " is not at hand";
@@ -146,11 +146,11 @@ constexpr std::array kWalks{
     Walk{"robot", kBedded, kSwell},       Walk{"robot", kBedded, kReplace},
 };
 
-INSTANTIATE_TEST_SUITE_P(Coherence, CoherenceOfClips, ::testing::ValuesIn(kWalks),
+INSTANTIATE_TEST_SUITE_P(Coherence, ClipCoherence, ::testing::ValuesIn(kWalks),
                          [](const auto& test) { return nameOf(test.param); });
 
 // Else the walks over them would show nothing.
-TEST(Coherence, MusclesThatLieInTheFleshAreSeen) {
+TEST(Coherence, EmbeddedMusclesAreVisible) {
   bool any = false;
   for (const char* name : {"Fox", "greenman", "cesium_man", "robot"}) {
     const auto scene = sceneOf({name, kBedded, kSwell});
@@ -163,7 +163,7 @@ TEST(Coherence, MusclesThatLieInTheFleshAreSeen) {
 }
 
 // A row for a walk that is not taken would never be compared.
-TEST(Coherence, EveryRecordedRowBelongsToAWalk) {
+TEST(Coherence, EveryRecordedRowHasAWalk) {
   for (const Recorded& row : kRecorded) {
     EXPECT_TRUE(std::ranges::any_of(kWalks, [&](const Walk& walk) {
       return row.scene == std::string_view(walk.scene) && row.laid == walk.laid && row.mode == walk.mode;

@@ -54,7 +54,7 @@ glm::vec3 controlFaceNormal(const ControlMesh& mesh, std::size_t triangle) {
       glm::cross(mesh.positions[static_cast<std::size_t>(b)] - p, mesh.positions[static_cast<std::size_t>(c)] - p));
 }
 
-TEST(ShadingCreases, ACubesFacesAreFlatAtEveryDepthAndItsShapeIsAsBefore) {
+TEST(ShadingCreases, CubeFacesAreFlatAtEveryDepthWithUnchangedShape) {
   const CharacterPtr cube = makeCube();
   for (const PatchKind patch : kEveryPatch) {
     for (int depth = 1; depth <= kMaxDepth; ++depth) {
@@ -82,7 +82,7 @@ TEST(ShadingCreases, ACubesFacesAreFlatAtEveryDepthAndItsShapeIsAsBefore) {
   }
 }
 
-TEST(ShadingCreases, WithoutACreaseEveryBitIsAsBefore) {
+TEST(ShadingCreases, AngleWithoutCreasesChangesNothing) {
   for (const CharacterPtr& character : {makeLimb(), makeTwoLegged(), makeTube()}) {
     const Rig rig = randomRig(*character, {}, 3);
     const Pose pose = samplePose(character->skeleton, character->clips.front(), 0.7f);
@@ -100,7 +100,7 @@ TEST(ShadingCreases, WithoutACreaseEveryBitIsAsBefore) {
   }
 }
 
-TEST(ShadingCreases, TheyAreCarriedByThePose) {
+TEST(ShadingCreases, CreasesFollowThePose) {
   const CharacterPtr cube = makeCube();
   Rig rig;
   rig.smoothing.creaseAngle = 30.0f;
@@ -125,7 +125,7 @@ TEST(ShadingCreases, TheyAreCarriedByThePose) {
   }
 }
 
-TEST(ShadingCreases, AMuscleShowsOnACreasedFace) {
+TEST(ShadingCreases, MuscleIsVisibleOnACreasedFace) {
   const CharacterPtr cube = makeCube();
   Rig rig;
   rig.smoothing.depth = 8;
@@ -182,7 +182,7 @@ TEST(ShadingCreases, SmoothEdgesShowNoSeamBetweenCreasedWedges) {
   EXPECT_GT(compared, 20);
 }
 
-TEST(ShadingCreases, SwitchingAnglesIsTheSameAsStartingWithThem) {
+TEST(ShadingCreases, AngleChangeMatchesAFreshSmoother) {
   const CharacterPtr character = makeTube();
   const Rig rig = randomRig(*character, {}, 5);
   const Pose pose = samplePose(character->skeleton, character->clips.front(), 1.3f);

@@ -21,7 +21,7 @@ Rig typedIn(Rig rig) {
 
 class DrivenSurface : public testing::TestWithParam<SurfaceMode> {};
 
-TEST_P(DrivenSurface, IsTheSurfaceOfTheNumbers) {
+TEST_P(DrivenSurface, MatchesTheEvaluatedNumbers) {
   const auto character = test::makeLimb();
   const AnimationClip& clip = character->clips.front();
   int moved = 0;
@@ -54,7 +54,7 @@ TEST_P(DrivenSurface, IsTheSurfaceOfTheNumbers) {
 INSTANTIATE_TEST_SUITE_P(Modes, DrivenSurface, testing::Values(SurfaceMode::kSwell, SurfaceMode::kReplace),
                          [](const auto& mode) { return std::string(nameOf(mode.param)); });
 
-TEST(DrivenSurfaces, AnAmountOfZeroIsNoMuscle) {
+TEST(DrivenSurfaces, ZeroAmountIsNoMuscle) {
   const auto character = test::makeLimb();
   Rig rig = test::randomRig(*character, {.primitives = 3, .carveChance = 0.0f}, 4);
   rig.smoothing.depth = 2;
@@ -74,7 +74,7 @@ TEST(DrivenSurfaces, AnAmountOfZeroIsNoMuscle) {
   EXPECT_EQ(zero.normals, none.normals);
 }
 
-TEST(DrivenSurfaces, MoreAmountRisesHigher) {
+TEST(DrivenSurfaces, LargerAmountRisesHigher) {
   const auto character = test::makeLimb();
   const Pose pose = bindPose(character->skeleton);
   float last = -1.0f;

@@ -77,7 +77,7 @@ Tally tallyOf(const TrialScene& scene, const Rig& rig) {
   return tally;
 }
 
-TEST(FaceCulling, WhatIsSkippedFacesAwayAndAllElseIsTheSameToTheBit) {
+TEST(FaceCulling, CullsOnlyBackFacesAndLeavesTheRestUnchanged) {
   std::printf("  %-11s %-8s %6s %8s %12s %10s %8s\n", "scene", "mode", "eyes", "culled", "refined", "towards",
               "changed");
   for (const TrialScene& trial : trialScenes()) {
@@ -97,7 +97,7 @@ TEST(FaceCulling, WhatIsSkippedFacesAwayAndAllElseIsTheSameToTheBit) {
   }
 }
 
-TEST(FaceCulling, WhatHasTwoSidesIsNeverSkipped) {
+TEST(FaceCulling, DoubleSidedMaterialsAreNeverCulled) {
   TrialScene scene = oneSided(trialScene("tangle"));
   auto character = std::make_shared<Character>(*scene.character);
   for (Material& material : character->materials) material.doubleSided = true;
@@ -111,7 +111,7 @@ TEST(FaceCulling, WhatHasTwoSidesIsNeverSkipped) {
   }
 }
 
-TEST(FaceCulling, WithoutMusclesAboutHalfIsSkippedFromFar) {
+TEST(FaceCulling, CullsAboutHalfFromFarAwayWithoutMuscles) {
   const TrialScene scene = oneSided(trialScene("tangle"));
   Smoother smoother(scene.character);
   ASSERT_TRUE(smoother.prepare(Rig{}).ok());

@@ -86,7 +86,7 @@ int carrierOf(const Refinement& points, int vertex) {
   return points.controlVertices + points.controlEdges + pieceOf(points.insideBegin);
 }
 
-TEST(LevelChanges, EverySampleThatAnEditChangesIsLookedAt) {
+TEST(LevelChanges, EveryChangedSampleIsReevaluated) {
   Random random(5);
   std::size_t changed = 0;
   std::size_t looked = 0;
@@ -124,7 +124,7 @@ TEST(LevelChanges, EverySampleThatAnEditChangesIsLookedAt) {
   EXPECT_LT(looked, carriers * 2 / 3) << "and little besides";
 }
 
-TEST(LevelChanges, LevelsAfterAnEditAreThoseFromScratch) {
+TEST(LevelChanges, LevelsAfterAnEditMatchAFreshStart) {
   Random random(11);
   for (const char* name : {"humanoid-flex", "horse"}) {
     const TrialScene scene = bundledTrialScene(name);
@@ -147,7 +147,7 @@ TEST(LevelChanges, LevelsAfterAnEditAreThoseFromScratch) {
 }
 
 // A piece is some thousand edges and triangles, and a range of vertices a thousand: a fine mesh alone has several.
-TEST(LevelChanges, SeveralThreadsFindTheLevelsOfOne) {
+TEST(LevelChanges, LevelsDoNotDependOnThreads) {
   const CharacterPtr character = fineHumanoid();
   Rig rig = randomRig(*character, {.primitives = 4}, 3);
   rig.smoothing.detail = DetailKind::kAdaptive;
@@ -173,7 +173,7 @@ TEST(LevelChanges, SeveralThreadsFindTheLevelsOfOne) {
 }
 
 // An edge without a triangle of its own is sampled as well.
-TEST(LevelChanges, APartShowsWhatTheWholeShows) {
+TEST(LevelChanges, PartialMeshMatchesTheWhole) {
   const TrialScene scene = bundledTrialScene("tangle");
   Preparer prepared(scene.character);
   for (const SurfaceMode mode : {SurfaceMode::kSwell, SurfaceMode::kReplace}) {

@@ -75,7 +75,7 @@ const std::vector<Edit>& edits() {
   return all;
 }
 
-TEST(PrepareAgain, GivesTheSameBitsAsAFreshSmoother) {
+TEST(RepeatedPrepare, MatchesAFreshSmootherBitForBit) {
   const auto character = makeTwoLegged();
   const Pose pose = samplePose(character->skeleton, character->clips.back(), 0.4f);
   for (std::uint64_t seed = 0; seed < 6; ++seed) {
@@ -101,7 +101,7 @@ TEST(PrepareAgain, GivesTheSameBitsAsAFreshSmoother) {
 }
 
 // A drag changes shapes alone, and what depends on nothing else is kept.
-TEST(PrepareAgain, OnlyShapesChangeInADrag) {
+TEST(RepeatedPrepare, DragChangesOnlyShapes) {
   const auto character = makeTwoLegged();
   const Rig rig = randomRig(*character, {}, 3);
   Placement moved = rig.primitives[0].placement;
@@ -113,7 +113,7 @@ TEST(PrepareAgain, OnlyShapesChangeInADrag) {
   EXPECT_FALSE(sameCandidates(rig, addGroup(rig, "another").value()));
 }
 
-TEST(PrepareAgain, MusclesAreAttachedOnlyWhereMoreThanShapesChanges) {
+TEST(RepeatedPrepare, ReattachesOnlyIfMoreThanShapesChanges) {
   const auto character = makeTwoLegged();
   Rig rig = randomRig(*character, {}, 3);
   PreparedInTurn preparations(character);
@@ -134,7 +134,7 @@ TEST(PrepareAgain, MusclesAreAttachedOnlyWhereMoreThanShapesChanges) {
 }
 
 // Groups in threes of which each is linked to all but its own two: 3^8 cliques.
-TEST(PrepareAgain, ARigWithTooManyCliquesIsRefusedEachTimeAndTheFormerOneStays) {
+TEST(RepeatedPrepare, RigWithTooManyCliquesIsRefusedAndThePreviousOneStays) {
   const auto character = makeTwoLegged();
   const Rig rig = randomRig(*character, {}, 3);
   Rig tangled = rig;

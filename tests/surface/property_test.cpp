@@ -120,7 +120,7 @@ class Bounds {
   double blend_ = 0.0;       ///< Largest h.
 };
 
-TEST(Property, RandomRigsAndPosesStayWholeAndWithinTheirBounds) {
+TEST(SurfaceProperty, RandomRigsAndPosesStayFiniteAndWithinBounds) {
   const std::vector<CharacterPtr> characters{makeLimb(), makeTwoLegged(), makeTube(), makeStrip()};
   int moved[2] = {0, 0};
   for (std::uint64_t seed = 0; seed < (longRun() ? 1000u : 200u); ++seed) {
@@ -143,7 +143,7 @@ TEST(Property, RandomRigsAndPosesStayWholeAndWithinTheirBounds) {
 }
 
 // The corners of what a rig may say.
-TEST(Property, SettingsAtTheirLimitsStayWholeAndWithinTheirBounds) {
+TEST(SurfaceProperty, ExtremeSettingsStayFiniteAndWithinBounds) {
   const CharacterPtr character = makeTwoLegged();
   for (std::uint64_t seed = 0; seed < 12; ++seed) {
     Rig rig = anyRig(*character, seed);
@@ -165,7 +165,7 @@ TEST(Property, SettingsAtTheirLimitsStayWholeAndWithinTheirBounds) {
 }
 
 // Bones flattened to a plane, a line, a point; primitives on them reach nothing or something, never NaN.
-TEST(Property, FlattenedBonesAreHarmless) {
+TEST(SurfaceProperty, FlattenedBonesAreHarmless) {
   const CharacterPtr character = makeTwoLegged();
   for (std::uint64_t seed = 0; seed < 24; ++seed) {
     const Rig rig = anyRig(*character, seed);
@@ -182,7 +182,7 @@ TEST(Property, FlattenedBonesAreHarmless) {
 }
 
 // A mirrored bone (negative scale) turns the skin inside out with its normals still unit.
-TEST(Property, MirroredBonesAreHarmless) {
+TEST(SurfaceProperty, MirroredBonesAreHarmless) {
   const CharacterPtr character = makeLimb();
   for (std::uint64_t seed = 0; seed < 12; ++seed) {
     Smoother smoother(character);
@@ -206,7 +206,7 @@ float largestStep(const Surface& a, const Surface& b) {
 }
 
 // A shallow muscle (no overhang) sliding out through the skin: the skin rises without a jump.
-TEST(Property, SwellMovesContinuouslyWithThePrimitive) {
+TEST(SurfaceProperty, SwellMovesContinuouslyWithThePrimitive) {
   const CharacterPtr character = makeLimb();
   Rig rig;
   rig.groups.push_back({"a", {}});

@@ -78,11 +78,11 @@ void expectAgreement(SurfaceMode mode) {
   EXPECT_GT(sought, 100);
 }
 
-TEST(ShapedSurface, SwellIsWhatBruteForceFinds) { expectAgreement(SurfaceMode::kSwell); }
+TEST(ShapedSurface, SwellMatchesBruteForce) { expectAgreement(SurfaceMode::kSwell); }
 
-TEST(ShapedSurface, ReplaceIsWhatBruteForceFinds) { expectAgreement(SurfaceMode::kReplace); }
+TEST(ShapedSurface, ReplaceMatchesBruteForce) { expectAgreement(SurfaceMode::kReplace); }
 
-TEST(ShapedSurface, LanesGiveTheScalarPathsSurface) {
+TEST(ShapedSurface, VectorPathMatchesTheScalarPath) {
   for (const SurfaceMode mode : {SurfaceMode::kSwell, SurfaceMode::kReplace}) {
     Agreement seen;
     for (const CharacterPtr& character : {makeLimb(), makeTwoLegged()}) {
@@ -112,7 +112,7 @@ float step(const Surface& a, const Surface& b) {
   return most;
 }
 
-TEST(ShapedSurface, SweepsOfEachNumberAreContinuous) {
+TEST(ShapedSurface, SurfaceIsContinuousInEachShapeParameter) {
   const CharacterPtr character = makeLimb();
   Rig start;
   start.groups.push_back({"arm", {}});

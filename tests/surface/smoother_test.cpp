@@ -49,7 +49,7 @@ void expectSame(const Surface& a, const Surface& b, const std::string& what) {
 
 constexpr std::array kModes{SurfaceMode::kSwell, SurfaceMode::kReplace};
 
-TEST(Smoother, SameInSameOut) {
+TEST(Smoother, EqualInputsGiveEqualSurfaces) {
   const CharacterPtr character = makeTwoLegged();
   for (const SurfaceMode mode : kModes) {
     const Rig rig = someRig(*character, mode);
@@ -69,7 +69,7 @@ TEST(Smoother, SameInSameOut) {
   }
 }
 
-TEST(Smoother, SearchesToCompareAreTheScalarPath) {
+TEST(Smoother, ComparisonSearchesUseTheScalarPath) {
   const CharacterPtr character = makeTwoLegged();
   const Rig rig = someRig(*character);
   const Pose pose = at(*character, 0.8f);
@@ -103,7 +103,7 @@ TEST(Smoother, OutputMemoryIsReusableAcrossDepthsAndCharacters) {
   expectSame(surface, fresh(limb, limbRig, at(*limb, 0.4f)), "reused output");
 }
 
-TEST(Smoother, EditThenUndoIsAsBefore) {
+TEST(Smoother, EditThenUndoRestoresTheSurface) {
   const CharacterPtr character = makeLimb();
   for (const SurfaceMode mode : kModes) {
     const Rig rig = someRig(*character, mode);
@@ -137,7 +137,7 @@ TEST(Smoother, EditThenUndoIsAsBefore) {
   }
 }
 
-TEST(Smoother, RefusedRigLeavesTheFormerInForce) {
+TEST(Smoother, RefusedRigKeepsThePreviousOne) {
   const CharacterPtr character = makeLimb();
   const Rig rig = someRig(*character);
   Smoother smoother(character);
@@ -198,7 +198,7 @@ TEST(Smoother, UnattachedPrimitivesAreNamedAndHarmless) {
   EXPECT_TRUE(smoother.unattached().empty());
 }
 
-TEST(Smoother, ReportCounts) {
+TEST(Smoother, ReportCountsAreConsistent) {
   for (const CharacterPtr& character : {makeLimb(), makeTwoLegged(), makeStrip(), makeTube()}) {
     for (const SurfaceMode mode : kModes) {
       for (const int depth : {1, 2, 5, 16}) {
@@ -235,7 +235,7 @@ TEST(Smoother, ReportCounts) {
   }
 }
 
-TEST(Smoother, ClassesFollowTheOmegas) {
+TEST(Smoother, ClassesFollowOmega) {
   const CharacterPtr character = makeTwoLegged();
   Rig rig = someRig(*character, SurfaceMode::kReplace);
   for (Primitive& primitive : rig.primitives) primitive.placement.radii *= 1.6f;
@@ -258,7 +258,7 @@ TEST(Smoother, ClassesFollowTheOmegas) {
   EXPECT_GT(seen[2], 0);
 }
 
-TEST(Smoother, DisplacementIsTheWayAlongTheRiseDirection) {
+TEST(Smoother, DisplacementIsMeasuredAlongTheRiseDirection) {
   const CharacterPtr character = makeTwoLegged();
   const Rig rig = someRig(*character);
   Rig bare = rig;
@@ -287,7 +287,7 @@ TEST(Smoother, DisplacementIsTheWayAlongTheRiseDirection) {
   EXPECT_GT(turned, 0) << "every direction is its normal: nothing was told apart";
 }
 
-TEST(Smoother, DisplacementInReplaceIsThePatchNormalsShare) {
+TEST(Smoother, ReplaceDisplacementIsAlongThePatchNormal) {
   const CharacterPtr character = makeTwoLegged();
   const Rig rig = someRig(*character, SurfaceMode::kReplace);
   Rig bare = rig;
@@ -305,7 +305,7 @@ TEST(Smoother, DisplacementInReplaceIsThePatchNormalsShare) {
 }
 
 // docs/design.md with the numbers typed in: T = 1/4, h = 0.08, a sphere of radius 0.3 whose center lies on a flat skin.
-TEST(Smoother, SwellOverASphereOnAFlatSkin) {
+TEST(Smoother, SwellOverASphereMatchesTheFormula) {
   const CharacterPtr character = makeStrip();
   Rig rig;
   rig.groups.push_back({"a", {}});
@@ -332,7 +332,7 @@ TEST(Smoother, SwellOverASphereOnAFlatSkin) {
 }
 
 // Under `replace` the counts of a surface are those the brute-force search comes to.
-TEST(Smoother, ReplaceCountsWhatItCouldNotResolve) {
+TEST(Smoother, ReplaceCountsUnresolvedVertices) {
   const CharacterPtr character = makeTwoLegged();
   const Rig rig = someRig(*character, SurfaceMode::kReplace);
   const Pose pose = at(*character, 1.3f);

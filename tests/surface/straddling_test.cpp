@@ -37,7 +37,7 @@ Surface smoothed(const TrialScene& scene, const Rig& rig, const Pose& pose) {
   return out;
 }
 
-TEST(Straddling, TheWrappedBodyHasAllThreeClassesWhereTheyBelong) {
+TEST(Straddling, WrappedBodyHasAllThreeClasses) {
   const TrialScene& scene = trialScene("wrapped");
   ASSERT_EQ(scene.rig.surface.mode, SurfaceMode::kReplace);
   const Surface surface = smoothed(scene, scene.rig, bindPose(scene.character->skeleton));
@@ -127,7 +127,7 @@ Surface projectedAlone(const TrialScene& scene, const Rig& rig, const Pose& pose
 }
 
 // p' = omega p_implicit + (1 - omega) p_normal, and the normals likewise.
-TEST(Straddling, PositionsAreThePapersMix) {
+TEST(Straddling, PositionsMatchThePapersBlend) {
   const TrialScene& scene = trialScene("wrapped");
   const float height = scene.character->height;
   const Rig rig = withMode(scene.rig, SurfaceMode::kReplace);

@@ -53,7 +53,7 @@ class Threads : public ::testing::TestWithParam<const char*> {
   TrialScene scene_ = bundledTrialScene(GetParam());
 };
 
-TEST_P(Threads, MakeTheSameSurfaceInBothModes) {
+TEST_P(Threads, GiveTheSameSurfaceInBothModes) {
   Rig rig = scene_.rig;
   rig.smoothing.detail = DetailKind::kUniform;
   rig.smoothing.depth = kSharedDepth;
@@ -63,7 +63,7 @@ TEST_P(Threads, MakeTheSameSurfaceInBothModes) {
   }
 }
 
-TEST_P(Threads, MakeTheSameCreases) {
+TEST_P(Threads, GiveTheSameCreases) {
   Rig rig = scene_.rig;
   rig.smoothing.detail = DetailKind::kUniform;
   rig.smoothing.depth = kSharedDepth;
@@ -73,7 +73,7 @@ TEST_P(Threads, MakeTheSameCreases) {
 }
 
 // Stages that go by control triangles or control vertices are shared out from some thousands of these on.
-TEST(ThreadsOfAFineBody, MakeTheSameSurface) {
+TEST(ThreadsOnAFineBody, GiveTheSameSurface) {
   const auto character = fineHumanoid();
   Rig rig = trialRig(*character, 14, 3);
   rig.smoothing.depth = 1;

@@ -82,7 +82,7 @@ class BakedExport : public ::testing::TestWithParam<const char*> {
   TemporaryFolder folder_;
 };
 
-TEST_P(BakedExport, NoVertexIsFartherOffThanTheBoundInAnyBakedFrame) {
+TEST_P(BakedExport, ErrorStaysWithinTheBoundInEveryBakedFrame) {
   for (const double bound : {0.4, 0.05}) {
     const auto file = folder_.path() / "out.glb";
     const auto report = bake(file, bound);
@@ -102,7 +102,7 @@ TEST_P(BakedExport, NoVertexIsFartherOffThanTheBoundInAnyBakedFrame) {
   }
 }
 
-TEST_P(BakedExport, ALooserBoundTakesFewerTargets) {
+TEST_P(BakedExport, LooserBoundNeedsFewerTargets) {
   const auto loose = bake(folder_.path() / "loose.glb", 0.8);
   const auto tight = bake(folder_.path() / "tight.glb", 0.05);
   const auto none = bake(folder_.path() / "none.glb", 100.0);
@@ -155,7 +155,7 @@ TEST_P(BakedExport, TargetsHaveNamesBoundsNormalsAndOneWeightEachAtEveryKey) {
   EXPECT_GT(sparse, 0u);
 }
 
-TEST_P(BakedExport, NormalsFollowTheLiveOnes) {
+TEST_P(BakedExport, NormalsFollowTheLiveSurface) {
   const auto file = folder_.path() / "out.glb";
   ASSERT_TRUE(bake(file).ok());
   const tinygltf::Model model = rawModel(file);
@@ -178,7 +178,7 @@ TEST_P(BakedExport, NormalsFollowTheLiveOnes) {
   EXPECT_LT(morphed, 0.5 * still);
 }
 
-TEST_P(BakedExport, SameInputsSameBytesOnAnyNumberOfThreads) {
+TEST_P(BakedExport, OutputDoesNotDependOnThreads) {
   for (const char* name : {"out.glb", "out.mdd", "out.usda"}) {
     const auto file = folder_.path() / name;  // USD names its root after the file.
     ASSERT_TRUE(bake(file).ok());
@@ -189,7 +189,7 @@ TEST_P(BakedExport, SameInputsSameBytesOnAnyNumberOfThreads) {
   }
 }
 
-TEST_P(BakedExport, TellsHowFarItIsAndCanBeCanceledAtAnyMoment) {
+TEST_P(BakedExport, ReportsProgressAndCanBeCanceledAtAnyTime) {
   for (const char* name : {"out.gltf", "out.pc2", "out.usda"}) {
     const auto file = folder_.path() / name;
     std::vector<double> told;

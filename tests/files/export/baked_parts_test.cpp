@@ -69,7 +69,7 @@ class BakedParts : public ::testing::Test {
   std::shared_ptr<const Character> character_;
 };
 
-TEST_F(BakedParts, MeshesInSpacesOfTheirOwnShareTheWeights) {
+TEST_F(BakedParts, MeshesInTheirOwnSpacesShareTheWeights) {
   ordered_json board;
   board["attributes"]["POSITION"] =
       post_.file.accessor(std::vector<float>{0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0.5f}, "VEC3");
@@ -107,7 +107,7 @@ TEST_F(BakedParts, PointsAndLinesOfAMorphedMeshHaveAsManyTargets) {
   }
 }
 
-TEST_F(BakedParts, TargetsOfTheFileAreBakedAndItsOtherExtrasStay) {
+TEST_F(BakedParts, TargetsOfTheFileAreBakedAndOtherExtrasKept) {
   const int target = post_.file.accessor(std::vector<float>(post_.positions.size(), 0.25f), "VEC3");
   post_.file.json["accessors"][static_cast<std::size_t>(target)]["min"] = {0.25, 0.25, 0.25};
   post_.file.json["accessors"][static_cast<std::size_t>(target)]["max"] = {0.25, 0.25, 0.25};
@@ -127,7 +127,7 @@ TEST_F(BakedParts, TargetsOfTheFileAreBakedAndItsOtherExtrasStay) {
   EXPECT_EQ(model.meshes[0].extras.Get("targetNames").ArrayLen(), static_cast<std::size_t>(report->targets));
 }
 
-TEST_F(BakedParts, AJointThatShrinksToNothingIsBakedOrRefused) {
+TEST_F(BakedParts, JointScaledToZeroIsBakedOrRefused) {
   ordered_json& clip = post_.file.json["animations"][0];
   clip["samplers"].push_back({{"input", clip["samplers"][0]["input"]},
                               {"output", post_.file.accessor(std::vector<float>{1, 1, 1, 0, 0, 0}, "VEC3")}});
@@ -138,7 +138,7 @@ TEST_F(BakedParts, AJointThatShrinksToNothingIsBakedOrRefused) {
   EXPECT_EQ(std::filesystem::exists(folder_.path() / "out.glb"), report.ok());
 }
 
-TEST_F(BakedParts, WhatIsAskedForIsCheckedBeforeTheWork) {
+TEST_F(BakedParts, SettingsAreCheckedFirst) {
   ASSERT_TRUE(bake(1.0).ok());
   std::filesystem::remove(folder_.path() / "out.glb");
   const auto refused = [&](BakedExportSettings settings, const char* name, const std::string& words) {

@@ -61,7 +61,7 @@ CandidateWeights randomWeights(std::mt19937& random, std::size_t candidates) {
   return weights;
 }
 
-TEST(BestWeights, AreLegalAndNoneOfManyOthersIsBetter) {
+TEST(BestWeights, AreValidAndBetterThanRandomWeights) {
   std::mt19937 random(7);
   for (std::size_t candidates = 1; candidates <= kMostCandidates; ++candidates) {
     const Problem problem = randomProblem(random, candidates, 5);
@@ -85,7 +85,7 @@ TEST(BestWeights, AreLegalAndNoneOfManyOthersIsBetter) {
   }
 }
 
-TEST(BestWeights, ASmallStepAwayFromThemCostsMore) {
+TEST(BestWeights, AreALocalMinimum) {
   std::mt19937 random(11);
   for (int trial = 0; trial < 50; ++trial) {
     const Problem problem = randomProblem(random, 6, 8);

@@ -104,7 +104,7 @@ std::vector<float> turnsAbout(int axis, const std::vector<float>& angles) {
   return values;
 }
 
-TEST_F(ClipRepair, FallingAndRepeatedTimesAreWrittenAsTheyWereSorted) {
+TEST_F(ClipRepair, DecreasingAndRepeatedTimesAreWrittenSorted) {
   for (const ExportMesh mesh : {ExportMesh::kOriginal, ExportMesh::kRefined}) {
     post_ = makePost();
     clip() = {{"name", "odd"}, {"channels", ordered_json::array()}, {"samplers", ordered_json::array()}};
@@ -116,7 +116,7 @@ TEST_F(ClipRepair, FallingAndRepeatedTimesAreWrittenAsTheyWereSorted) {
   }
 }
 
-TEST_F(ClipRepair, SoundKeysStayTheFilesBytes) {
+TEST_F(ClipRepair, SoundKeysKeepTheirBytes) {
   addChannel(2, "rotation", {0.0f, 1.0f}, turnsAbout(0, {0.0f, 1.0f}));
   EXPECT_TRUE(exported().left.empty());
   const tinygltf::Model was = rawModel(source_);
@@ -127,7 +127,7 @@ TEST_F(ClipRepair, SoundKeysStayTheFilesBytes) {
   EXPECT_EQ(rawBytes(is, after.output), rawBytes(was, before.output));
 }
 
-TEST_F(ClipRepair, ChannelsThatDoNotPlayAreLeftOut) {
+TEST_F(ClipRepair, InactiveChannelsAreOmitted) {
   addChannel(2, "rotation", {0.0f, 1.0f}, turnsAbout(0, {0.0f, 1.0f}));
   addChannel(2, "rotation", {0.0f, 1.0f}, turnsAbout(2, {0.0f, 2.0f}));
   post_.file.json["nodes"].push_back({{"name", "still"}, {"matrix", {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1}}});
@@ -140,7 +140,7 @@ TEST_F(ClipRepair, ChannelsThatDoNotPlayAreLeftOut) {
 }
 
 /// Any times, also before 0, any interpolation, rotations of any length.
-TEST_F(ClipRepair, AnyKeysPlayAsTheyWereRead) {
+TEST_F(ClipRepair, RandomKeysPlayAsImported) {
   std::mt19937 random(11);
   const auto number = [&](float low, float high) { return std::uniform_real_distribution<float>(low, high)(random); };
   constexpr const char* kKinds[] = {"LINEAR", "STEP", "CUBICSPLINE"};

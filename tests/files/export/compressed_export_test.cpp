@@ -65,7 +65,7 @@ class CompressedExport : public ::testing::Test {
   ordered_json json_;
 };
 
-TEST_F(CompressedExport, DracoIsGone) {
+TEST_F(CompressedExport, DracoIsDecompressed) {
   for (const DracoMethod method : {DracoMethod::kSequential, DracoMethod::kEdgebreaker}) {
     for (const ExportMesh mesh : {ExportMesh::kOriginal, ExportMesh::kRefined}) {
       Post post = makePost();
@@ -80,7 +80,7 @@ TEST_F(CompressedExport, DracoIsGone) {
   }
 }
 
-TEST_F(CompressedExport, MeshoptimizerIsGone) {
+TEST_F(CompressedExport, MeshoptimizerIsDecompressed) {
   for (const bool asIndices : {false, true}) {
     for (const ExportMesh mesh : {ExportMesh::kOriginal, ExportMesh::kRefined}) {
       exportPost(meshoptPost(asIndices), mesh);
@@ -92,7 +92,7 @@ TEST_F(CompressedExport, MeshoptimizerIsGone) {
 }
 
 /// Views that an extension might name cannot be renumbered; those of Draco are emptied.
-TEST_F(CompressedExport, AnUnknownExtensionKeepsViewsButNotTheirCompressedBytes) {
+TEST_F(CompressedExport, UnknownExtensionKeepsViewsWithoutTheirCompressedBytes) {
   Post post = makePost();
   const DracoPost packed = dracoPost(post, DracoMethod::kEdgebreaker);
   useDraco(post, packed);
@@ -104,7 +104,7 @@ TEST_F(CompressedExport, AnUnknownExtensionKeepsViewsButNotTheirCompressedBytes)
 }
 
 /// A mesh that the scene does not show is kept, so it must be plain, and its bounds those of what it holds now.
-TEST_F(CompressedExport, MeshesThatAreNotShownArePlainToo) {
+TEST_F(CompressedExport, HiddenMeshesAreDecompressed) {
   Post post = makePost();
   useDraco(post, dracoPost(post, DracoMethod::kEdgebreaker));
   const auto position = post.attributes()["POSITION"].get<std::size_t>();
@@ -123,7 +123,7 @@ TEST_F(CompressedExport, MeshesThatAreNotShownArePlainToo) {
   EXPECT_EQ(accessor.maxValues, (std::vector<double>{0.5, 2.0, 0.5}));
 }
 
-TEST_F(CompressedExport, WebpStaysAsItIs) {
+TEST_F(CompressedExport, WebpIsUnchanged) {
   const std::vector<std::uint8_t> pixels(64, 200);
   std::uint8_t* encoded = nullptr;
   const std::size_t size = WebPEncodeLosslessRGBA(pixels.data(), 4, 4, 16, &encoded);

@@ -52,7 +52,7 @@ struct Sums {
   }
 };
 
-TEST(FitKernel, GramsAreThoseOfPlainLoops) {
+TEST(FitKernel, GramsMatchPlainLoops) {
   const Sums sums;
   std::vector<double> wanted[2] = {std::vector<double>(sums.begin.back(), 0.5),
                                    std::vector<double>(sums.begin.back(), 0.0)};
@@ -82,7 +82,7 @@ TEST(FitKernel, GramsAreThoseOfPlainLoops) {
   }
 }
 
-TEST(FitKernel, GainsAreThoseOfPlainLoops) {
+TEST(FitKernel, GainsMatchPlainLoops) {
   const Sums sums;
   constexpr std::size_t kStride = 2 * kHelperGroup;
   std::vector<double> numbers(kPoses * 12 * kStride, 0.0);

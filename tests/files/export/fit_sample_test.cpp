@@ -32,7 +32,7 @@ struct Sheets {
 
 FourWeights following(int binding) { return fourLargest({{binding, 1.0}}); }
 
-TEST(FitSample, FewVerticesStandForThemselves) {
+TEST(FitSample, FewVerticesAreAllSampled) {
   Sheets sheets;
   sheets.add(10, 0.0f);
   const FitSample sample = sampleVertices(sheets.rest, sheets.triangles, kMost);
@@ -42,7 +42,7 @@ TEST(FitSample, FewVerticesStandForThemselves) {
   EXPECT_EQ(sample.triangles, sheets.triangles);
 }
 
-TEST(FitSample, ManyAreSharedOutEvenly) {
+TEST(FitSample, ManyVerticesAreSampledEvenly) {
   Sheets sheets;
   sheets.add(60, 0.0f);
   const FitSample sample = sampleVertices(sheets.rest, sheets.triangles, kMost);
@@ -60,7 +60,7 @@ TEST(FitSample, ManyAreSharedOutEvenly) {
   for (const auto& [a, b, c] : sample.triangles) EXPECT_TRUE(a != b && b != c && c != a);
 }
 
-TEST(FitSample, EveryPartHasAVertex) {
+TEST(FitSample, EveryPartIsSampled) {
   Sheets sheets;
   sheets.add(60, 0.0f);
   for (int part = 0; part < 20; ++part) sheets.add(2, 100.0f);  // All in one place.
@@ -74,7 +74,7 @@ TEST(FitSample, EveryPartHasAVertex) {
   }
 }
 
-TEST(FitSample, AVertexMayFollowItsOwnThenWhatIsAroundIt) {
+TEST(FitSample, CandidatesIncludeNeighbors) {
   Sheets sheets;
   sheets.add(60, 0.0f);
   const FitSample sample = sampleVertices(sheets.rest, sheets.triangles, kMost);

@@ -70,7 +70,7 @@ class LineData : public ::testing::Test {
   std::vector<std::string> left_;
 };
 
-TEST_F(LineData, LeadsFromTheOriginToWhereTheJointRests) {
+TEST_F(LineData, PlacesTheJointRelativeToTheOrigin) {
   for (const JointScale scale : {JointScale::kFull, JointScale::kUniform, JointScale::kNone}) {
     const ordered_json file = exported({{"mine", 3}}, helpers(scale));
     const ordered_json& extras = file["skins"][0]["extras"];
@@ -102,7 +102,7 @@ TEST_F(LineData, LeadsFromTheOriginToWhereTheJointRests) {
   }
 }
 
-TEST_F(LineData, IsOnlyWhereThereAreJoints) {
+TEST_F(LineData, ExistsOnlyWithLineJoints) {
   EXPECT_FALSE(exported(nullptr)["skins"][0].contains("extras"));
   SkinnedExportSettings none = helpers(JointScale::kFull);
   none.helpers = 0;
@@ -110,7 +110,7 @@ TEST_F(LineData, IsOnlyWhereThereAreJoints) {
   EXPECT_TRUE(exported(nullptr, helpers(JointScale::kFull))["skins"][0].contains("extras"));
 }
 
-TEST_F(LineData, LeavesExtrasThatAreNoObjectAlone) {
+TEST_F(LineData, KeepsExtrasThatAreNotAnObject) {
   const ordered_json file = exported("a text", helpers(JointScale::kFull));
   EXPECT_EQ(file["skins"][0]["extras"], "a text");
   EXPECT_TRUE(std::ranges::any_of(left_, [](const std::string& line) { return line.starts_with("line data"); }));

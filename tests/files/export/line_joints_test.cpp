@@ -32,7 +32,7 @@ glm::dmat4 motionOf(const Rig& rig, const Character& character, const Pose& pose
   return glm::dmat4(at(now, line).deformation) * glm::inverse(glm::dmat4(at(inBind, line).deformation));
 }
 
-class LineJointsOf : public ::testing::TestWithParam<const char*> {
+class BundledLineJoints : public ::testing::TestWithParam<const char*> {
  protected:
   void SetUp() override {
     scene_ = test::bundledScene(GetParam());
@@ -42,7 +42,7 @@ class LineJointsOf : public ::testing::TestWithParam<const char*> {
   test::ExportScene scene_;
 };
 
-TEST_P(LineJointsOf, MoveAsTheLineDoes) {
+TEST_P(BundledLineJoints, FollowTheLine) {
   const Character& character = *scene_.character;
   const std::vector<Pose> poses = posesOf(scene_.character, 0.43f);
   const LineJoints lines(scene_.rig, character, JointScale::kFull, poses);
@@ -65,7 +65,7 @@ TEST_P(LineJointsOf, MoveAsTheLineDoes) {
   }
 }
 
-TEST_P(LineJointsOf, WithoutScaleFollowTheBellyUnderneathAndOnTop) {
+TEST_P(BundledLineJoints, FollowBottomAndTopOfTheBellyWithoutScale) {
   const Character& character = *scene_.character;
   const std::vector<Pose> poses = posesOf(scene_.character, 0.71f);
   const LineJoints lines(scene_.rig, character, JointScale::kNone, poses);
@@ -84,7 +84,7 @@ TEST_P(LineJointsOf, WithoutScaleFollowTheBellyUnderneathAndOnTop) {
   }
 }
 
-TEST_P(LineJointsOf, AtRestLeaveTheBindPoseAsItIs) {
+TEST_P(BundledLineJoints, KeepTheBindPose) {
   const Pose bind = bindPose(scene_.character->skeleton);
   for (const JointScale scale : {JointScale::kFull, JointScale::kUniform, JointScale::kNone}) {
     const LineJoints lines(scene_.rig, *scene_.character, scale, {});
@@ -102,11 +102,11 @@ TEST_P(LineJointsOf, AtRestLeaveTheBindPoseAsItIs) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Rigs, LineJointsOf, ::testing::Values("humanoid-flex", "horse-flex"),
+INSTANTIATE_TEST_SUITE_P(Rigs, BundledLineJoints, ::testing::Values("humanoid-flex", "horse-flex"),
                          [](const auto& rig) { return std::string(rig.param) == "horse-flex" ? "horse" : "humanoid"; });
 
 /// Bones that scale unevenly would shear what hangs on them.
-TEST(LineJoints, HangOnABoneThatScalesEvenly) {
+TEST(LineJoints, UseAParentWithUniformScale) {
   const test::ExportScene scene = test::bundledScene("humanoid-flex");
   const Character& character = *scene.character;
   Pose pose = bindPose(character.skeleton);

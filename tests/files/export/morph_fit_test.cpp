@@ -16,7 +16,7 @@ constexpr int kVertices = 60;
 constexpr double kHeight = 2.0;
 
 /// Vertices of two mesh spaces on two joints; the live surface is what shapes times curves make of them.
-class MorphFitTest : public ::testing::Test {
+class MorphTargetFit : public ::testing::Test {
  protected:
   void SetUp() override {
     spaces_ = {glm::dmat3(1.0), glm::dmat3(glm::scale(glm::dmat4(1.0), glm::dvec3(-0.01, 0.02, 0.01)))};
@@ -80,7 +80,7 @@ class MorphFitTest : public ::testing::Test {
 
 double wave(int shape, int frame) { return std::sin(0.11 * (shape + 1) * frame) / (1.0 + shape); }
 
-TEST_F(MorphFitTest, FindsAsManyTargetsAsThereAreShapes) {
+TEST_F(MorphTargetFit, FindsAboutAsManyTargetsAsShapes) {
   const MorphFit fit = fitOf(4, wave);
   const auto targets = fit.solve(2e-4, StageProgress({}));
   ASSERT_TRUE(targets);
@@ -94,7 +94,7 @@ TEST_F(MorphFitTest, FindsAsManyTargetsAsThereAreShapes) {
   }
 }
 
-TEST_F(MorphFitTest, EveryBoundIsHeldAndNoneTakesMoreTargetsThanATighterOne) {
+TEST_F(MorphTargetFit, MeetsEveryBoundAndLooserBoundsNeedNoMoreTargets) {
   const MorphFit fit = fitOf(12, wave);
   int before = kFrames;
   for (const double bound : {1e-4, 1e-3, 1e-2, 0.1, 1.0}) {
@@ -108,7 +108,7 @@ TEST_F(MorphFitTest, EveryBoundIsHeldAndNoneTakesMoreTargetsThanATighterOne) {
 }
 
 /// Few vertices that are far off hide in a sum of squares: by principal components alone they come last.
-TEST_F(MorphFitTest, TheBoundIsOnTheFarthestVertexNotOnTheMean) {
+TEST_F(MorphTargetFit, BoundAppliesToTheFarthestVertex) {
   const auto curve = [](int shape, int frame) { return shape == 0 ? 1e-3 * (frame % 2) : wave(shape, frame); };
   const MorphFit fit = fitOf(3, curve);
   const auto targets = fit.solve(1.5e-5, StageProgress({}));
@@ -117,7 +117,7 @@ TEST_F(MorphFitTest, TheBoundIsOnTheFarthestVertexNotOnTheMean) {
   EXPECT_GE(targets->count, 3);
 }
 
-TEST_F(MorphFitTest, JointsThatFlattenVerticesAreToldNotPassedOver) {
+TEST_F(MorphTargetFit, JointsThatFlattenVerticesFail) {
   MorphFit fit(vertices_, spaces_, kHeight);
   std::vector<glm::vec3> live;
   for (const MorphVertex& vertex : vertices_) live.emplace_back(0.1 * vertex.rest);

@@ -50,18 +50,18 @@ TEST_F(PlayedBetweenKeys, JointsAreInterpolated) {
   expectNear(at("another", 0.5f), kRest);
 }
 
-TEST_F(PlayedBetweenKeys, TargetsAreBlendedBeforeJointsMove) {
+TEST_F(PlayedBetweenKeys, TargetsAreBlendedBeforeSkinning) {
   surface->targets = {"Move", {0.0f, 0.5f, 1.0f}, {0.0f, 1.0f, 1.0f}, {{glm::vec3(0.0f, 0.0f, 1.0f)}}};
   expectNear(at("Move", 0.25f), moved(0.5f) + glm::vec3(0.0f, 0.0f, 0.5f));
   expectNear(at("Move", 0.75f), moved(1.5f) + glm::vec3(0.0f, 0.0f, 1.0f));
   expectNear(at("another", 0.75f), kRest);
 }
 
-TEST_F(PlayedBetweenKeys, AddedJointsAreNamedAfterTheBoneTheyHangOn) {
+TEST_F(PlayedBetweenKeys, AddedJointsReportTheirParentBone) {
   EXPECT_EQ(surface->boneOf(0), character->skeleton.bones[0].name);
 }
 
-TEST(TimesBetween, FallBetweenTheKeys) {
+TEST(TimesBetween, LieBetweenTheKeys) {
   AnimationClip clip;
   clip.duration = 1.0f;
   const std::vector<float> times = timesBetween(clip, 30.0);

@@ -40,7 +40,7 @@ double costOf(const std::vector<Pair>& pairs, const glm::dquat& turn, const glm:
   return cost;
 }
 
-TEST(RigidMotion, FindsAMotionAgain) {
+TEST(RigidMotion, RecoversAMotion) {
   Random random(1);
   for (int i = 0; i < 200; ++i) {
     const glm::dquat turn = randomTurn(random);
@@ -56,7 +56,7 @@ TEST(RigidMotion, FindsAMotionAgain) {
   }
 }
 
-TEST(RigidMotion, NoMotionNearbyIsBetterAndNoneIsAReflection) {
+TEST(RigidMotion, IsALocalMinimumWithoutReflection) {
   Random random(2);
   for (int i = 0; i < 100; ++i) {
     std::vector<Pair> pairs;
@@ -77,7 +77,7 @@ TEST(RigidMotion, NoMotionNearbyIsBetterAndNoneIsAReflection) {
   }
 }
 
-TEST(RigidMotion, StaysWhereThereIsNothingToFollow) {
+TEST(RigidMotion, IsIdentityWithoutPoints) {
   const RigidMotion::Motion none = RigidMotion().best();
   EXPECT_EQ(none.rotation, glm::dquat(1.0, 0.0, 0.0, 0.0));
   EXPECT_EQ(none.translation, glm::dvec3(0.0));
@@ -88,7 +88,7 @@ TEST(RigidMotion, StaysWhereThereIsNothingToFollow) {
             1e-12);
 }
 
-TEST(Trs, IsFoundAgainInItsMatrix) {
+TEST(Trs, IsRecoveredFromItsMatrix) {
   Random random(3);
   for (int i = 0; i < 300; ++i) {
     Trs trs{randomPoint(random), randomTurn(random), glm::abs(randomPoint(random)) + 0.1};

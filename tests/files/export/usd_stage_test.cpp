@@ -93,7 +93,7 @@ class UsdStage : public ::testing::Test {
   std::vector<exporting::RefinedPrimitive> primitives_;
 };
 
-TEST_F(UsdStage, PointsAreTheLiveSurfaceAtEveryMoment) {
+TEST_F(UsdStage, PointsMatchTheLiveSurfaceAtEverySample) {
   std::vector<std::vector<usd::MeshPoints>> shown;
   const usd::PointMoments moments{24.0, {0.0, 1.0, 7.5}, [&](std::size_t m, std::vector<usd::MeshPoints>& meshes) {
                                     ASSERT_EQ(m, shown.size());
@@ -128,7 +128,7 @@ TEST_F(UsdStage, PointsAreTheLiveSurfaceAtEveryMoment) {
   EXPECT_EQ(stage(moments).text, made.text);
 }
 
-TEST_F(UsdStage, MomentsWithoutTheFilesPointsAreRefused) {
+TEST_F(UsdStage, SamplesWithMissingPointsAreRefused) {
   const auto refuses = [&](const std::function<void(std::vector<usd::MeshPoints>&)>& spoil) {
     const usd::PointMoments moments{30.0, {0.0}, [&](std::size_t, std::vector<usd::MeshPoints>& meshes) {
                                       meshes = live(0.0f);
@@ -141,7 +141,7 @@ TEST_F(UsdStage, MomentsWithoutTheFilesPointsAreRefused) {
   refuses([](auto& meshes) { meshes.front().normals.pop_back(); });
 }
 
-TEST(UsdText, NumbersReadBackTheSame) {
+TEST(UsdText, NumbersRoundTrip) {
   for (const float number : {0.1f, -0.0f, 1e-30f, 3.4028235e38f, 16777217.0f, 1.0f / 3.0f}) {
     std::string text;
     usd::appendNumber(text, number);
@@ -151,7 +151,7 @@ TEST(UsdText, NumbersReadBackTheSame) {
   EXPECT_EQ(usd::tupleText(glm::quat(0.5f, 1.0f, 2.0f, 3.0f)), "(0.5, 1, 2, 3)");
 }
 
-TEST(UsdText, NamesAreIdentifiersAndNoTwoTheSame) {
+TEST(UsdText, NamesAreUniqueIdentifiers) {
   EXPECT_EQ(usd::identifierOf("mixamorig:Hips", "Joint"), "mixamorig_Hips");
   EXPECT_EQ(usd::identifierOf("9 toe", "Joint"), "_9_toe");
   EXPECT_EQ(usd::identifierOf("h\xc3\xbc"
@@ -168,14 +168,14 @@ TEST(UsdText, NamesAreIdentifiersAndNoTwoTheSame) {
   EXPECT_EQ(usd::quoted("it's \"b\" \\\n\x01"), "\"it's \\\"b\\\" \\\\\\n\\x01\"");
 }
 
-TEST(UsdJoints, FramesAreWholeOnesAndTheEnd) {
+TEST(UsdJoints, FramesAreWholeFramesAndTheEnd) {
   const auto frames = [](float duration) { return usd::framesOf({.name = {}, .duration = duration, .channels = {}}); };
   EXPECT_EQ(frames(0.0f), (std::vector<double>{0.0}));
   EXPECT_EQ(frames(0.1f).size(), 4U);  // 0.1 as a float is a little more than three frames.
   EXPECT_EQ(frames(0.125f), (std::vector<double>{0.0, 1.0, 2.0, 3.0, 3.75}));
 }
 
-TEST(UsdJoints, ClipsThatWouldFillTheMemoryAreRefused) {
+TEST(UsdJoints, HugeClipsAreRefused) {
   gltf::BoundSkeleton bound;
   bound.skeleton.nodes.resize(1);
   bound.skeleton.bones.resize(1);

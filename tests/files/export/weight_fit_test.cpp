@@ -64,7 +64,7 @@ std::vector<glm::vec3> liveIn(const Movement& movement, const std::vector<glm::d
 const std::vector<std::vector<int>> kAll(40, {0, 1, 2, 3, 4, 5, 6});
 const std::vector<FourWeights> kFirst(40, FourWeights{{0, -1, -1, -1}, {1.0f}});
 
-TEST(WeightFit, FindsTheWeightsThatMadeTheMovement) {
+TEST(WeightFit, RecoversTheWeightsOfAMovement) {
   std::mt19937 random(1);
   const Movement movement = randomMovement(random);
   WeightFit fit(movement.rest, kAll, kFirst);
@@ -78,7 +78,7 @@ TEST(WeightFit, FindsTheWeightsThatMadeTheMovement) {
   }
 }
 
-TEST(WeightFit, NoVertexIsFartherOffThanBefore) {
+TEST(WeightFit, NeverIncreasesAVertexsError) {
   std::mt19937 random(2);
   const Movement movement = randomMovement(random);
   // Beginning with the best weights there are but for noise, and with a pull from neighbors that differ.
@@ -110,7 +110,7 @@ TEST(WeightFit, NoVertexIsFartherOffThanBefore) {
   }
 }
 
-TEST(WeightFit, WeightsNearEnoughStayToTheBit) {
+TEST(WeightFit, GoodWeightsAreUnchangedBitForBit) {
   std::mt19937 random(3);
   const Movement movement = randomMovement(random);
   WeightFit fit(movement.rest, kAll, movement.truth);

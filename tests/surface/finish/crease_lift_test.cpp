@@ -92,7 +92,7 @@ Refinement uneven(const ControlMesh& mesh) {
   return refine(mesh, levels);
 }
 
-TEST(CreaseLift, TakesThreeFifthsWhereTheSkinIsTurnedOver) {
+TEST(CreaseLift, RemovesThreeFifthsWhereTheSkinFoldsOver) {
   CreasedSheet sheet(coarse);
   const std::vector<float> heights = sheet.lowered(1.0f);
   int creased = 0;
@@ -107,7 +107,7 @@ TEST(CreaseLift, TakesThreeFifthsWhereTheSkinIsTurnedOver) {
   EXPECT_GT(creased, 40);
 }
 
-TEST(CreaseLift, AgreesWithItsDefinitionAtAnyDetail) {
+TEST(CreaseLift, MatchesItsDefinitionAtAnyDetail) {
   for (const auto& refined : {std::function(coarse), std::function(uneven)}) {
     CreasedSheet sheet(refined);
     for (const float share : {0.35f, 0.5f, 0.7f, 1.0f}) {
@@ -120,7 +120,7 @@ TEST(CreaseLift, AgreesWithItsDefinitionAtAnyDetail) {
   }
 }
 
-TEST(CreaseLift, LeavesASheetThatIsHardlySqueezed) {
+TEST(CreaseLift, LeavesASlightlyCompressedSheetUnchanged) {
   CreasedSheet sheet(uneven);
   const std::vector<float> ones(static_cast<std::size_t>(sheet.refinement.vertexCount), 1.0f);
   EXPECT_EQ(sheet.lowered(0.0f), ones);
@@ -129,7 +129,7 @@ TEST(CreaseLift, LeavesASheetThatIsHardlySqueezed) {
   EXPECT_EQ(sheet.lowered(0.0f), ones) << "nothing is left from the call before";
 }
 
-TEST(CreaseLift, LeavesWhatMusclesHaveNotMoved) {
+TEST(CreaseLift, LeavesUnmovedSkinUnchanged) {
   CreasedSheet sheet(uneven);
   std::ranges::fill(sheet.moved.isControl, std::uint8_t{0});
   EXPECT_EQ(sheet.lowered(1.0f), std::vector<float>(static_cast<std::size_t>(sheet.refinement.vertexCount), 1.0f));
@@ -148,7 +148,7 @@ TEST(CreaseLift, IsContinuousWhereTheSkinFoldsOver) {
   EXPECT_LT(worst, 10.0f / kSteps);
 }
 
-TEST(CreaseLift, SliversOfTheBindPoseHaveNoSay) {
+TEST(CreaseLift, IgnoresSliversOfTheBindPose) {
   CreasedSheet sheet(coarse, 30.0f);
   EXPECT_EQ(sheet.lowered(1.0f), std::vector<float>(sheet.mesh.positions.size(), 1.0f));
 }

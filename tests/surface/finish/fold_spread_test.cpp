@@ -20,7 +20,7 @@ namespace {
 
 constexpr float kCell = 0.1f;  ///< Side of a cell of flatSheet().
 
-TEST(FoldSpread, TurnsTrianglesBack) {
+TEST(FoldSpread, UnfoldsInvertedTriangles) {
   SpreadSheet scene(flatSheet());
   for (const float lift : {0.25f, 0.3f, 0.4f}) {
     const std::vector<glm::vec3> lifted = converging(scene.patch, lift);
@@ -40,7 +40,7 @@ TEST(FoldSpread, KeepsHeights) {
   for (std::size_t v = 0; v < lifted.size(); ++v) EXPECT_NEAR(spread[v].z, lifted[v].z, 1e-5f) << v;
 }
 
-TEST(FoldSpread, LeavesTheRestAloneBitForBit) {
+TEST(FoldSpread, LeavesTheRestUnchangedBitForBit) {
   SpreadSheet scene(flatSheet());
   const std::vector<glm::vec3> lifted = converging(scene.patch, 0.3f);
   const std::vector<glm::vec3> spread = scene.spread(lifted);
@@ -60,7 +60,7 @@ TEST(FoldSpread, LeavesTheRestAloneBitForBit) {
   EXPECT_GT(alone, 200);
 }
 
-TEST(FoldSpread, TouchesNothingWithoutAFold) {
+TEST(FoldSpread, ChangesNothingWithoutAFold) {
   SpreadSheet scene(flatSheet());
   const std::vector<glm::vec3> lifted = converging(scene.patch, 0.05f);
   ASSERT_GE(scene.leastArea(lifted), FoldSpread::kLeastArea);
@@ -89,7 +89,7 @@ TEST(FoldSpread, IsContinuousInTheLift) {
 }
 
 // A vertex that has only just begun to move is not thrown about by the fold beside it.
-TEST(FoldSpread, IsContinuousWhereAVertexBeginsToMove) {
+TEST(FoldSpread, IsContinuousAsAVertexStartsToMove) {
   SpreadSheet scene(flatSheet());
   std::vector<glm::vec3> lifted = converging(scene.patch, 0.3f);
   std::size_t nearest = 0;
@@ -131,7 +131,7 @@ float steepestWhereThePatchTurns(float way, int steps) {
 }
 
 // A pose folds the patch itself: its triangles shrink to nothing and come out on the other side.
-TEST(FoldSpread, IsContinuousWherePatchTrianglesTurnOver) {
+TEST(FoldSpread, IsContinuousAsPatchTrianglesInvert) {
   const float slope = steepestWhereThePatchTurns(0.2f, 1000);
   EXPECT_LT(steepestWhereThePatchTurns(0.2f, 8000), 2.0f * slope) << "a jump stays as steps shrink";
 }
@@ -174,7 +174,7 @@ std::vector<glm::vec3> narrowedTo(float q, const std::vector<glm::vec3>& patch, 
 
 // Slivers lie in the creases of a pose. Their q changes as much faster than the skin moves as they are narrower than
 // the cells beside them.
-TEST(FoldSpread, IsNoFasterAroundSlivers) {
+TEST(FoldSpread, MovesNoFasterAroundSlivers) {
   for (const float share : {0.5f, 0.2f, 0.1f}) {
     SpreadSheet scene(flatSheet());
     squeeze(scene.patch, share);

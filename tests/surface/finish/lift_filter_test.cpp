@@ -76,7 +76,7 @@ struct Heights {
   }
 };
 
-TEST(LiftFilter, LeavesWhatEdgesCanFollowBitForBit) {
+TEST(LiftFilter, LeavesResolvedHeightsUnchangedBitForBit) {
   Heights sheet;
   std::vector<float> raw;
   for (const glm::vec3& p : sheet.mesh.positions) {
@@ -87,7 +87,7 @@ TEST(LiftFilter, LeavesWhatEdgesCanFollowBitForBit) {
   EXPECT_EQ(sheet.heights, raw);
 }
 
-TEST(LiftFilter, EvensOutARimThatIsNarrowerThanAnEdge) {
+TEST(LiftFilter, SmoothsARimNarrowerThanAnEdge) {
   Heights sheet;
   for (const float sign : {1.0f, -1.0f}) {
     const std::vector<float> raw = sheet.disc(sign * kEdge, 0.25f);
@@ -188,7 +188,7 @@ std::vector<double> asDefined(const Refinement& refinement, const std::vector<gl
   return now;
 }
 
-TEST(LiftFilter, AgreesWithItsDefinition) {
+TEST(LiftFilter, MatchesItsDefinition) {
   std::mt19937 random(7);
   std::uniform_real_distribution<float> unit(0.0f, 1.0f);
   for (int trial = 0; trial < 6; ++trial) {
@@ -216,7 +216,7 @@ TEST(LiftFilter, AgreesWithItsDefinition) {
   }
 }
 
-TEST(LiftFilter, GivesTheSameBitsByEveryInstructionSet) {
+TEST(LiftFilter, GivesTheSameBitsOnEveryInstructionSet) {
   Heights sheet;
   const std::vector<float> raw = sheet.disc(kEdge, 0.25f);
   sheet.filtered(raw);

@@ -137,7 +137,7 @@ Count countOf(const TrialScene& scene, SurfaceMode mode) {
   return out;
 }
 
-TEST(Normals, AreHeldToTheFaces) {
+TEST(SurfaceNormals, StayNearTheFaceNormals) {
   std::printf("  %-11s %-8s %8s %8s %8s %8s %10s %20s\n", "scene", "mode", "moved", "creased", "folded", "judged",
               "within 10", "beyond the patch's");
   for (const TrialScene& scene : trialScenes()) {

@@ -122,7 +122,7 @@ std::vector<glm::vec3> faceNormals(const Refinement& refinement, const std::vect
   return sums;
 }
 
-TEST(ShadingNormals, KeepTheirBitsWhereNothingMoved) {
+TEST(ShadingNormals, AreUnchangedWhereNothingMoved) {
   Raised sheet;
   const auto nowhere = [](const glm::vec3&) { return 0.0f; };
   EXPECT_TRUE(sameBytes(sheet.shaded(nowhere, [](const glm::vec3& p) { return p; }), sheet.patchNormals()));
@@ -146,7 +146,7 @@ TEST(ShadingNormals, KeepTheirBitsWhereNothingMoved) {
   EXPECT_GT(changed, 0) << "the faces beside the bump were not looked at";
 }
 
-TEST(ShadingNormals, OfABumpMuchWiderThanTheTrianglesAreTheFieldsBitForBit) {
+TEST(ShadingNormals, EqualTheFieldNormalsOnAWideBump) {
   Raised sheet;
   const Bump bump{0.1f, 0.8f};
   const auto shaded =
@@ -168,7 +168,7 @@ bool inSquare(const glm::vec3& p) { return std::abs(p.x) < 0.5f && std::abs(p.y)
 glm::vec3 steepNormal(const glm::vec3& p) { return {p.x > 0.0f ? 1.7f : -1.7f, 0.0f, 1.0f}; }
 
 // The field says 60 degrees where the faces hardly lean.
-TEST(ShadingNormals, OfABumpNarrowerThanAnEdgeAreHeldToTheFaces) {
+TEST(ShadingNormals, StayNearTheFacesOnANarrowBump) {
   Raised sheet;
   const auto uneven = [](const glm::vec3& p) {
     return inSquare(p) ? 0.001f * (1.0f + 0.3f * std::sin(13.0f * p.x + 7.0f * p.y)) : 0.0f;
@@ -186,7 +186,7 @@ TEST(ShadingNormals, OfABumpNarrowerThanAnEdgeAreHeldToTheFaces) {
 }
 
 // Lifted by the same height everywhere, faces lie as the patch's do, to the last bit.
-TEST(ShadingNormals, AreHeldToFacesThatWereOnlyShifted) {
+TEST(ShadingNormals, StayNearFacesThatWereOnlyShifted) {
   Raised sheet;
   const auto even = [](const glm::vec3& p) { return inSquare(p) ? 0.001f : 0.0f; };
   const std::vector<glm::vec3> shaded = sheet.shaded(even, steepNormal);
@@ -197,7 +197,7 @@ TEST(ShadingNormals, AreHeldToFacesThatWereOnlyShifted) {
 }
 
 // A step that runs askew over the mesh, narrower than an edge: its faces alternate.
-TEST(ShadingNormals, OfARimAcrossTheMeshLoseTheirTeeth) {
+TEST(ShadingNormals, AreSmoothAlongADiagonalRim) {
   Raised sheet;
   const auto step = [](const glm::vec3& p) {
     return 0.6f * kNormalsEdge * std::clamp((p.x + 0.4f * p.y + 0.2f) / (0.5f * kNormalsEdge), 0.0f, 1.0f);
@@ -269,7 +269,7 @@ std::vector<glm::dvec3> softenedByDefinition(const Refinement& refinement, const
   return out;
 }
 
-TEST(ShadingNormals, AreSoftenedAtRimsAsDefinedAndNowhereElse) {
+TEST(ShadingNormals, AreSoftenedOnlyAtRimsAndAsDefined) {
   Raised sheet;
   const Bump bump{0.1f, 0.6f};
   const auto turned = [&](const glm::vec3& p) {  // Smooth on one side, rough on the other.
@@ -323,7 +323,7 @@ TEST_P(ShadingNormalsContinuity, AreContinuousInTheHeight) {
 }
 
 // A second bump begins to rise beside a steep one: at its first stirring nothing may jump.
-TEST_P(ShadingNormalsContinuity, AreContinuousWhereAVertexBeginsToMove) {
+TEST_P(ShadingNormalsContinuity, AreContinuousAsAVertexStartsToMove) {
   Raised sheet;
   sheet.softensRims = GetParam();
   const Bump steep{0.3f, 0.2f};

@@ -62,9 +62,9 @@ struct TwoBalls {
 /// Above and below whatever the bind pose was like.
 constexpr WallsUnder kAllWalls{glm::vec3(0.0f), glm::vec3(0.0f, 1.0f, 0.0f)};
 
-class WallsOfTwoBalls : public ::testing::TestWithParam<float> {};
+class SkinWallsOfTwoBalls : public ::testing::TestWithParam<float> {};
 
-TEST_P(WallsOfTwoBalls, AreThoseOfTheirSignedDistances) {
+TEST_P(SkinWallsOfTwoBalls, MatchSignedDistances) {
   const float apart = GetParam();
   const TwoBalls balls(apart);
   WallTree tree = wallTree(balls.refinement, balls.triangles, balls.positions);
@@ -112,9 +112,9 @@ TEST_P(WallsOfTwoBalls, AreThoseOfTheirSignedDistances) {
   EXPECT_GT(both, 20) << "the balls do not cross where places were tried";
 }
 
-INSTANTIATE_TEST_SUITE_P(Apart, WallsOfTwoBalls, ::testing::Values(1.2f, 1.6f, 1.9f));
+INSTANTIATE_TEST_SUITE_P(Apart, SkinWallsOfTwoBalls, ::testing::Values(1.2f, 1.6f, 1.9f));
 
-TEST(SkinWalls, CountOnlySkinThatWasNearInTheBindPoseAndFacedAlike) {
+TEST(SkinWalls, IncludeOnlySkinNearAndAlikeInTheBindPose) {
   const TwoBalls balls(4.0f);
   const WallTree tree = wallTree(balls.refinement, balls.triangles, balls.positions);
   const VertexRings rings = vertexRings(balls.refinement);
@@ -130,7 +130,7 @@ TEST(SkinWalls, CountOnlySkinThatWasNearInTheBindPoseAndFacedAlike) {
   EXPECT_GE(walls.nearest(top + 0.5f * up, 0.9f), 0);
 }
 
-TEST(SkinWalls, TheFastQuestionMissesNoWallAtTheBorderOfWhatCounts) {
+TEST(SkinWalls, FastQueryFindsEveryWallNearTheLimit) {
   TwoBalls balls(4.0f);
   for (glm::vec3& place : balls.positions) {  // Dented.
     place *= 1.0f + 0.08f * std::sin(9.0f * place.x) * std::sin(11.0f * place.y + 2.0f) * std::sin(10.0f * place.z);

@@ -117,7 +117,7 @@ std::vector<float> cliffs(std::size_t count, std::uint32_t seed) {
   return out;
 }
 
-TEST(SlopeBound, AgreesWithItsDefinition) {
+TEST(SlopeBound, MatchesItsDefinition) {
   Slopes sheet;
   for (const std::uint32_t seed : {1u, 2u, 3u, 4u}) {
     std::vector<float> raw = cliffs(sheet.patch.size(), seed);
@@ -143,7 +143,7 @@ TEST(SlopeBound, AgreesWithItsDefinition) {
   }
 }
 
-TEST(SlopeBound, LeavesWhatIsNotTooSteepBitForBit) {
+TEST(SlopeBound, LeavesGentleSlopesUnchangedBitForBit) {
   Slopes sheet;
   std::vector<float> raw;
   for (const glm::vec3& p : sheet.patch) raw.push_back(std::max(0.0f, 0.6f - 1.2f * std::hypot(p.x, p.y)));
@@ -171,7 +171,7 @@ TEST(SlopeBound, AmplifiesNothing) {
 }
 
 // Along edges alone a cone's rim would be a polygon, up to 15 % too high between the edges' directions.
-TEST(SlopeBound, IsNearlyTheSameInEveryDirection) {
+TEST(SlopeBound, IsNearlyIsotropic) {
   const Sheet flat = sheetOf(40, [](float, float) { return 0.0f; });
   Slopes sheet;
   const ControlMesh mesh = meshOf(flat.positions, flat.triangles);
@@ -191,7 +191,7 @@ TEST(SlopeBound, IsNearlyTheSameInEveryDirection) {
 }
 
 // Vertices renumbered at random: the same bits, though everything is found in another order.
-TEST(SlopeBound, DoesNotDependOnAnyOrder) {
+TEST(SlopeBound, DoesNotDependOnVertexOrder) {
   Slopes sheet;
   const std::vector<float> raw = cliffs(sheet.patch.size(), 6);
   const std::vector<float> first = sheet.bounded(raw);
@@ -217,7 +217,7 @@ TEST(SlopeBound, DoesNotDependOnAnyOrder) {
   for (std::size_t v = 0; v < raw.size(); ++v) EXPECT_EQ(at(second, to[v]), first[v]) << v;
 }
 
-TEST(SlopeBound, GivesTheSameBitsByEveryInstructionSet) {
+TEST(SlopeBound, GivesTheSameBitsOnEveryInstructionSet) {
   Slopes sheet;
   const std::vector<float> raw = cliffs(sheet.patch.size(), 7);
   const std::vector<float> first = sheet.bounded(raw);

@@ -78,16 +78,16 @@ void expectSame(const Refinement& refinement) {
   }
 }
 
-TEST(VertexRings, OfASheetWithBorders) {
+TEST(VertexRings, MatchASearchOnASheetWithBorders) {
   const Sheet sheet = sheetOf(4, [](float, float) { return 0.0f; });
   const ControlMesh mesh = meshOf(sheet.positions, sheet.triangles);
   for (const int depth : {1, 2, 3, 5}) expectSame(refine(mesh, depth));
 }
 
 // Its edges have one triangle, two and three.
-TEST(VertexRings, OfABodyWithAnOpenNeckAndAFin) { expectSame(refine(makeBodyWithArms()->mesh, 3)); }
+TEST(VertexRings, MatchASearchOnABodyWithAnOpenNeckAndAFin) { expectSame(refine(makeBodyWithArms()->mesh, 3)); }
 
-TEST(VertexRings, InsideAPatchNoNeighborIsListedTwice) {
+TEST(VertexRings, ListEachNeighborOnceInsideAPatch) {
   const Refinement refinement = refine(makeBodyWithArms()->mesh, 5);
   const VertexRings rings = vertexRings(refinement);
   const int inside = refinement.insideBegin.front();

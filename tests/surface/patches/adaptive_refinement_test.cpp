@@ -62,7 +62,7 @@ void expectSame(const Refinement& a, const Refinement& b) {
   EXPECT_TRUE(a.inside == b.inside);
 }
 
-TEST(AdaptiveRefinement, EqualLevelsAreTheUniformMesh) {
+TEST(AdaptiveRefinement, EqualLevelsGiveTheUniformMesh) {
   for (const CharacterPtr& character : {makeTube(), makeBodyWithArms()}) {
     const ControlMesh& mesh = character->mesh;
     for (int n = 1; n <= 12; ++n) {
@@ -125,7 +125,7 @@ TEST(AdaptiveRefinement, DrawnAndRefinedTrianglesAgree) {
 }
 
 // 10,000 triangles of all shapes with random levels, graded as the mesh would be. Thin ones have thin pieces.
-TEST(AdaptiveRefinement, GradedLevelsMakeNoSlivers) {
+TEST(AdaptiveRefinement, GradedLevelsAvoidSlivers) {
   std::mt19937 random(7);
   std::uniform_real_distribution<float> coordinate(-1.0f, 1.0f);
   double worst = 180.0;
@@ -156,7 +156,7 @@ TEST(AdaptiveRefinement, GradedLevelsMakeNoSlivers) {
   std::printf("least angle beyond the bound: %.2f degrees\n", worst);
 }
 
-TEST(AdaptiveRefinement, GradingIsTheLeastAndDoesNotDependOnOrder) {
+TEST(AdaptiveRefinement, GradingIsMinimalAndIndependentOfOrder) {
   std::mt19937 random(8);
   const CharacterPtr character = makeBodyWithArms();
   const LevelGrader grader(character->mesh);
@@ -173,7 +173,7 @@ TEST(AdaptiveRefinement, GradingIsTheLeastAndDoesNotDependOnOrder) {
 }
 
 // A circle's chord at level n is off by r (1 - cos(a / 2n)).
-TEST(LevelFit, AnArcIsSplitAsItsSagittaSays) {
+TEST(LevelFit, ArcLevelFollowsItsSagitta) {
   constexpr int kFine = 12;
   constexpr float kAngle = 1.2f;
   std::vector<glm::vec3> positions;
@@ -197,7 +197,7 @@ TEST(LevelFit, AnArcIsSplitAsItsSagittaSays) {
   EXPECT_EQ(edgeLevel({positions, normals}, 1, {10.0f, 0.5f}), 1);
 }
 
-TEST(LevelFit, AFlatTriangleIsNotSplitAndABumpIs) {
+TEST(LevelFit, SplitsABumpButNotAFlatTriangle) {
   constexpr int kFine = 12;
   std::vector<glm::vec3> positions;
   for (int j = 0; j <= kFine; ++j) {
@@ -214,7 +214,7 @@ TEST(LevelFit, AFlatTriangleIsNotSplitAndABumpIs) {
   EXPECT_LT(level, 12);
 }
 
-TEST(SamplePoints, AreThoseOfTheUniformSplits) {
+TEST(SamplePoints, MatchUniformSplits) {
   const CharacterPtr character = makeTube();
   const ControlMesh& mesh = character->mesh;
   const Levels levels{std::vector<std::uint8_t>(mesh.edges.size(), 6),

@@ -45,7 +45,7 @@ TEST(Refinement, ClosedMeshesStayClosed) {
   EXPECT_FALSE(isClosed(refine(makeStrip()->mesh, 3).triangles));
 }
 
-TEST(Refinement, CountsAndNumbering) {
+TEST(Refinement, CountsAndNumberingAreConsistent) {
   for (const CharacterPtr& character : refinedCharacters()) {
     const ControlMesh& mesh = character->mesh;
     const int v = static_cast<int>(mesh.positions.size());
@@ -179,7 +179,7 @@ TEST(Refinement, DrawnVerticesCarryBarycentricColors) {
 }
 
 // Colors change nothing but the colors: the mesh, its drawn vertices and texture coordinates stay, bit for bit.
-TEST(Refinement, ColorsLeaveTheRestAsItIs) {
+TEST(Refinement, ColorsChangeNothingElse) {
   for (const CharacterPtr& character : refinedCharacters()) {
     const Refinement plain = refine(character->mesh, 4);
     const Refinement colored = refine(painted(character->mesh), 4);

@@ -31,14 +31,14 @@ struct Dipped {
   [[nodiscard]] double height(double sigma) const { return heightBelowOverhangs(root(), sigma, kPart, *this); }
 };
 
-TEST(Overhang, WherePsiFallsSteeplyTheRootStands) {
+TEST(Overhang, SteepPsiKeepsTheRoot) {
   for (const double root : {1e-6, 0.05, 0.3, 2.0}) {
     const auto falls = [&](double t) { return Psi{root * root - t * t + root - t, -2.0 * t - 1.0}; };
     EXPECT_EQ(heightBelowOverhangs(root, 1.0, kPart, falls), root);
   }
 }
 
-TEST(Overhang, WherePsiFallsSlowlyTheHeightIsTheLeastOfTheSum) {
+TEST(Overhang, ShallowPsiGivesTheMinimumOfTheSum) {
   for (const double sigma : {0.03, 0.1, 0.4}) {
     for (const double dip : {0.11, 0.25, 0.4, 0.63}) {
       for (const double least : {-1e-2, -1e-6, 1e-6, 0.02, 0.2}) {
@@ -52,7 +52,7 @@ TEST(Overhang, WherePsiFallsSlowlyTheHeightIsTheLeastOfTheSum) {
 }
 
 // The root goes as a square root up to the dip and leaps from there to 1.
-TEST(Overhang, NoChangeOfPsiMovesTheHeightFurtherThanThroughSigma) {
+TEST(Overhang, HeightIsLipschitzInPsiOverSigma) {
   constexpr double kChange = 1e-4;
   for (const double sigma : {0.1, 0.4}) {
     for (const double dip : {0.11, 0.25, 0.4, 0.63}) {
@@ -91,7 +91,7 @@ struct Kinked {
 };
 
 // Where muscles are not linked psi has kinks, and its slopes on both sides may differ a hundredfold.
-TEST(Overhang, TheLeastIsFoundAtAKinkToo) {
+TEST(Overhang, MinimumIsFoundAtAKink) {
   for (const double sigma : {1.0, 2.0}) {
     for (const double kink : {0.11, 0.153, 0.17, 0.31}) {
       for (const double curvature : {1.0, 10.0, 60.0}) {
@@ -127,7 +127,7 @@ struct Peaked {
   }
 };
 
-TEST(Overhang, TheLeastIsFoundAtAKinkBelowAPeakToo) {
+TEST(Overhang, MinimumIsFoundAtAKinkBelowAPeak) {
   for (const double steep : {2.0, 6.0, 20.0}) {
     for (const double kink : {0.11, 0.12, 0.153, 0.17}) {
       for (const double peak : {0.09, 0.12, 0.3}) {

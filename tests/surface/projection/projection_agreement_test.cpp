@@ -66,9 +66,9 @@ void expectAgreement(SurfaceMode mode) {
   }
 }
 
-TEST(ProjectionAgreement, SwellIsWhatBruteForceFinds) { expectAgreement(SurfaceMode::kSwell); }
+TEST(ProjectionAgreement, SwellMatchesBruteForce) { expectAgreement(SurfaceMode::kSwell); }
 
-TEST(ProjectionAgreement, ReplaceIsWhatBruteForceFinds) { expectAgreement(SurfaceMode::kReplace); }
+TEST(ProjectionAgreement, ReplaceMatchesBruteForce) { expectAgreement(SurfaceMode::kReplace); }
 
 struct Difference {
   int compared = 0;
@@ -116,7 +116,7 @@ void expectSame(const TrialScene& scene, SurfaceMode mode, ProjectionKind other)
 
 // In `swell` all three follow the patch normal; in `replace` newton and bisection follow the segment to the anchor,
 // while analytic follows the normal and has the oracle alone to answer to.
-TEST(ProjectionAgreement, SameRayGivesTheSameRoot) {
+TEST(ProjectionAgreement, MethodsFindTheSameRootOnARay) {
   std::printf("  %-11s %-8s %-10s %8s %8s %8s   %s\n", "scene", "mode", "newton and", "vertices", "far", "unique",
               "worst of the rest");
   for (const TrialScene& scene : trialScenes()) {

@@ -46,7 +46,7 @@ Smoothed smoothed(const CharacterPtr& character, const Rig& rig) {
   return out;
 }
 
-TEST(ReplacePlain, PullsNothingIn) {
+TEST(ReplacePlain, NeverPullsSkinInwards) {
   const CharacterPtr limb = makeLimb();
   for (const PatchKind patch : {PatchKind::kPn, PatchKind::kPhong, PatchKind::kFlat}) {
     const auto [surface, bare] = smoothed(limb, halfInTheSkin(*limb, patch));
@@ -63,7 +63,7 @@ TEST(ReplacePlain, PullsNothingIn) {
   }
 }
 
-TEST(ReplacePlain, WhatTheMuscleHoldsLiesOnTheImplicitSurface) {
+TEST(ReplacePlain, HeldSkinLiesOnTheImplicitSurface) {
   const CharacterPtr limb = makeLimb();
   const Rig rig = halfInTheSkin(*limb, PatchKind::kPn);
   const auto [surface, bare] = smoothed(limb, rig);
@@ -91,7 +91,7 @@ TEST(ReplacePlain, WhatTheMuscleHoldsLiesOnTheImplicitSurface) {
 }
 
 // The skin of one leg would follow a muscle that fills the gap to its far side, through the other leg's.
-TEST(ReplacePlain, SkinHardlyLeavesItsSideOfAGap) {
+TEST(ReplacePlain, SkinStaysOnItsSideOfAGap) {
   const auto body = std::make_shared<Character>(*makeTwoLegged());
   for (glm::vec3& p : body->mesh.positions) p.x *= 0.5f;  // Legs so close that limits count whole.
   for (glm::vec3& n : body->mesh.normals) n = glm::normalize(n * glm::vec3(2.0f, 1.0f, 1.0f));

@@ -88,7 +88,7 @@ struct OverBall {
 };
 
 // From outside. The stretch is the chord as far as the search goes, and its share fades towards L.
-TEST(ReplaceShares, AChordTakesWhatItsProminenceAndDistanceGive) {
+TEST(ReplaceWeight, ChordWeightFollowsProminenceAndDistance) {
   for (const double depth : {0.35, 0.45, 0.55, 0.65}) {
     const OverBall scene(depth);
     int partly = 0;

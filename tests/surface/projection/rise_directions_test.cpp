@@ -51,12 +51,12 @@ float widest(const ControlMesh& mesh, const std::vector<glm::vec3>& directions) 
   return out;
 }
 
-TEST(RiseDirections, OfAConvexBodyAreItsNormalsBitForBit) {
+TEST(RiseDirections, EqualTheNormalsOfAConvexBody) {
   const ControlMesh mesh = sphere(12, 9);
   EXPECT_TRUE(sameBytes(riseDirections(mesh, kRise), mesh.normals));
 }
 
-TEST(RiseDirections, OfAGrooveLetTheSkinRise) {
+TEST(RiseDirections, LetTheSkinRiseInAGroove) {
   const ControlMesh mesh = groove(1.0f);
   const std::vector<glm::vec3> directions = riseDirections(mesh, kRise);
   EXPECT_LT(widest(mesh, directions), 0.5f * widest(mesh, mesh.normals));
@@ -65,7 +65,7 @@ TEST(RiseDirections, OfAGrooveLetTheSkinRise) {
   EXPECT_TRUE(allUnit(directions));
 }
 
-TEST(RiseDirections, FarFromTheGrooveAreTheNormals) {
+TEST(RiseDirections, EqualTheNormalsFarFromAGroove) {
   const ControlMesh mesh = groove(1.0f);
   const std::vector<glm::vec3> directions = riseDirections(mesh, kRise);
   int far = 0;
@@ -83,7 +83,7 @@ TEST(RiseDirections, FarFromTheGrooveAreTheNormals) {
 }
 
 // Edges are a tenth of the rise: neighbors that pulled with their whole weight would throw directions to and fro.
-TEST(RiseDirections, OfADenseRoundValleyTurnEvenlyFromSideToSide) {
+TEST(RiseDirections, VaryEvenlyAcrossADenseValley) {
   const Sheet sheet = sheetOf(200, [](float x, float) { return std::sqrt(x * x + 0.002f); });
   const ControlMesh mesh = meshOf(sheet.positions, sheet.triangles);
   const std::vector<glm::vec3> directions = riseDirections(mesh, kRise);
@@ -119,7 +119,7 @@ TEST(RiseDirections, StayWithin60DegreesOfTheNormal) {
   EXPECT_LT(least, 0.51f) << "no direction came near the limit";
 }
 
-TEST(RiseDirections, OfAMirroredMeshAreMirrored) {
+TEST(RiseDirections, AreMirroredOnAMirroredMesh) {
   const auto height = [](float x, float y) { return std::abs(x) + 0.3f * std::sin(7.0f * y) * x * x; };
   const Sheet sheet = sheetOf(20, height);
   const ControlMesh mesh = meshOf(sheet.positions, sheet.triangles);

@@ -25,7 +25,7 @@ ControlMesh walls(int cells, float gap) {
   return meshOf(sheet.positions, sheet.triangles);
 }
 
-TEST(RiseLimits, OfFacingWallsAreHalfTheirGap) {
+TEST(RiseLimits, AreHalfTheGapOfFacingWalls) {
   const ControlMesh mesh = walls(20, 0.3f);
   constexpr float kMost = 0.5f;
   const std::vector<float> inverse = inverseRiseLimits(mesh, mesh.normals, kMost);
@@ -38,7 +38,7 @@ TEST(RiseLimits, OfFacingWallsAreHalfTheirGap) {
 }
 
 // Control triangles much larger than the gap: what faces a vertex is the inside of one.
-TEST(RiseLimits, SeeTheInsideOfLargeTriangles) {
+TEST(RiseLimits, AccountForTheInteriorOfLargeTriangles) {
   Sheet sheet = sheetOf(2, [](float, float) { return 0.0f; });
   const int count = static_cast<int>(sheet.positions.size());
   sheet.positions.insert(sheet.positions.end(), {{-6.0f, -5.0f, 0.2f}, {6.0f, -5.0f, 0.2f}, {0.0f, 7.0f, 0.2f}});
@@ -53,12 +53,12 @@ TEST(RiseLimits, SeeTheInsideOfLargeTriangles) {
   }
 }
 
-TEST(RiseLimits, OfAConvexBodyAreNone) {
+TEST(RiseLimits, DoNotExistOnAConvexBody) {
   const ControlMesh mesh = sphere(12, 9);
   for (const float inverse : inverseRiseLimits(mesh, mesh.normals, 1.0f)) EXPECT_EQ(inverse, 0.0f);
 }
 
-TEST(RiseLimits, FadeOutAboveTheMost) {
+TEST(RiseLimits, FadeOutAboveTheMaximum) {
   const auto inverseAt = [](float most) {
     const ControlMesh mesh = walls(4, 0.3f);
     return inverseRiseLimits(mesh, mesh.normals, most).front();
@@ -85,7 +85,7 @@ TEST(RiseLimits, KeepLiftedWallsApart) {
 }
 
 // Thinning a mesh to one point in many may not lose a wall.
-TEST(RiseLimits, OfADenseMeshAreThoseOfASparseOne) {
+TEST(RiseLimits, DoNotDependOnMeshDensity) {
   const auto middle = [](int cells) {
     const ControlMesh mesh = walls(cells, 0.3f);
     const std::vector<float> inverse = inverseRiseLimits(mesh, mesh.normals, 0.5f);
@@ -101,7 +101,7 @@ TEST(RiseLimits, DoNotDependOnTheOrderOfTriangles) {
   EXPECT_EQ(inverseRiseLimits(mesh, mesh.normals, 0.5f), inverseRiseLimits(reversed, mesh.normals, 0.5f));
 }
 
-TEST(RiseLimits, DrawHeightsInSmoothlyAndNeverReachTheLimit) {
+TEST(RiseLimits, CompressHeightsSmoothlyBelowTheLimit) {
   constexpr float kLimit = 0.2f;
   constexpr float kStep = 0.001f;
   float before = 0.0f;

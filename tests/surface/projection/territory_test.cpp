@@ -89,7 +89,7 @@ Rig shinRig(const Character& character) {
   return rig;
 }
 
-TEST(Territory, MuscleOnOneLegLeavesTheOtherAlone) {
+TEST(Territory, MuscleOnOneLegDoesNotMoveTheOther) {
   const CharacterPtr character = makeTwoLegged();
   for (const SurfaceMode mode : {SurfaceMode::kSwell, SurfaceMode::kReplace}) {
     Rig rig = shinRig(*character);
@@ -102,7 +102,7 @@ TEST(Territory, MuscleOnOneLegLeavesTheOtherAlone) {
 }
 
 // The same muscle allowed everywhere does move the other leg when they cross: the test above could fail.
-TEST(Territory, WithoutItTheCrossingLegIsMoved) {
+TEST(Territory, MuscleAllowedEverywhereMovesTheCrossingLeg) {
   const CharacterPtr character = makeTwoLegged();
   Rig rig = shinRig(*character);
   rig.primitives[0].territory = std::vector<std::string>{"leg L", "shin L", "leg R", "shin R", "hips", "spine"};
@@ -127,7 +127,7 @@ TEST(Territory, EmptyTerritoryMovesNothing) {
   EXPECT_EQ(moved.outside + moved.inside, 0);
 }
 
-TEST(Territory, FoxForearmLeavesLegsBodyAndHeadAlone) {
+TEST(Territory, FoxForearmDoesNotMoveLegsBodyOrHead) {
   const CharacterPtr character = realCharacter("Fox.glb");
   if (!character) GTEST_SKIP() << "left out: real characters are not at hand";
   const std::string bone = "b_LeftForeArm_010";

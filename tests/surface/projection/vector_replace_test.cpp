@@ -23,7 +23,7 @@ std::vector<TrialScene> scenes() {
   return out;
 }
 
-TEST(VectorReplace, IsTheScalarOnCharacters) {
+TEST(VectorReplace, MatchesTheScalarOnCharacters) {
   for (const TrialScene& scene : scenes()) {
     Agreement seen;
     addAgreement(*scene.character, withMode(scene.rig, SurfaceMode::kReplace), spreadPoses(*scene.character, 4), seen);
@@ -34,7 +34,7 @@ TEST(VectorReplace, IsTheScalarOnCharacters) {
   }
 }
 
-TEST(VectorReplace, EverySetGivesTheSameBits) {
+TEST(VectorReplace, EveryInstructionSetGivesTheSameBits) {
   for (const TrialScene& scene : scenes()) {
     Projected projected(*scene.character, withMode(scene.rig, SurfaceMode::kReplace));
     for (const Pose& pose : spreadPoses(*scene.character, 2)) {

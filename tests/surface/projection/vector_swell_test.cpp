@@ -29,7 +29,7 @@ namespace {
 using CharacterPtr = std::shared_ptr<const Character>;
 
 // humanoid-flex and horse-flex have bent muscles.
-TEST(VectorSwell, IsTheScalarOnCharacters) {
+TEST(VectorSwell, MatchesTheScalarOnCharacters) {
   std::vector<TrialScene> scenes = trialScenes();
   for (const char* name : {"humanoid", "horse", "demo", "humanoid-flex", "horse-flex"}) {
     scenes.push_back(bundledTrialScene(name));
@@ -45,7 +45,7 @@ TEST(VectorSwell, IsTheScalarOnCharacters) {
   }
 }
 
-TEST(VectorSwell, EverySetGivesTheSameBits) {
+TEST(VectorSwell, EveryInstructionSetGivesTheSameBits) {
   std::string sets;
   for (const InstructionSet set : availableInstructionSets()) sets += std::string(" ") + nameOf(set);
   std::printf("  this machine runs%s\n", sets.c_str());
@@ -66,7 +66,7 @@ TEST(VectorSwell, EverySetGivesTheSameBits) {
 }
 
 // Where a ray's neighbors meet other muscles than it does, carves among them.
-TEST(VectorSwell, EverySetGivesTheSameBitsOnRandomRigs) {
+TEST(VectorSwell, EveryInstructionSetGivesTheSameBitsOnRandomRigs) {
   const CharacterPtr character = makeTwoLegged();
   for (std::uint64_t seed = 0; seed < 16; ++seed) {
     RigRecipe recipe;
@@ -93,7 +93,7 @@ TEST(VectorSwell, EverySetGivesTheSameBitsOnRandomRigs) {
 }
 
 // Patches, shading normals and `replace` too: the projection's are the same by the test above.
-TEST(VectorSwell, EverySetGivesTheSameBitsOfAWholeFrame) {
+TEST(VectorSwell, EveryInstructionSetGivesTheSameBitsForAWholeFrame) {
   constexpr PatchKind kKinds[] = {PatchKind::kPn, PatchKind::kPhong, PatchKind::kSpherigon};
   for (const TrialScene& scene : trialScenes()) {
     for (const int depth : {1, 3, 5}) {
@@ -121,7 +121,7 @@ TEST(VectorSwell, EverySetGivesTheSameBitsOfAWholeFrame) {
   }
 }
 
-TEST(VectorSwell, IsTheScalarOnRandomRigs) {
+TEST(VectorSwell, MatchesTheScalarOnRandomRigs) {
   struct Sizes {
     const char* name;
     float low;
@@ -157,7 +157,7 @@ TEST(VectorSwell, IsTheScalarOnRandomRigs) {
 
 // A shell that the skin's own field just reaches, then just misses: roots meet and vanish along the way. And carves
 // that do the same inwards.
-TEST(VectorSwell, IsTheScalarAcrossTangencies) {
+TEST(VectorSwell, MatchesTheScalarAcrossTangencies) {
   const CharacterPtr character = makeStrip();
   const float height = character->height;
   for (const int sign : {1, -1}) {

@@ -28,9 +28,9 @@ namespace {
 
 using app::CardSurface;
 
-/// SINEW_MOMENTS in the environment: how many, spread over the clips in turn.
+/// SINEW_SAMPLE_TIMES in the environment: number of sample times, spread over the clips.
 int moments(int few) {
-  const char* const more = std::getenv("SINEW_MOMENTS");
+  const char* const more = std::getenv("SINEW_SAMPLE_TIMES");
   return more != nullptr ? std::max(std::atoi(more), 1) : few;
 }
 

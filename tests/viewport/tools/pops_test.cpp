@@ -89,10 +89,10 @@ std::optional<std::pair<int, int>> rigsAskedFor() {
   return std::pair(0, 10);
 }
 
-class PopsOfAdaptiveDetail : public testing::TestWithParam<const char*> {};
+class AdaptivePops : public testing::TestWithParam<const char*> {};
 
 // A random rig takes up to a minute or two, the horse's half a minute.
-TEST_P(PopsOfAdaptiveDetail, AreRareOnEveryCharacter) {
+TEST_P(AdaptivePops, AreRareOnEveryCharacter) {
   const auto rigs = rigsAskedFor();
   if (!rigs) GTEST_SKIP() << "left out without POPS=1 in the environment: ten random rigs take many minutes";
   const std::string name = GetParam();
@@ -114,7 +114,7 @@ TEST_P(PopsOfAdaptiveDetail, AreRareOnEveryCharacter) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Of, PopsOfAdaptiveDetail,
+INSTANTIATE_TEST_SUITE_P(Rigs, AdaptivePops,
                          testing::Values("horse", "humanoid", "Fox", "greenman", "cesium_man"),
                          [](const auto& of) { return std::string(of.param); });
 
