@@ -114,8 +114,7 @@ TEST_P(AdaptivePops, AreRareOnEveryCharacter) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Rigs, AdaptivePops,
-                         testing::Values("horse", "humanoid", "Fox", "greenman", "cesium_man"),
+INSTANTIATE_TEST_SUITE_P(Rigs, AdaptivePops, testing::Values("horse", "humanoid", "Fox", "greenman", "cesium_man"),
                          [](const auto& of) { return std::string(of.param); });
 
 }  // namespace
