@@ -1,4 +1,4 @@
-// tests/command/batch_test.cpp: how a job is divided into items, and what is refused.
+// tests/command/batch_test.cpp: splitting a job into items, and refused jobs.
 #include "app/command/batch.h"
 
 #include <set>

@@ -1,4 +1,4 @@
-// tests/command/bench_test.cpp: `sinew bench` measures what it says. Times are never judged.
+// tests/command/bench_test.cpp: `sinew bench` measures every figure. Times are not checked.
 #include "core/files/json/json.h"
 #include "tests/command/program.h"
 
@@ -7,7 +7,7 @@ namespace {
 
 class Bench : public Program {};
 
-/// Shares and ratios of one mode: there, and of a size that a ratio or a share can have.
+/// Fractions and ratios of one mode exist and are in range.
 void expectFigures(const Json& figures) {
   const std::string what = figures.dump();
   EXPECT_EQ(figures.at("scene").text(""), "humanoid");
@@ -68,7 +68,7 @@ TEST_F(Bench, OneRunMeasuresEverything) {
 }
 
 TEST_F(Bench, RigAfterJsonIsMeasuredAndNotOverwritten) {
-  // The word after --json may be meant as the input: such a file is never written.
+  // The word after --json may be meant as the input: an existing rig is never overwritten.
   std::filesystem::copy_file(demo("demo.rig.json"), folder_ / "mine.rig.json");
   std::filesystem::copy_file(demo("demo.glb"), folder_ / "demo.glb");
   const std::string before = readWholeFile(folder_ / "mine.rig.json", 1 << 20).value();

@@ -1,4 +1,4 @@
-// tests/command/check_test.cpp: `sinew check` as a program sees it.
+// tests/command/check_test.cpp: `sinew check` run as a process.
 #include <filesystem>
 #include <fstream>
 

@@ -1,4 +1,4 @@
-// tests/command/export_error_test.cpp: how close an export comes, between keys too, and the map of it.
+// tests/command/export_error_test.cpp: export error, also between keys, and its map.
 #include <algorithm>
 #include <array>
 #include <cstring>
@@ -84,7 +84,7 @@ TEST_F(ExportError, IsInTheTableWithAHintForSparseFrames) {
   EXPECT_NE(table.out.find("--substeps 2 bakes"), std::string::npos) << table.out;
 }
 
-/// The map, read without the writer's code.
+/// The map, parsed independently of the writer.
 struct Map {
   std::vector<float> errors;
   std::vector<std::array<unsigned char, 3>> colors;

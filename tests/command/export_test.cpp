@@ -1,4 +1,4 @@
-// tests/command/export_test.cpp: `sinew export` as a program sees it.
+// tests/command/export_test.cpp: `sinew export` run as a process.
 #include <algorithm>
 #include <fstream>
 
@@ -20,7 +20,7 @@ class Export : public Program {
     return run(arguments);
   }
 
-  /// Nothing but what a test has put there itself.
+  /// Files in the folder, except for what the test put there.
   [[nodiscard]] std::vector<std::string> names() const {
     std::vector<std::string> result;
     for (const auto& entry : std::filesystem::directory_iterator(folder_)) {
@@ -59,7 +59,7 @@ TEST_F(Export, ReportsProgressOnlyOnRequest) {
   EXPECT_TRUE(points.error.ends_with("\nsinew: exporting points.pc2: 100 %\n")) << points.error;
 }
 
-/// `script` gives the program a terminal.
+/// `script` provides a terminal.
 TEST_F(Export, ProgressOverwritesOneTerminalLine) {
   if (std::system("script --version >/dev/null 2>&1") != 0) GTEST_SKIP() << "there is no script (bsdutils)";
   const std::string command = quoted(SINEW_PROGRAM) + " export " + quoted(demo("demo.rig.json")) +
@@ -258,7 +258,7 @@ TEST_F(Export, UsdStageIsWrittenWholeOrNotAtAll) {
 }
 
 TEST_F(Export, InputTextureIsNotOverwritten) {
-  // A source whose image lies where the export would put its own.
+  // The source's image lies where the export would write its own.
   ASSERT_EQ(skinned(demo("demo.rig.json"), "a.usda", {"--depth", "1", "--weights", "transferred"}).status, 0);
   ASSERT_EQ(skinned(demo("demo.glb"), "own.gltf", {"--depth", "1", "--weights", "transferred"}).status, 0);
   auto root = Json::parse(readWholeFile(folder_ / "own.gltf", 1 << 26).value());
@@ -286,7 +286,7 @@ TEST_F(Export, InputIsNotOverwritten) {
   const std::string text = readWholeFile(folder_ / "own.gltf", 1 << 26).value();
   const std::string binary = readWholeFile(folder_ / "own.bin", 1 << 26).value();
   expectRefused(skinned("own.gltf", "./own.gltf"), 2, "is the input");
-  // Another name, but the buffer beside it is the one that is read.
+  // The name differs, but the buffer next to it is the one that is read.
   std::filesystem::rename(folder_ / "own.gltf", folder_ / "other.gltf");
   expectRefused(skinned("other.gltf", "own.gltf"), 1, "own.bin: cannot be written: the character is read from it");
   EXPECT_EQ(readWholeFile(folder_ / "other.gltf", 1 << 26).value(), text);

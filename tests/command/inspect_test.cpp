@@ -1,4 +1,4 @@
-// tests/command/inspect_test.cpp: `sinew inspect` as a program sees it.
+// tests/command/inspect_test.cpp: `sinew inspect` run as a process.
 #include <algorithm>
 #include <fstream>
 #include <sstream>
@@ -31,7 +31,7 @@ TEST_F(Program, InspectJsonHasEveryKeyAndIsAloneOnStdout) {
   EXPECT_TRUE(json->at("closed").boolean(false));
   EXPECT_EQ(json->at("border_edges").number(-1), 0);
   EXPECT_EQ(json->at("colored_wedges").number(-1), 0);
-  // Euler: a closed mesh of one piece and no handles has V = T / 2 + 2; of more pieces, 2 more for each.
+  // Euler: a closed mesh of one piece without handles has V = T / 2 + 2; each further piece adds 2.
   const double euler = json->at("vertices").number(0) - json->at("triangles").number(0) / 2;
   EXPECT_EQ(euler, 2);
   EXPECT_EQ(json->at("joint_names").items().size(), static_cast<std::size_t>(json->at("joints").number(0)));
@@ -136,7 +136,7 @@ TEST_F(Program, InspectStrictFailsOnMissingBones) {
 }
 
 TEST_F(Program, InspectListsEightNonManifoldEdges) {
-  // Walls inside the post: where they touch its skin, three triangles and more meet in an edge.
+  // Walls inside the post: where they touch its skin, three or more triangles share an edge.
   test::Post post = test::makePost();
   for (const int corner :
        {4, 5, 6, 6, 7, 4, 0, 4, 6, 0, 6, 2, 1, 5, 7, 1, 7, 3, 4, 8, 10, 4, 10, 6, 5, 9, 11, 5, 11, 7}) {

@@ -1,4 +1,4 @@
-// tests/command/measuring_test.cpp: medians, exponents, turns and moments of the benchmarks.
+// tests/command/measuring_test.cpp: medians, exponents, rotations and sample times of the benchmarks.
 #include "app/command/measuring.h"
 
 #include <cmath>

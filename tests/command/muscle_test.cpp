@@ -1,4 +1,4 @@
-// tests/command/muscle_test.cpp: `sinew muscle` as a program sees it.
+// tests/command/muscle_test.cpp: `sinew muscle` run as a process.
 #include <filesystem>
 #include <fstream>
 #include <iterator>

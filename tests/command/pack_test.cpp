@@ -1,4 +1,4 @@
-// tests/command/pack_test.cpp: `sinew pack` as a program sees it.
+// tests/command/pack_test.cpp: `sinew pack` run as a process.
 #include <fstream>
 #include <iterator>
 

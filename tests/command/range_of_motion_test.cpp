@@ -1,4 +1,4 @@
-// tests/command/range_of_motion_test.cpp: a clip that no file holds, by name.
+// tests/command/range_of_motion_test.cpp: the generated range-of-motion clip, selected by name.
 
 #include "tests/command/program.h"
 
@@ -7,7 +7,7 @@ namespace {
 
 class RangeOfMotion : public Program {
  protected:
-  /// The file that smooth writes.
+  /// File written by `sinew smooth`.
   std::string surface(std::vector<std::string> options) {
     std::vector<std::string> arguments{"smooth", demo("demo.glb"), "-o", "out.obj", "--depth", "1"};
     arguments.insert(arguments.end(), options.begin(), options.end());

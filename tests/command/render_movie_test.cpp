@@ -1,4 +1,4 @@
-// tests/command/render_movie_test.cpp: `sinew render` around a character, in sheets and as moving pictures.
+// tests/command/render_movie_test.cpp: `sinew render`: views around a character, contact sheets and animated pictures.
 #include <cstdint>
 
 #include <stb_image.h>
@@ -53,7 +53,7 @@ class RenderMovie : public Program {
   }
 };
 
-/// What a moving .webp says of itself, read without its library.
+/// Header fields of an animated .webp, parsed without its library.
 struct MovingWebp {
   int width = 0, height = 0;
   int loops = -1;
@@ -89,7 +89,7 @@ TEST_F(RenderMovie, TurntableGoesOnceAround) {
   EXPECT_EQ(done.out, "t_0.png\nt_1.png\nt_2.png\nt_3.png\n");
   EXPECT_NE(bytes("t_0.png"), bytes("t_1.png"));
   EXPECT_NE(bytes("t_0.png"), bytes("t_2.png"));
-  // Nothing is cut off on any side: the picture's edge shows the background alone.
+  // Nothing is cut off at any side: the picture's border shows only background.
   for (const char* name : {"t_0.png", "t_1.png", "t_2.png", "t_3.png"}) {
     const Pixels seen = picture(name);
     const auto corner = seen.part(0, 0, 1, 1);
@@ -155,7 +155,7 @@ TEST_F(RenderMovie, OtherMovieFormatsUseFfmpeg) {
   EXPECT_EQ(absent.status, 1);
   EXPECT_TRUE(absent.oneErrorLine()) << absent.error;
   EXPECT_NE(absent.error.find(".mp4 needs the program ffmpeg"), std::string::npos) << absent.error;
-  // One that writes what it reads, after its arguments.
+  // A fake encoder that writes its arguments, then its input.
   ASSERT_TRUE(
       writeFileAtomically(folder_ / "ffmpeg", "#!/bin/sh\nfor last; do :; done\n{ echo \"$@\"; cat; } > \"$last\"\n")
           .ok());

@@ -1,4 +1,4 @@
-// tests/command/retarget_test.cpp: `sinew retarget` as a program sees it.
+// tests/command/retarget_test.cpp: `sinew retarget` run as a process.
 #include <filesystem>
 #include <fstream>
 #include <iterator>

@@ -1,4 +1,4 @@
-// tests/command/sinew_bench_test.cpp: each part of sinew_bench measures what it says. Times are never judged.
+// tests/command/sinew_bench_test.cpp: each part of sinew_bench measures every figure. Times are not checked.
 #include "core/files/json/json.h"
 #include "tests/command/program.h"
 

@@ -1,4 +1,4 @@
-// tests/command/smooth_test.cpp: `sinew smooth` as a program sees it.
+// tests/command/smooth_test.cpp: `sinew smooth` run as a process.
 #include <algorithm>
 #include <sstream>
 
@@ -29,7 +29,7 @@ std::vector<std::array<int, 3>> facesOf(const std::string& obj) {
   return faces;
 }
 
-/// A clip in which joints that scale joints that scale others lead beyond what floats hold after its beginning.
+/// A clip in which nested scaled joints exceed the range of floats after its beginning.
 std::string farPost() {
   test::Post post = test::makePost();
   post.file.json["nodes"].push_back({{"name", "top"}, {"children", {1}}});
@@ -117,7 +117,7 @@ TEST_F(Program, SmoothAcceptsEveryModeAndPatch) {
   }
 }
 
-// The searches of the paper are there to compare with; what a rig of old says is no matter.
+// The paper's searches are for comparison only; the setting in old rigs is ignored.
 TEST_F(Program, SmoothSelectsTheProjectionMethod) {
   const std::string rig = demo("demo.rig.json");
   const auto surfaceBy = [&](const std::string& file, const char* projection) {

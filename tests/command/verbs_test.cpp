@@ -1,4 +1,4 @@
-// tests/command/verbs_test.cpp: help, version, and what a wrong command line gets.
+// tests/command/verbs_test.cpp: help, version, and errors of wrong command lines.
 #include <cstdlib>
 
 #include "tests/command/program.h"

@@ -1,4 +1,4 @@
-// tests/command/whole_test.cpp: how a run of `sinew bench` is told, from figures made up here; and the paper's own.
+// tests/command/whole_test.cpp: report of a `sinew bench` run from made-up figures, and the paper's figures.
 #include "app/command/whole.h"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// tests/document/auto_depth_test.cpp: monotone, bounded, calm.
+// tests/document/auto_depth_test.cpp: automatic depth is monotone, bounded and stable.
 #include "app/document/auto_depth.h"
 
 #include <cmath>
@@ -31,7 +31,7 @@ TEST(AutoDepth, EdgesAreNearTheTargetLength) {
 }
 
 TEST(AutoDepth, DoesNotFlickerAtAThreshold) {
-  // A camera that breathes by a few percent about every size: at most one change in a hundred breaths.
+  // A camera that oscillates by a few percent around every size: at most one change in a hundred oscillations.
   for (float pixels = 100.0f; pixels < 1500.0f; pixels *= 1.01f) {
     int depth = autoDepth(0.05f, pixels, 0);
     int changes = 0;

@@ -1,4 +1,4 @@
-// tests/document/clip_files_test.cpp: a document whose rig names clip files: opened, saved elsewhere, opened again.
+// tests/document/clip_files_test.cpp: documents whose rig names clip files: opened, saved elsewhere, reopened.
 #include <filesystem>
 #include <fstream>
 

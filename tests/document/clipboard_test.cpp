@@ -1,4 +1,4 @@
-// tests/document/clipboard_test.cpp: muscles as text, in this document and another.
+// tests/document/clipboard_test.cpp: copying muscles as text within a document and between documents.
 
 #include "app/document/clipboard.h"
 
@@ -150,7 +150,7 @@ TEST_F(Clipboard, PasteOnTheSameBoneOrFromSeveralBonesKeepsThePosition) {
     ASSERT_TRUE(there && plain);
     EXPECT_EQ(there->rig, plain->rig);
   }
-  // A bone that this character lacks is no reason to leave out what has another place.
+  // A muscle on a bone that this character lacks is pasted on another bone.
   Primitive lost = rig.primitives[2];
   lost.bone = "elsewhere";
   Rig other;

@@ -1,4 +1,4 @@
-// tests/document/command_stack_test.cpp: undo, redo and gestures against a naive model.
+// tests/document/command_stack_test.cpp: undo, redo and gestures compared with a naive model.
 
 #include "app/document/command_stack.h"
 
@@ -19,7 +19,7 @@ Rig rigNumbered(int number) {
 
 int numberOf(const Rig& rig) { return rig.smoothing.depth - 1; }
 
-/// All that the stack promises, written as plainly as possible.
+/// Naive model of all that the stack guarantees.
 struct Model {
   std::vector<int> states{0};
   std::size_t position = 0;

@@ -1,4 +1,4 @@
-// tests/document/document_test.cpp: opening, saving, reopening.
+// tests/document/document_test.cpp: opening, saving and reopening.
 
 #include "app/document/document.h"
 
@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// An empty folder of its own for every test.
+/// An empty folder for every test.
 class OpenedDocument : public testing::Test {
  protected:
   void SetUp() override {
@@ -72,7 +72,7 @@ TEST_F(OpenedDocument, SavedRigReopensEqualFromAnotherFolder) {
   const auto again = openDocument(file);
   ASSERT_TRUE(again.ok()) << again.error().text();
   Rig expected = document.rig();
-  expected.character = again->rig().character;  // Relative to another folder now.
+  expected.character = again->rig().character;  // Now relative to another folder.
   EXPECT_TRUE(again->rig() == expected);
   EXPECT_TRUE(fs::equivalent(again->characterFile, demo));
   EXPECT_EQ(again->character->mesh.triangles.size(), document.character->mesh.triangles.size());

@@ -1,4 +1,4 @@
-// tests/document/file_stamp_test.cpp: what a file held, and names that are free.
+// tests/document/file_stamp_test.cpp: content stamps of files, and free file names.
 
 #include "app/document/file_stamp.h"
 
@@ -61,7 +61,7 @@ TEST(FileStamp, IncludesOnlyBuffersInTheSameFolder) {
   std::filesystem::create_directories(folder.path() / "inside");
   write("secret.bin", "1");
   std::filesystem::create_symlink(folder.path() / "secret.bin", folder.path() / "inside/link.bin");
-  // Of what changes here only the first is of the folder.
+  // Of the files that change here, only the first lies in the folder.
   for (const std::string uri : {"own.bin", "link.bin", "../secret.bin"}) {
     const auto file = uses(uri);
     write("inside/own.bin", "1");

@@ -1,4 +1,4 @@
-// tests/document/folder_listing_test.cpp: what the file browser shows, completes and calls things.
+// tests/document/folder_listing_test.cpp: entries, completion and names in the file browser.
 
 #include "app/document/folder_listing.h"
 #include "tests/support/temporary_folder.h"

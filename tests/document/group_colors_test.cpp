@@ -1,4 +1,5 @@
-// tests/document/group_colors_test.cpp: colors of groups stay apart for every eye, and stay with their groups.
+// tests/document/group_colors_test.cpp: group colors are distinguishable, also with color blindness, and stay with
+// their groups.
 #include "app/document/group_colors.h"
 
 #include <algorithm>
@@ -26,7 +27,7 @@ glm::vec3 oklab(const glm::vec3& c) {
           0.0259040f * l + 0.7827718f * m - 0.8086758f * s};
 }
 
-/// How a linear color looks to whom a kind of cone is missing (Machado, Oliveira & Fernandes 2009); rows.
+/// Rows that map a linear color to its appearance with one kind of cone missing (Machado, Oliveira & Fernandes 2009).
 using Eye = std::array<glm::vec3, 3>;
 constexpr Eye kNormal{glm::vec3{1, 0, 0}, glm::vec3{0, 1, 0}, glm::vec3{0, 0, 1}};
 constexpr Eye kProtan{glm::vec3{0.152286f, 1.052583f, -0.204868f}, glm::vec3{0.114503f, 0.786281f, 0.099216f},

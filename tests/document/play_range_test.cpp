@@ -1,4 +1,4 @@
-// tests/document/play_range_test.cpp: ranges stay with their clips while clips of other files come and go.
+// tests/document/play_range_test.cpp: play ranges stay with their clips while clip files are added and removed.
 #include "app/document/play_range.h"
 
 #include <gtest/gtest.h>
@@ -6,7 +6,7 @@
 namespace sinew::app {
 namespace {
 
-/// A clip of each file; "": the character's own.
+/// One clip for each file; "": the character's own.
 Character withClipsOf(const std::vector<std::string>& files) {
   Character character;
   for (const std::string& file : files) {

@@ -150,7 +150,7 @@ TEST_F(LiveSurfaceUpdate, DeferredSurfaceMatchesTheImmediateOne) {
     EXPECT_EQ(waiting.value().report().projected, eager.value().report().projected);
     EXPECT_FALSE(waiting.value().update(flexing, onCard).value()) << "nothing has changed";
   }
-  // An edit that waits, then an eye that does not.
+  // An edit that is deferred, then a visibility change that is not.
   flexing.commands.apply("Delete", removePrimitives(flexing.rig(), std::vector<int>{0}));
   EXPECT_TRUE(eager.value().update(flexing).value());
   EXPECT_TRUE(waiting.value().update(flexing, onCard).value());
@@ -212,7 +212,7 @@ TEST_F(LiveSurfaceUpdate, RefusedRigKeepsTheSurfaceAndIsReportedOnce) {
   EXPECT_FALSE(live.value().update(document).ok());
   EXPECT_EQ(live.value().surface().positions, positions);
   EXPECT_TRUE(live.value().update(document).ok());
-  // Something else to prepare for, and the rig is still none.
+  // Another character to prepare for, still without a rig.
   SurfaceView without;
   without.hidden = {0};
   EXPECT_FALSE(live.value().update(document, without).ok());

@@ -1,4 +1,4 @@
-// tests/document/posed_rig_memo_test.cpp: the document's rig in a pose, made once and never stale.
+// tests/document/posed_rig_memo_test.cpp: the document's rig in a pose is computed once and never stale.
 #include "app/document/document.h"
 
 #include <gtest/gtest.h>

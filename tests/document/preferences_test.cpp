@@ -1,4 +1,4 @@
-// tests/document/preferences_test.cpp: what is remembered comes back; what is damaged does no harm.
+// tests/document/preferences_test.cpp: preferences survive a restart; damaged files do no harm.
 
 #include "app/document/preferences.h"
 
@@ -158,7 +158,7 @@ TEST_F(PreferencesFile, ClearedRecentListKeepsOnlyFilesAddedByOthers) {
   EXPECT_EQ(mergedPreferences(base, mine, theirs).recentFiles, std::vector<fs::path>{"/e"});
 }
 
-/// However two windows take turns, neither loses a file that was opened lately, nor is one there twice.
+/// Two windows that write alternately lose no recent file and list none twice.
 TEST_F(PreferencesFile, AlternatingWindowsLoseNoRecentFile) {
   std::mt19937 random(2);
   for (int round = 0; round < 200; ++round) {

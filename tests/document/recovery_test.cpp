@@ -1,4 +1,4 @@
-// tests/document/recovery_test.cpp: the life of unsaved work, through a crash and without one.
+// tests/document/recovery_test.cpp: unsaved work with and without a crash.
 
 #include "app/document/recovery.h"
 
@@ -29,7 +29,7 @@ class Recovery : public testing::Test {
     state = folder / "state" / "recovery";
   }
 
-  /// The lizard with one muscle more than its file has.
+  /// The lizard with one more muscle than in its file.
   [[nodiscard]] Document changed(bool saved) const {
     Document document = openDocument(folder / "lizard.glb").value();
     if (saved) {
@@ -47,7 +47,7 @@ class Recovery : public testing::Test {
     primitive.placement.radii = {0.1f, 0.2f, 0.3f};
     return addPrimitive(document.rig(), primitive).value();
   }
-  /// Another process writes the work and dies as a crash would have it.
+  /// Another process writes its work and dies as in a crash.
   void crash(const Document& document) const {
     const pid_t child = fork();
     ASSERT_GE(child, 0);
@@ -129,7 +129,7 @@ TEST_F(Recovery, CleanExitLeavesNothing) {
   Result<RecoveryFile> mine = RecoveryFile::claim(state);
   ASSERT_TRUE(mine.ok());
   ASSERT_TRUE(mine.value().write(changed(true)).ok());
-  EXPECT_EQ(filesLeft(), 2u);  // Work and lock.
+  EXPECT_EQ(filesLeft(), 2u);  // Work file and lock.
   mine.value().remove();
   EXPECT_EQ(filesLeft(), 1u);
   mine.value().finish();
@@ -192,7 +192,7 @@ TEST(RecoveryAge, IsGivenInTheLargestUnit) {
   EXPECT_EQ(ageText(now - 3h, now), "3 hours ago");
 }
 
-// When to write ---------------------------------------------------------------------------------------------------
+// Schedule --------------------------------------------------------------------------------------------------------
 
 class Autosave : public testing::Test {
  protected:
@@ -222,7 +222,7 @@ TEST_F(Autosave, NoChangeWaitsLongerThanTheInterval) {
   look(0.0);
   change("a");
   EXPECT_EQ(look(10.0), Deed::kNothing);
-  change("b");  // A later change does not put it off.
+  change("b");  // A later change does not postpone it.
   EXPECT_EQ(look(39.0), Deed::kNothing);
   EXPECT_EQ(clock.secondsLeft(39.0, 30.0), 1.0);
   EXPECT_EQ(look(40.0), Deed::kWrite);

@@ -1,4 +1,4 @@
-// tests/document/shown_names_test.cpp: names without what all of them share.
+// tests/document/shown_names_test.cpp: names are shown without their common prefix and suffix.
 
 #include "app/document/shown_names.h"
 
@@ -29,15 +29,15 @@ TEST(ShownNames, OmitThePrefixSharedByAll) {
       {{"a/b/Hips", "a/b/Spine"}, {"Hips", "Spine"}},
       {{"Armature|Walk|baselayer", "Armature|Run|baselayer"}, {"Walk", "Run"}},
       {{"Rig|A|Walk", "Rig|B|Walk"}, {"A", "B"}},
-      // Part of a word is not shared.
+      // Part of a word is not dropped.
       {{"Armature|Walk", "Armature|Wave"}, {"Walk", "Wave"}},
       {{"Walk", "Wave"}, {"Walk", "Wave"}},
-      // One of them has it not.
+      // One name lacks the prefix.
       {{"root", "mixamorig:Hips"}, {"root", "mixamorig:Hips"}},
-      // Words of a name that few share.
+      // Words that few names share.
       {{"walk_fast", "walk_slow"}, {"walk_fast", "walk_slow"}},
       {{"Bone", "Bone.001"}, {"Bone", "Bone.001"}},
-      // One name alone.
+      // A single name.
       {{"Armature|Walk"}, {"Walk"}},
       {{"Armature|Walk|baselayer"}, {"Walk"}},
       {{"mixamo.com"}, {"mixamo.com"}},
@@ -63,7 +63,7 @@ TEST(ShownNames, OmitALeadingWordSharedByMost) {
   EXPECT_EQ(withoutSharedParts(rooted).back(), "R Foot");
   const Names numbered = withPrefix("joint ", {"0", "1", "2", "3", "4", "5", "6", "7", "8"});
   EXPECT_EQ(withoutSharedParts(numbered), numbered);
-  // The root's name as one of the others': kept apart.
+  // Without the prefix two names would be equal: nothing is dropped.
   rooted.push_back("Bip01 Bip01");
   EXPECT_EQ(withoutSharedParts(rooted), rooted);
 }
@@ -79,14 +79,14 @@ TEST(ShownNames, OmitATrailingWordSharedByMost) {
     EXPECT_EQ(withoutSharedParts(with("", suffix)), bones) << suffix;
     EXPECT_EQ(withoutSharedParts(with("Bip01_", suffix)), bones) << suffix;
   }
-  // A word's own end is no suffix, nor is what one of them has not, nor what few share.
+  // The end of a word is no suffix, nor is one that a name lacks or that few share.
   const Names joined = with("", "Joint");
   EXPECT_EQ(withoutSharedParts(joined), joined);
   Names rooted = with("", "_Joint");
   rooted.push_back("root");
   EXPECT_EQ(withoutSharedParts(rooted), rooted);
   EXPECT_EQ(withoutSharedParts({"a_Joint", "b_Joint"}), (Names{"a_Joint", "b_Joint"}));
-  // Nothing but a number, or nothing at all, would be left.
+  // Only a number, or nothing, would be left.
   const Names numbered = [] {
     Names all;
     for (int i = 0; i < 9; ++i) all.push_back(std::to_string(i) + "_Joint");
@@ -96,7 +96,7 @@ TEST(ShownNames, OmitATrailingWordSharedByMost) {
   Names bare = with("", "_Joint");
   bare.push_back("_Joint");
   EXPECT_EQ(withoutSharedParts(bare), bare);
-  // The side is what tells two apart.
+  // Names that differ only in their side.
   const Names sides{"a_L", "b_L", "c_L", "d_L", "e_L", "f_L", "g_L", "h_L"};
   EXPECT_EQ(withoutSharedParts(sides).front(), "a");
 }

@@ -1,4 +1,4 @@
-// tests/document/symmetry_test.cpp: the command stack keeps twins, and every edit can be undone to the byte.
+// tests/document/symmetry_test.cpp: the command stack keeps twins in sync, and undo restores every edit byte for byte.
 
 #include <gtest/gtest.h>
 

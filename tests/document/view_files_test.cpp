@@ -1,4 +1,4 @@
-// tests/document/view_files_test.cpp: views of files: found again, never mixed up, never too many.
+// tests/document/view_files_test.cpp: stored views of files: found again, never confused, limited in number.
 
 #include "app/document/view_files.h"
 
@@ -75,7 +75,7 @@ TEST_F(ViewFiles, InvalidFileGivesNoView) {
   EXPECT_EQ(found(file), -1);
 }
 
-// Two paths of one hash would share a place: the path inside says whose it is.
+// Two paths with the same hash share a file name: the path stored inside identifies the owner.
 TEST_F(ViewFiles, ViewOfAnotherFileWithTheSameHashIsIgnored) {
   const fs::path a = made("a.rig.json"), b = made("b.rig.json");
   keep(a, 1);
@@ -107,7 +107,7 @@ TEST_F(ViewFiles, LeastRecentlyWrittenViewIsRemovedFirst) {
     all.push_back(folder / ("f" + std::to_string(i) + ".rig.json"));
     keep(all.back(), static_cast<int>(i));
   }
-  // By its contents: the one of all[7] becomes the oldest.
+  // Make the view of all[7] the oldest, found by its contents.
   for (const fs::path& view : files()) {
     std::ifstream stream(view);
     const std::string text{std::istreambuf_iterator<char>(stream), {}};

@@ -1,4 +1,4 @@
-// tests/document/visibility_test.cpp: eye, lock, solo and isolation, and what becomes of them when the rig changes.
+// tests/document/visibility_test.cpp: eye, lock, solo and isolation, also when the rig changes.
 
 #include "app/document/visibility.h"
 
@@ -17,7 +17,7 @@ Bone boneNamed(const std::string& name, int parent) {
   return bone;
 }
 
-/// hip, knee below it, arm apart; a muscle on each, one on a bone that is not there.
+/// Hip, knee below it, arm apart; a muscle on each, and one on a missing bone.
 class MuscleVisibility : public testing::Test {
  protected:
   void SetUp() override {

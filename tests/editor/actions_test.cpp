@@ -1,4 +1,4 @@
-// tests/editor/actions_test.cpp: the action table is whole and without clashes.
+// tests/editor/actions_test.cpp: the action table is complete and free of conflicts.
 
 #include "app/editor/actions.h"
 

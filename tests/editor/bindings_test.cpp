@@ -1,4 +1,4 @@
-// tests/editor/bindings_test.cpp: keys that are changed: a key runs one action, whatever was changed before.
+// tests/editor/bindings_test.cpp: rebound keys: a key runs at most one action after any sequence of changes.
 
 #include "app/editor/bindings.h"
 
@@ -43,14 +43,14 @@ void expectSound(const Preferences& preferences, const std::string& after) {
   }
 }
 
-/// What a user may do on the page, chosen by chance.
+/// Random user of the page.
 class Hand {
  public:
   explicit Hand(unsigned seed) : random_(seed) {}
   int below(int count) { return std::uniform_int_distribution<int>(0, count - 1)(random_); }
   const Action& anyAction() { return actions()[static_cast<std::size_t>(below(static_cast<int>(actions().size())))]; }
   Shortcut anyKey() {
-    // Few letters and modifiers, so that keys are often taken; with some that are reserved or have no name.
+    // Few letters and modifiers, so that keys are often taken; some are reserved or have no name.
     constexpr std::array kKeys{GLFW_KEY_W,    GLFW_KEY_D,     GLFW_KEY_A,         GLFW_KEY_X,      GLFW_KEY_M,
                                GLFW_KEY_HOME, GLFW_KEY_ENTER, GLFW_KEY_ESCAPE,    GLFW_KEY_DELETE, GLFW_KEY_KP_ADD,
                                GLFW_KEY_F20,  GLFW_KEY_SPACE, GLFW_KEY_LEFT_SHIFT};

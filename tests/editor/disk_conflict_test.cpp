@@ -1,4 +1,4 @@
-// tests/editor/disk_conflict_test.cpp: two windows on one rig: no version of it is written over unasked.
+// tests/editor/disk_conflict_test.cpp: two windows on one rig: no version is overwritten without consent.
 
 #include "app/editor/disk_conflict.h"
 
@@ -39,7 +39,7 @@ class DiskConflict : public testing::Test {
     ASSERT_TRUE(openFile(mine, rig));
     ASSERT_TRUE(openFile(theirs, rig));
   }
-  /// Both have worked, and they have saved.
+  /// Both windows edited the rig, and the other saved first.
   void theyWereFaster() {
     addMuscle(theirs, 1);
     ASSERT_TRUE(save(theirs, {}));
@@ -170,8 +170,8 @@ TEST_F(DiskConflict, ExternalChangeIsReportedOnceBeforeSaving) {
   EXPECT_NE(mine.session.messages[0].text.find("no longer on disk"), std::string::npos);
 }
 
-/// Windows edit and save in any order and answer anything but "overwrite": every version that was ever saved is still
-/// the content of a file, or was followed by a later one of a window that had seen it.
+/// Windows edit and save in random order and answer anything but "overwrite": every saved version remains the content
+/// of a file, or was replaced by a window that had seen it.
 TEST_F(DiskConflict, SaveNeverReplacesContentUnknownToItsWindow) {
   std::mt19937 random(11);
   std::array<EditorState*, 2> windows{&mine, &theirs};

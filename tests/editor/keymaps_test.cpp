@@ -1,4 +1,4 @@
-// tests/editor/keymaps_test.cpp: in every keymap a key means one thing, and what the presets promise is so.
+// tests/editor/keymaps_test.cpp: a key has one meaning in every keymap, and the presets keep their promises.
 
 #include <gtest/gtest.h>
 
@@ -59,7 +59,7 @@ TEST_P(EveryKeymap, SecondKeyRequiresAFirst) {
   }
 }
 
-/// By the keyboard, as the user would find out.
+/// Meaning found by pressing the key, as a user would.
 std::string meaningOf(const Shortcut& shortcut, Keymap keymap) {
   for (const Action& action : actions()) {
     const auto keys = shortcutsOf(action, keymap);

@@ -1,4 +1,4 @@
-// tests/editor/opening_test.cpp: what a character that was made elsewhere looks like when it is opened.
+// tests/editor/opening_test.cpp: opening a character made elsewhere.
 
 #include <gtest/gtest.h>
 
@@ -24,7 +24,7 @@ namespace fs = std::filesystem;
 
 constexpr int kHip = 0, kKnee = 1, kTarget = 2, kPole = 3, kEnd = 4;  ///< Bones of the post.
 
-/// The post with three joints that no skin follows: a target with a pole on it, and the knee's end.
+/// The post with three joints without skin: a target with a pole, and the knee's end.
 test::Post postWithHelpers() {
   test::Post post = test::makePost();
   auto& json = post.file.json;
@@ -125,7 +125,7 @@ TEST_F(Opening, HelperBonesInUseAreShown) {
   EXPECT_EQ(hidden(), (std::vector<int>{kEnd}));
 }
 
-// A bone keeps its length where its end is hidden, and draws no line to a target.
+// A bone keeps its length if its end is hidden, and draws no line to a target.
 TEST_F(Opening, HiddenBonesAreNeitherDrawnNorPicked) {
   openPost();
   state.open.transport.clip = -1;
@@ -190,7 +190,7 @@ TEST_F(Opening, MissingCharacterPromptsAndTheOpenDocumentStays) {
   EXPECT_TRUE(openDocument(folder / "lost.rig.json").ok());
 }
 
-// An absolute path is kept as typed otherwise (document.cpp); here it is what was wrong.
+// An absolute path is normally kept as typed (document.cpp); here it was the broken one.
 TEST_F(Opening, MissingAbsolutePathIsReplaced) {
   write("moved.glb", test::makePost());
   writeRig("lost.rig.json", (folder / "gone.glb").string());
@@ -214,7 +214,7 @@ TEST_F(Opening, OtherProblemsAreMessages) {
     EXPECT_NE(state.session.messages.back().text.find(name), std::string::npos) << state.session.messages.back().text;
   }
   EXPECT_NE(state.session.messages.front().text.find("gone.bin"), std::string::npos);
-  // A folder of the character's name cannot be read.
+  // A folder named like the character cannot be read.
   fs::create_directory(folder / "folder.glb");
   writeRig("folder.rig.json", "folder.glb");
   EXPECT_FALSE(openFile(state, folder / "folder.rig.json"));
@@ -255,7 +255,7 @@ TEST_F(Opening, DamagedFileIsReportedInPlainLanguage) {
   EXPECT_FALSE(openFile(state, folder / "broken.gltf"));
   EXPECT_TRUE(state.session.messages.back().text.starts_with("broken.gltf is damaged or not a character: line 1"))
       << state.session.messages.back().text;
-  // What is no question of syntax is told as before.
+  // Errors other than syntax errors are reported as before.
   ASSERT_TRUE(writeFileAtomically(folder / "limb.rig.json", std::string("[1, 2]")).ok());
   EXPECT_FALSE(openFile(state, folder / "limb.rig.json"));
   EXPECT_EQ(state.session.messages.back().text.find("damaged"), std::string::npos);

@@ -1,4 +1,4 @@
-// tests/editor/picture_commands_test.cpp: where pictures go.
+// tests/editor/picture_commands_test.cpp: destinations of pictures.
 
 #include "app/editor/picture_commands.h"
 
@@ -63,7 +63,7 @@ TEST_F(PictureCommands, DirectSaveNeverReusesAName) {
   EXPECT_EQ(first.parent_path(), home_);
   EXPECT_TRUE(first.filename().string().starts_with("fox-2")) << first;
   EXPECT_EQ(first.extension(), ".png");
-  // Two in one second: the clock may also have moved on between them.
+  // At least two within one second: the clock may advance between them.
   for (int i = 0; i < 3; ++i) {
     savePictureNow(state_);
     EXPECT_FALSE(fs::exists(*state_.session.pictureWanted));

@@ -1,4 +1,4 @@
-// tests/editor/session_test.cpp: from one start of the editor to the next, after a clean end and after a crash.
+// tests/editor/session_test.cpp: state kept from one session to the next, after a clean exit and after a crash.
 
 #include "app/editor/session.h"
 
@@ -107,7 +107,7 @@ TEST_F(Session, TwoWindowsKeepEachOthersSettings) {
   second.session.preferences.keymap = Keymap::kBlender;
   two.tick(second, 0.0, kPlace);
   two.tick(second, 2.0, kPlace);
-  first.view.layout.left = 333.0f;  // It has never heard of the keymap, nor of the other file.
+  first.view.layout.left = 333.0f;  // It knows neither the keymap nor the other file.
   one.tick(first, 3.0, kPlace);
   one.tick(first, 5.0, kPlace);
   second.view.layout.left = 264.0f;
@@ -207,7 +207,7 @@ TEST_F(Session, CrashedWorkIsOfferedAndProtectedOnceRecovered) {
   EXPECT_FALSE(fs::exists(left));
   EXPECT_FALSE(state.session.recovered.has_value());
   {
-    EditorState third;  // Beside it: nothing to be offered, the work has a living owner.
+    EditorState third;  // A second instance: nothing to recover, since the owner of the work is alive.
     keeper().start(third);
     EXPECT_FALSE(third.dialogs.recovery);
   }
@@ -249,7 +249,7 @@ TEST_F(Session, FailedSaveWritesTheRecoveryFileImmediately) {
     EXPECT_EQ(filesOfRecovery(), 1U);
     unsaved = lost.document.rig();
     change(lost);
-    one.tick(lost, 101.0, kPlace);  // From here on every interval again: this change is not in the file yet.
+    one.tick(lost, 101.0, kPlace);  // From here on at every interval: this change is not in the file yet.
   }
   const std::vector<LeftBehind> left = findLeftBehind(folder / "recovery");
   ASSERT_EQ(left.size(), 1U);
@@ -281,7 +281,7 @@ TEST_F(Session, DiscardedWorkIsRemoved) {
     open(lost, "lizard.glb");
     change(lost);
     one.tick(lost, 0.0, kPlace);
-    lost.open.transport.clip = -1;  // Another clip writes at once.
+    lost.open.transport.clip = -1;  // Selecting another clip writes at once.
     one.tick(lost, 0.1, kPlace);
   }
   EditorState state;

@@ -1,4 +1,4 @@
-// tests/editor/step_names_test.cpp: the history says what each step changed, and new groups ask for their name.
+// tests/editor/step_names_test.cpp: history names of steps, and name fields of new groups.
 
 #include <gtest/gtest.h>
 
@@ -41,7 +41,7 @@ TEST_F(StepNames, FieldEditsNameTheMuscle) {
 
 TEST_F(StepNames, TypedNumberIsNamedWithBothValues) {
   const auto typed = [&](const std::string& id, const std::string& text) {
-    ImGui::GetIO().DeltaTime = 1.0f;  // Later: two double clicks, not four clicks.
+    ImGui::GetIO().DeltaTime = 1.0f;  // Later, so that clicks count as two double clicks, not as four clicks.
     frame();
     ImGui::GetIO().DeltaTime = 1.0f / 60.0f;
     doubleClick(id);

@@ -1,4 +1,4 @@
-// tests/editor/symmetry_commands_test.cpp: twins, selecting many and the clipboard, by buttons and by keys' commands.
+// tests/editor/symmetry_commands_test.cpp: twins, multiple selection and the clipboard, through buttons and shortcuts.
 
 #include "app/editor/symmetry_commands.h"
 
@@ -11,7 +11,7 @@
 namespace sinew::app {
 namespace {
 
-/// The bundled character with a pair on its thighs and one muscle in the middle.
+/// The bundled character with a pair of muscles on its thighs and one in the middle.
 struct SymmetryCommands : HeadlessEditor {
   void SetUp() override {
     HeadlessEditor::SetUp();

@@ -1,4 +1,4 @@
-// tests/editor/toast_test.cpp: what is said of an edit, how long, and how often.
+// tests/editor/toast_test.cpp: toasts after edits: text, duration and frequency.
 
 #include "app/editor/toast.h"
 

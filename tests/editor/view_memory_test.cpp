@@ -1,4 +1,4 @@
-// tests/editor/view_memory_test.cpp: a file opened again looks as it was left.
+// tests/editor/view_memory_test.cpp: reopening a file restores its view.
 
 #include "app/editor/view_memory.h"
 
@@ -37,7 +37,7 @@ class ViewMemory : public testing::Test {
     std::ifstream stream(file, std::ios::binary);
     return {std::istreambuf_iterator<char>(stream), {}};
   }
-  /// All that is to come back, as a designer sets it.
+  /// Sets everything that is restored.
   static void arrange(EditorState& state) {
     chooseClip(state.open.transport, 1, state.character());
     state.open.transport.playing = false;
@@ -141,7 +141,7 @@ TEST_F(ViewMemory, IsStoredOnceTheViewRests) {
   const auto kept = loadView(folder / "views", folder / "demo.rig.json");
   ASSERT_TRUE(kept.has_value()) << "a crash would lose it";
   EXPECT_EQ(kept->at("display").at("shading").text(""), "clay");
-  // Playing alone writes nothing: time never rests.
+  // Playback alone writes nothing, since the time keeps changing.
   state.open.transport.playing = true;
   for (double now = 4.0; now < 8.0; now += 0.25) one.tick(state, now, kWindowPlace);
   fs::remove_all(folder / "views");
@@ -189,7 +189,7 @@ TEST_F(ViewMemory, RangeOfMotionClipIsRecreated) {
   EXPECT_DOUBLE_EQ(next.open.transport.time, 3.0);
 }
 
-// Whatever stands in the file: the document opens, and what makes no sense is as at a first opening.
+// Whatever the file contains, the document opens, and invalid values get their defaults.
 TEST_F(ViewMemory, InvalidValuesAreIgnored) {
   EditorState fresh;
   ASSERT_TRUE(openFile(fresh, folder / "demo.rig.json"));

@@ -1,4 +1,5 @@
-// tests/panels/animation_test.cpp: keys and drivers of numbers: the fields' menu, driven keys, the section, its curves.
+// tests/panels/animation_test.cpp: keys and drivers of numbers: context menu of fields, driven keys, the inspector's
+// section and its curves.
 
 #include <cmath>
 
@@ -21,7 +22,7 @@ namespace {
 constexpr const char* kRadius = "inspector/radius.x";
 constexpr const char* kLower = "forearm.L";
 
-/// Over the bundled rig in its first clip, "biceps L" alone, and alone of its kind.
+/// Bundled rig in its first clip; only "biceps L" is selected.
 class Animation : public HeadlessEditor {
  protected:
   static constexpr int kKeyK = 75;
@@ -38,7 +39,7 @@ class Animation : public HeadlessEditor {
   [[nodiscard]] NumberRef radius() const { return {Parameter::kRadiusX, state.document.activePrimitive()}; }
   [[nodiscard]] const AnimatedNumber* animated() const { return animationOf(state.document.rig(), radius()); }
   [[nodiscard]] float drawn() const { return numberOf(state.document.rig(), radius()); }
-  /// By the definition, not by what the panels keep.
+  /// Computed from the definition, independent of the panels.
   [[nodiscard]] float now() const {
     return numberOf(test::drivenRig(state.document.rig(), state.character(), state.live->pose()), radius());
   }
@@ -65,7 +66,7 @@ class Animation : public HeadlessEditor {
     settle();
     settle();
   }
-  /// From submenu to submenu of the number's menu.
+  /// Walks through the submenus of a number's context menu.
   void choose(std::initializer_list<const char*> entries) {
     click(kRadius, 1);
     for (const char* entry : entries) {
@@ -104,7 +105,7 @@ TEST_F(Animation, KeyStoresTheFieldValueAtTheCurrentTime) {
   goTo(0.5);
   EXPECT_LT(now(), 0.1f);
   EXPECT_GT(now(), 0.05f);
-  // Between two keys: the menu's other key changes nothing.
+  // Between two keys: toggling the other key changes nothing.
   const float between = now();
   choose({"key-now"});
   EXPECT_EQ(animated()->keys.at(0).curve.points.size(), 3u);
@@ -112,7 +113,7 @@ TEST_F(Animation, KeyStoresTheFieldValueAtTheCurrentTime) {
   choose({"key-remove"});
   EXPECT_EQ(animated()->keys.at(0).curve.points.size(), 2u);
   hover(kRadius);
-  press(kKeyK);  // Nothing was set since the last key: what is seen is keyed.
+  press(kKeyK);  // Nothing was set since the last key: the shown value is keyed.
   EXPECT_EQ(now(), between);
   choose({"key-remove"});
   const std::vector<glm::vec3> keyed = state.live->surface().positions;
@@ -150,7 +151,7 @@ TEST_F(Animation, BindPoseTakesNoKeys) {
   const Action& key = action("edit/key");
   EXPECT_FALSE(key.enabled(state));
   EXPECT_STREQ(key.enabled(state).reason(), "Choose a clip first: the bind pose has no time");
-  choose({"key"});  // Gray.
+  choose({"key"});  // Grayed out.
   EXPECT_EQ(animated(), nullptr);
   EXPECT_EQ(steps(), 0u);
 }
@@ -216,7 +217,7 @@ TEST_F(Animation, DrivenKeysAreSetByPosingWithoutChangingTheRestValue) {
   ASSERT_EQ(curve.points.size(), 2u);
   EXPECT_NEAR(curve.points[0].x, straight, 1e-3f);
   EXPECT_EQ(curve.points[0].y, before);
-  // A drag at the same pose is the same point, in one step.
+  // A drag at the same pose replaces the point, in one step.
   const std::size_t stepsBefore = steps();
   drag(kRadius, {30.0f, 0.0f});
   EXPECT_EQ(steps(), stepsBefore + 1);
@@ -317,7 +318,7 @@ TEST_F(Animation, TimelineRowsMoveAndRemoveKeys) {
   drag(row + "/key/1", {0.2f * perSecond, 0.0f});
   EXPECT_EQ(steps(), stepsBefore + 1) << "a drag is one step";
   EXPECT_NEAR(animated()->keys.at(0).curve.points.at(1).x, 0.8f, 0.02f);
-  // Past the other one, which stays.
+  // Past the other key, which stays.
   drag(row + "/key/1", {-0.7f * perSecond, 0.0f});
   ASSERT_EQ(animated()->keys.at(0).curve.points.size(), 2u);
   EXPECT_NEAR(animated()->keys.at(0).curve.points.at(0).x, 0.1f, 0.02f);
@@ -367,8 +368,8 @@ TEST_F(Animation, SelectedCurvePointTakesTypedNumbers) {
   click(driver + "/curve/1");
   typeInto(driver + "/point.x", "120");
   EXPECT_EQ(animated()->drivers.at(0).curve.points.at(1).x, 120.0f);
-  for (int i = 0; i < 30; ++i) frame();  // Else it is a click of the same row of clicks.
-  typeInto(driver + "/point.x", "-5");   // Would stand before the first.
+  for (int i = 0; i < 30; ++i) frame();  // Long enough not to count as a multiple click.
+  typeInto(driver + "/point.x", "-5");   // Would precede the first point.
   EXPECT_EQ(animated()->drivers.at(0).curve.points.at(1).x, 120.0f);
   EXPECT_FALSE(state.session.messages.empty());
   click(driver + "/curve/0", 1);

@@ -1,4 +1,4 @@
-// tests/panels/blending_test.cpp: groups: the matrix and the graph change the same rig and show each other's
+// tests/panels/blending_test.cpp: work groups: the matrix and the graph edit the same rig and show each other's
 // changes.
 
 #include "tests/support/editor/headless_editor.h"
@@ -15,7 +15,7 @@
 namespace sinew::app {
 namespace {
 
-/// Over the bundled rig: legs - torso - arms, in the Groups tab.
+/// Bundled rig with legs - torso - arms, in the Groups tab.
 class Blending : public HeadlessEditor {
  protected:
   void SetUp() override {
@@ -32,7 +32,7 @@ class Blending : public HeadlessEditor {
     queue.move(center(id));
     settle();
   }
-  /// From the middle of one control to the middle of another.
+  /// Drags from the middle of one control to the middle of another.
   void dragTo(const std::string& from, const std::string& to) { drag(from, center(to) - center(from)); }
   [[nodiscard]] bool allValid() const { return validate(rig()).ok(); }
 };
@@ -174,7 +174,7 @@ TEST_F(Blending, SixtyGroupsFitInBothViews) {
 }
 
 TEST_F(Blending, TooManyCliquesAreRefusedWithAReason) {
-  // The complement of disjoint triangles has three to the power of their number cliques: eight are too many.
+  // The complement of n disjoint triangles has 3^n cliques: eight triangles are too many.
   Rig many = rig();
   while (many.groups.size() < 24) many = addGroup(many, "g" + std::to_string(many.groups.size())).value();
   many.links.clear();

@@ -1,4 +1,4 @@
-// tests/panels/body_parts_test.cpp: Muscles > Parts of the body by hand: what was found, corrections, undo.
+// tests/panels/body_parts_test.cpp: Muscles > Parts of the body through the dialog: detected parts, corrections, undo.
 #include "app/editor/actions.h"
 #include "app/editor/body_parts_commands.h"
 #include "tests/support/editor/headless_editor.h"

@@ -1,4 +1,5 @@
-// tests/panels/check_list_test.cpp: Play > Check muscles by hand: the list, going to a finding, mending, undo.
+// tests/panels/check_list_test.cpp: Play > Check muscles through the panel: the list, jumping to a finding, mending,
+// undo.
 #include <algorithm>
 
 #include "app/editor/actions.h"
@@ -69,7 +70,7 @@ TEST_F(CheckList, RepairIsOneStepAndLeavesFewerFindings) {
   run(action("edit/undo"), state);
   settle();
   EXPECT_EQ(state.document.rig(), before);
-  // The rig is another one than was checked: the button checks again.
+  // The rig has changed since the check: the button checks again.
   click("check/mend");
   EXPECT_EQ(state.open.check.findings.size(), found);
 }

@@ -1,5 +1,4 @@
-// tests/panels/clip_files_test.cpp: clips of other files in the editor: dropped, listed, chosen in dialogs,
-// located.
+// tests/panels/clip_files_test.cpp: clips of other files in the editor: dropped, listed, selected in dialogs, located.
 #include "app/editor/edit.h"
 #include "sinew/files/rig_json.h"
 #include "tests/panels/clip_files_editor.h"
@@ -25,7 +24,7 @@ TEST_F(ClipFilesInEditor, DroppedFilesAreAddedQueriedOrOpened) {
   EXPECT_FALSE(shown("keep-muscles/keep"));
   EXPECT_EQ(files(), (Names{"walk.glb", "whole.glb", "other.glb"}));
   EXPECT_EQ(state.document.rig().primitives.size(), 1u);
-  // Without clips there is nothing to add; the character's own file is no other.
+  // Without clips there is nothing to add, nor from the character's own file.
   state.document.commands.markSaved();
   fs::copy_file(folder_ / "still.glb", folder_ / "again.glb");
   for (const char* name : {"again.glb", "still.glb"}) {
@@ -89,12 +88,12 @@ TEST_F(ClipFilesInEditor, DialogStaysOpenIfAFileCannotBeAdded) {
   press(kEnter);
   EXPECT_FALSE(shown("dialog/path"));
   EXPECT_EQ(files(), Names{"walk.glb"});
-  // Once more: it is read again, which is no step.
+  // Adding it again rereads it, which is no step.
   motion("walk.glb", {"Walk", "Run", "Jump"});
   add("walk.glb");
   EXPECT_EQ(clips(), (Names{"Walk", "Run", "Jump"}));
   EXPECT_EQ(steps(), 1u);
-  // What follows is opened again.
+  // Reopened below.
   act("file/open");
   EXPECT_EQ(state.dialogs.file.then.kind, IntentKind::kNone);
 }
@@ -126,7 +125,7 @@ TEST_F(ClipFilesInEditor, MissingFileCanBeLocated) {
   EXPECT_EQ(clips(), Names{"Walk"});
   click("clip-files/locate/0");
   ASSERT_TRUE(shown("dialog/path"));
-  type("more.glb");  // That one is there already.
+  type("more.glb");  // Already added.
   press(kEnter);
   EXPECT_FALSE(state.dialogs.file.error.empty());
   press(kKeyA, true);

@@ -1,4 +1,4 @@
-// tests/panels/clip_steps_test.cpp: files of clips as steps of the history: what plays, ranges and keys.
+// tests/panels/clip_steps_test.cpp: adding and removing clip files as history steps: playback, ranges and keys.
 #include "app/editor/edit.h"
 #include "core/rig/animated_edit.h"
 #include "sinew/character/pose.h"
@@ -20,7 +20,7 @@ TEST_F(ClipFilesInEditor, AddingAFileIsOneStepAndPlaysItsFirstClip) {
   state.open.transport.playing = false;
   state.open.transport.time = 0.7;
   settle();
-  // Bit for bit as the clip plays in its own file.
+  // Plays bit for bit as in its own file.
   const auto own = importClips(folder_ / "walk.glb");
   const Pose theirs = samplePose(own.value()->skeleton, own.value()->clips.front(), 0.7f);
   const auto theirKnee = static_cast<std::size_t>(own.value()->skeleton.findBone("knee").value());

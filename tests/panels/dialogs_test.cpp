@@ -1,5 +1,4 @@
-// tests/panels/dialogs_test.cpp: palette, key sheet, preferences, recovery, messages and files, by hand and
-// keyboard.
+// tests/panels/dialogs_test.cpp: palette, key sheet, preferences, recovery, messages and files, by mouse and keyboard.
 
 #include "app/editor/edit.h"
 #include "tests/support/editor/headless_editor.h"
@@ -27,7 +26,7 @@ class DialogBoxes : public HeadlessEditor {
     ASSERT_TRUE(shown("palette/query"));
     type(query);
   }
-  /// Takes what was said so far away, so that only new messages count.
+  /// Drops the messages so far, so that only new ones count.
   void quiet() {
     state.session.messages.clear();
     settle();

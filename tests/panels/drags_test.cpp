@@ -1,4 +1,4 @@
-// tests/panels/drags_test.cpp: a drag in the picture between panels: what it keeps, what its refusals leave.
+// tests/panels/drags_test.cpp: a viewport drag interrupted by panels: what is kept, and what a refused edit leaves.
 
 #include "app/editor/edit.h"
 #include "tests/support/editor/headless_editor.h"
@@ -21,7 +21,7 @@ TEST_F(PanelDrags, PressOnAPanelCommitsTheGrabAsItsOwnStep) {
   ASSERT_TRUE(ownsKeyboard(state.view.tools));
   const glm::vec3 moved = muscle().placement.center;
   ASSERT_NE(moved, center);
-  // The pointer on its way to the field drags the muscle along: only the field's own change comes after it.
+  // Moving the pointer to the field drags the muscle along: only the field's own change comes after that.
   drag("inspector/radius.x", {40.0f, 0.0f});
   EXPECT_FALSE(ownsKeyboard(state.view.tools));
   EXPECT_EQ(steps(), before + 2);

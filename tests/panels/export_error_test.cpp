@@ -1,4 +1,4 @@
-// tests/panels/export_error_test.cpp: the last export's distance in the picture, from the status line and the
+// tests/panels/export_error_test.cpp: the last export's error in the viewport, opened from the status line and the
 // menu.
 
 #include <algorithm>
@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kSkinnedKind = 1;  // Index into exportKinds(): the quickest.
+constexpr std::size_t kSkinnedKind = 1;  // Index into exportKinds(): the fastest.
 
 class ExportErrorView : public HeadlessEditor {
  protected:
@@ -67,13 +67,13 @@ TEST_F(ExportErrorView, ClickOnTheErrorShowsItsTimeAndVertex) {
   EXPECT_EQ(state.character().clips.at(static_cast<std::size_t>(transport.clip)).name, largest.farthest.clip);
   EXPECT_FLOAT_EQ(static_cast<float>(transport.time), largest.farthest.time);
   EXPECT_FALSE(transport.playing);
-  // In the moment of the largest distance the picture's largest is that, at its vertex.
+  // At the time of the largest error, the picture's maximum is that error, at its vertex.
   const std::vector<float>& shownError = shownSurface(state).displacement;
   const auto most = std::ranges::max_element(shownError);
   EXPECT_EQ(most - shownError.begin(), largest.farthest.vertex);
   EXPECT_NEAR(100.0f * *most / state.character().height, largest.largest, 1e-3 * largest.largest);
   EXPECT_NEAR(error().largestNow, largest.largest, 1e-3 * largest.largest);
-  for (int i = 0; i < 60; ++i) frame();  // The camera goes there.
+  for (int i = 0; i < 60; ++i) frame();  // The camera moves there.
   const glm::vec3 place = shownSurface(state).positions.at(static_cast<std::size_t>(largest.farthest.vertex));
   EXPECT_LT(glm::distance(state.view.tools.camera.stand.target, place), 0.1f * state.character().height);
   EXPECT_NE(state.session.messages.back().text.find("\" at "), std::string::npos) << "the message says where, too";
@@ -142,7 +142,7 @@ TEST_F(ExportErrorView, MeshesDoNotOverlapInAnyStandardView) {
   for (const char* from : {"view/front", "view/left", "view/back", "view/right", "view/top", "view/frame-all"}) {
     if (std::string(from) == "view/frame-all") state.view.tools.camera.stand.yaw = 2.3f;  // As a drag would.
     run(action(from), state);
-    for (int i = 0; i < 60; ++i) frame();  // The camera goes there.
+    for (int i = 0; i < 60; ++i) frame();  // The camera moves there.
     const View& view = state.frame.route.view;
     glm::vec2 size(view.size);
     float liveRight = 0.0f, besideLeft = size.x;

@@ -1,5 +1,4 @@
-// tests/panels/export_test.cpp: File > Export by hand: its dialogs, what runs in the background, quitting
-// meanwhile.
+// tests/panels/export_test.cpp: File > Export through its dialogs, background jobs, and quitting during an export.
 
 #include <algorithm>
 #include <chrono>
@@ -22,7 +21,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::uintmax_t kLargest = 1 << 28;
-constexpr std::size_t kSkinned = 1;  // Index into exportKinds(): the quickest.
+constexpr std::size_t kSkinned = 1;  // Index into exportKinds(): the fastest.
 
 class ExportDialogs : public HeadlessEditor {
  protected:
@@ -44,13 +43,13 @@ class ExportDialogs : public HeadlessEditor {
     settle();
     ASSERT_TRUE(shown("export/ok"));
   }
-  /// One that is done in a moment.
+  /// Selects an export that takes an instant.
   void chooseQuick() {
     state.dialogs.exporting.settings.detail.depth = 1;
     state.dialogs.exporting.settings.weights = ExportWeights::kTransferred;
     settle();
   }
-  /// One that goes on for seconds.
+  /// Selects an export that takes seconds.
   void chooseLong() {
     state.dialogs.exporting.settings.detail.depth = 12;
     settle();
@@ -69,7 +68,7 @@ class ExportDialogs : public HeadlessEditor {
     click("export/ok");
     ASSERT_FALSE(shown("export/ok")) << state.dialogs.exporting.error;
   }
-  /// Frames until nothing is exported any more.
+  /// Runs frames until no export is running.
   void finish() {
     while (!state.session.exports.empty()) {
       frame();
@@ -97,7 +96,7 @@ class ExportDialogs : public HeadlessEditor {
   [[nodiscard]] std::string lastMessage() const {
     return state.session.messages.empty() ? "" : state.session.messages.back().text;
   }
-  /// The program's own words, in the folder.
+  /// Runs the program in the folder.
   [[nodiscard]] int commandLine(const std::string& arguments) const {
     return std::system(("cd '" + folder.string() + "' && '" SINEW_PROGRAM "' " + arguments + " >/dev/null").c_str());
   }
@@ -123,7 +122,7 @@ TEST_F(ExportDialogs, DefaultsToMuscleJointsAndMatchesTheCommandLine) {
 }
 
 TEST_F(ExportDialogs, BakingOneClipMatchesTheCommandLine) {
-  fs::create_directory(folder / "cli");  // USD names its root after the file.
+  fs::create_directory(folder / "cli");  // USD names its root prim after the file.
   const auto kinds = exportKinds();
   for (std::size_t kind = 0; kind < kinds.size(); ++kind) {
     if (!kinds[kind].fields.oneClip) continue;
@@ -301,7 +300,7 @@ TEST_F(ExportDialogs, EnterInANumberFieldDoesNotStartTheExport) {
   EXPECT_TRUE(shown("export/ok"));
   EXPECT_EQ(state.dialogs.exporting.settings.detail.depth, 7);
   EXPECT_TRUE(state.session.exports.empty());
-  for (int i = 0; i < 30; ++i) frame();  // The next click is none of the double click before.
+  for (int i = 0; i < 30; ++i) frame();  // Long enough not to count as a double click.
   typeInto("export/depth", std::to_string(state.document.rig().smoothing.depth));
   EXPECT_EQ(state.dialogs.exporting.settings.detail.depth, std::nullopt) << "as in the rig";
 }
@@ -364,7 +363,7 @@ TEST_F(ExportDialogs, QuittingPromptsAndLeavesNoFile) {
   settle();
   click("export-question/now");
   EXPECT_TRUE(state.session.quit);
-  state.session.exports = {};  // As the end of the editor does it.
+  state.session.exports = {};  // As the editor does on exit.
   EXPECT_EQ(names(), before);
 }
 

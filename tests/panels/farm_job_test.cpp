@@ -1,4 +1,4 @@
-// tests/panels/farm_job_test.cpp: File > Export > As a farm job: the file is the command line's, word for word.
+// tests/panels/farm_job_test.cpp: File > Export > As a farm job writes the same file as the command line.
 
 #include <cstdlib>
 
@@ -12,7 +12,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kQuickest = 1;  // Index into exportKinds(): the quickest.
+constexpr std::size_t kQuickest = 1;  // Index into exportKinds(): the fastest.
 
 class FarmJobs : public HeadlessEditor {
  protected:
@@ -36,7 +36,7 @@ class FarmJobs : public HeadlessEditor {
     settle();
     ASSERT_TRUE(shown("farm/job"));
   }
-  /// What `sinew farm` writes, called in the rigs' folder.
+  /// Output of `sinew farm`, run in the rigs' folder.
   [[nodiscard]] std::string written(const std::string& arguments) const {
     const fs::path job = folder / "by-hand.job";
     const std::string command = "cd '" + folder.string() + "' && '" SINEW_PROGRAM "' farm " + arguments +

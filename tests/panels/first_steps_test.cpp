@@ -1,8 +1,8 @@
-// tests/panels/first_steps_test.cpp: Help > First steps, done as a beginner would, in another order, and left.
+// tests/panels/first_steps_test.cpp: Help > First steps: done in order, in another order, and abandoned.
 #include "app/editor/first_steps.h"
 
 #include <imgui.h>
-#include <imgui_internal.h>  // The windows of a context, which 1.86 keeps to itself.
+#include <imgui_internal.h>  // ImGui 1.86 lists a context's windows only here.
 
 #include <string>
 
@@ -72,7 +72,7 @@ TEST_F(FirstStepsPanel, StepsAreCheckedOffInAnyOrder) {
   state.document.visibility.bare = true;
   followFirstSteps(state);
   EXPECT_TRUE(firstStepsDone(state.view.firstSteps));
-  // Done stays done.
+  // A finished step stays finished.
   state.document.visibility.bare = false;
   run(action("edit/undo"), state);
   run(action("edit/undo"), state);

@@ -1,5 +1,4 @@
-// tests/panels/flexing_test.cpp: a muscle drawn across a joint: at rest as it is drawn, fully active while its key is
-// held.
+// tests/panels/flexing_test.cpp: a muscle drawn across a joint: at rest as drawn, fully active while its key is held.
 #include <glm/common.hpp>
 
 #include "app/viewport/tools/line_handles.h"

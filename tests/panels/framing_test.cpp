@@ -1,4 +1,4 @@
-// tests/panels/framing_test.cpp: what is framed lies in the part of the picture that no panel covers.
+// tests/panels/framing_test.cpp: framing fits its target into the part of the viewport that no panel covers.
 
 #include <filesystem>
 #include <string>
@@ -10,7 +10,7 @@
 namespace sinew::app {
 namespace {
 
-/// Muscles on lines, so that the slider lies over the picture too.
+/// Muscles on lines, so that the flex slider covers part of the viewport too.
 class Framing : public HeadlessEditor {
  protected:
   void use(float width, float height, float scale) {
@@ -21,7 +21,7 @@ class Framing : public HeadlessEditor {
     state.open.transport.playing = false;
     settle();
   }
-  /// What holds the character in the picture, window coordinates: low x and y, high x and y.
+  /// Bounds of the character in the picture, window coordinates: low x and y, high x and y.
   [[nodiscard]] glm::vec4 body() const {
     glm::vec2 low(1e9f), high(-1e9f);
     for (const glm::vec3& point : state.live->surface().positions) {
@@ -31,7 +31,7 @@ class Framing : public HeadlessEditor {
     }
     return {low, high};
   }
-  /// @param least  share of the picture's height
+  /// @param least  fraction of the picture's height
   void expectClear(const std::string& what, float least = 0.45f) const {
     const glm::vec4 at = body();
     const glm::vec4& v = state.frame.viewport;

@@ -1,4 +1,4 @@
-// tests/panels/inspector_lines_test.cpp: the lines of several muscles are edited together.
+// tests/panels/inspector_lines_test.cpp: lines of several muscles are edited together.
 
 #include "tests/support/editor/headless_editor.h"
 
@@ -10,7 +10,7 @@
 namespace sinew::app {
 namespace {
 
-/// Over the person whose limbs have lines.
+/// The character whose limbs have lines.
 class InspectorLines : public HeadlessEditor {
  protected:
   void SetUp() override {
@@ -81,7 +81,7 @@ TEST_F(InspectorLines, OutOfRangeValueIsRefusedForAll) {
 }
 
 TEST_F(InspectorLines, ViaPointsAreAddedWhereMissing) {
-  select({"biceps L", "triceps L"});  // The triceps has one.
+  select({"biceps L", "triceps L"});  // Only the triceps has one.
   const LineAnchor own = *line("triceps L").via;
   click("inspector/line/via");
   EXPECT_TRUE(line("biceps L").via);
@@ -153,7 +153,7 @@ TEST_F(InspectorLines, BoneListsShowNearBonesFirstAndFilterByTyping) {
 TEST_F(InspectorLines, WarningDisappearsOnceTheViaPointExists) {
   select({"hamstrings L"});
   Rig tight = state.document.rig();
-  for (MuscleLine& each : tight.lines) each.settings.rest = 2.0f;  // Always far shorter than at rest.
+  for (MuscleLine& each : tight.lines) each.settings.rest = 2.0f;  // Always far shorter than its rest length.
   state.document.commands.apply("Rest", tight);
   settle();
   click("inspector/line/learn");

@@ -1,5 +1,4 @@
-// tests/panels/inspector_test.cpp: one muscle or many: common values, units, reset, copy and paste,
-// territory.
+// tests/panels/inspector_test.cpp: one or many muscles: common values, units, reset, copy and paste, territory.
 
 #include "tests/support/editor/headless_editor.h"
 
@@ -11,7 +10,7 @@
 namespace sinew::app {
 namespace {
 
-/// Over the bundled rig, every section of the inspector in view.
+/// Bundled rig with all sections of the inspector visible.
 class Inspector : public HeadlessEditor {
  protected:
   void SetUp() override {
@@ -38,7 +37,7 @@ TEST_F(Inspector, TypedNumberAppliesToAllInOneStep) {
   select({"thigh L", "chest L", "tail root"});
   typeInto("inspector/reach", "2.5");
   for (const char* name : {"thigh L", "chest L", "tail root"}) EXPECT_EQ(named(name).reach, 2.5f) << name;
-  // The twins of what is selected follow; others stay.
+  // Twins of the selected muscles follow; others stay.
   EXPECT_NE(named("calf L").reach, 2.5f);
   EXPECT_EQ(steps(), 1u);
 }

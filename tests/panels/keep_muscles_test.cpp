@@ -1,5 +1,4 @@
-// tests/panels/keep_muscles_test.cpp: a character dropped on one with muscles, and Muscles > Put on another
-// character.
+// tests/panels/keep_muscles_test.cpp: dropping a character on one with muscles, and Muscles > Put on another character.
 #include <algorithm>
 #include <string>
 
@@ -44,7 +43,7 @@ TEST_F(KeepMuscles, DroppedCharacterReceivesTheMuscles) {
   EXPECT_TRUE(state.document.rigFile.empty());
   EXPECT_TRUE(state.document.commands.modified());
   EXPECT_EQ(steps(), 1u);
-  // The same body: the same muscles.
+  // Same body: same muscles.
   ASSERT_EQ(state.document.rig().primitives.size(), before.primitives.size());
   for (std::size_t i = 0; i < before.primitives.size(); ++i) {
     EXPECT_EQ(state.document.rig().primitives[i].name, before.primitives[i].name);
@@ -93,7 +92,7 @@ TEST_F(KeepMuscles, PromptsAboutUnsavedChangesFirst) {
   click("keep-muscles/keep");
   ASSERT_TRUE(shown("unsaved/discard"));
   EXPECT_EQ(state.document.rigFile, asset("humanoid-flex.rig.json"));
-  // What was not saved is still what goes on the other body.
+  // Unsaved muscles are still the ones put on the other body.
   click("unsaved/discard");
   EXPECT_TRUE(state.document.rigFile.empty());
   EXPECT_EQ(state.document.rig().primitives.size(), changed.primitives.size());
@@ -133,7 +132,7 @@ TEST_F(KeepMuscles, MenuOpensTheDialogForTheCharacter) {
   EXPECT_EQ(state.document.characterFile.filename(), "horse.glb");
   EXPECT_FALSE(state.document.rig().primitives.empty());
   EXPECT_TRUE(state.document.commands.modified());
-  // The next one is opened as it is.
+  // Opening a file after that is unaffected.
   run(action("edit/undo"), state);
   run(action("file/open"), state);
   settle();

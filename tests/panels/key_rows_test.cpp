@@ -1,4 +1,4 @@
-// tests/panels/key_rows_test.cpp: keys dragged along their rows.
+// tests/panels/key_rows_test.cpp: dragging keys along their rows.
 
 #include "app/panels/timeline_keys.h"
 

@@ -1,10 +1,10 @@
-// tests/panels/keyboard_focus_test.cpp: every control by Tab and arrows, with a ring that is seen; Esc goes one step
-// back.
+// tests/panels/keyboard_focus_test.cpp: Tab and arrows reach every control, with a visible focus ring; Esc goes back
+// one level.
 
 #include "app/ui/keyboard_focus.h"
 
 #include <imgui.h>
-#include <imgui_internal.h>  // Which item has the keyboard.
+#include <imgui_internal.h>  // ImGui's focused item.
 
 #include <algorithm>
 #include <map>
@@ -42,7 +42,7 @@ class KeyboardFocus : public HeadlessEditor {
     const LaidOut* const control = focused() == 0 ? nullptr : laidOut(focused());
     return control == nullptr ? "" : control->id;
   }
-  /// Until the ring is on the control.
+  /// Presses Tab until the control has the ring.
   void focus(const std::string& id) {
     for (int i = 0; i < 400 && focusedId() != id; ++i) tab();
     ASSERT_EQ(focusedId(), id);
@@ -218,7 +218,7 @@ TEST_F(KeyboardFocus, MatrixCellsLinkGroupsFromTheKeyboard) {
   settle();
   run(action("edit/group"), state);
   settle();
-  press(kEnter);  // Its name.
+  press(kEnter);  // Renames it.
   ASSERT_EQ(state.document.rig().groups.size(), 2u);
   const auto& groups = state.document.rig().groups;
   const std::string cell = "blending/cell/" + groups[1].name + "/" + groups[0].name;

@@ -1,4 +1,4 @@
-// tests/panels/keys_page_test.cpp: the page of the preferences on which keys are changed, by hand.
+// tests/panels/keys_page_test.cpp: the preferences page that rebinds keys.
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
@@ -16,7 +16,7 @@ class KeysPage : public HeadlessEditor {
     click("preferences/page/keys");
     ASSERT_TRUE(shown("preferences/keys/search"));
   }
-  /// Shows the one row and clicks its first key.
+  /// Filters to one row and clicks its first key.
   void clickKey(const std::string& id, const std::string& slot = "1") {
     state.dialogs.keySearch = action(id).label;
     settle();

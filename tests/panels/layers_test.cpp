@@ -1,5 +1,4 @@
-// tests/panels/layers_test.cpp: the list of the mesh's parts: what it shows, clicks that change the rig and
-// the surface.
+// tests/panels/layers_test.cpp: the list of mesh parts: its contents, and clicks that change rig and surface.
 
 #include "app/editor/layer_commands.h"
 
@@ -32,7 +31,7 @@ class LayersPanel : public HeadlessEditor {
     state.open.transport.playing = false;
     settle();
   }
-  /// A rig for the dressed body that says this of its parts.
+  /// Opens a rig for the dressed body with these layers.
   void openWith(const std::string& layers) {
     const std::filesystem::path rig = folder_.path() / "dressed.rig.json";
     std::ofstream(rig)
@@ -50,7 +49,7 @@ class LayersPanel : public HeadlessEditor {
   [[nodiscard]] SkinLayer layer(const std::string& name) const {
     return partLayers(state)[static_cast<std::size_t>(part(name))];
   }
-  /// A ball in the chest, so that skin and cloth differ.
+  /// Adds a ball in the chest, so that skin and cloth differ.
   void addBall() {
     addMuscle(state, state.character().skeleton.findBone("chest").value());
     Placement placement = muscle().placement;
@@ -59,7 +58,7 @@ class LayersPanel : public HeadlessEditor {
     state.document.selection.clear();
     settle();
   }
-  /// The surface of the document's rig in the pose that is shown, made by itself.
+  /// Surface of the document's rig in the shown pose, computed from scratch.
   [[nodiscard]] std::vector<glm::vec3> madeAnew() const {
     Rig rig = state.document.rig();
     Smoother smoother(state.document.character);

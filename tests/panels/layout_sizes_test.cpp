@@ -1,4 +1,5 @@
-// tests/panels/layout_sizes_test.cpp: panel sizes are wishes; what is shown follows from them and the window.
+// tests/panels/layout_sizes_test.cpp: stored panel sizes are preferences; actual sizes depend on them and on the
+// window.
 
 #include "app/panels/layout_sizes.h"
 
@@ -39,7 +40,7 @@ TEST(LayoutSizes, PanelsFitWindowsOfUsualSizes) {
     const float bottomBar = wished.bottomShown ? kSplitter : 0.0f;
     ASSERT_GE(height - kStatusHeight - sizes.bottom - bottomBar, kViewportLowest - 0.01f);
     ASSERT_GT(sizes.history, 0.0f);
-    // Never more than wished, but for the least.
+    // Never larger than preferred, except for the minimum.
     ASSERT_LE(sizes.left, std::max(wished.left, kPanelNarrowest));
     ASSERT_LE(sizes.bottom, std::max(wished.bottom, kBottomLowest));
   }

@@ -1,4 +1,4 @@
-// tests/panels/layout_test.cpp: in windows of all sizes nothing is cut off and no text is drawn through text.
+// tests/panels/layout_test.cpp: at all window sizes nothing is cut off and no text overlaps text.
 
 #include <array>
 #include <memory>
@@ -46,13 +46,13 @@ class Layout : public HeadlessEditor {
     state.frame.uiScale = screen.scale;
     settleLayout();
   }
-  /// Windows learn their contents' size and whether they scroll within a few frames.
+  /// Windows need a few frames to learn their content size and whether they scroll.
   void settleLayout() {
     for (int i = 0; i < 4; ++i) frame();
     ImGui::Render();
   }
 
-  /// Bones as exporters name them, muscles on some.
+  /// Long bone names as exporters write them, muscles on some bones.
   void nameAtLength() {
     auto character = std::make_shared<Character>(state.character());
     int number = 0;
@@ -69,7 +69,7 @@ class Layout : public HeadlessEditor {
     settle();
   }
 
-  /// @param only  windows that are looked at; "": all
+  /// @param only  windows to check; "": all
   void check(const std::string& what, const std::string& only = "") {
     nothingIsCutOff(what, only);
     nothingOverlaps(what, only);
@@ -84,7 +84,7 @@ class Layout : public HeadlessEditor {
   void nothingIsCutOff(const std::string& what, const std::string& only) {
     for (const LaidOut& item : widgets().laidOut()) {
       if (!meant(item.window, only)) continue;
-      // A row of a list reaches half a gap into the padding; one across a table's columns is seen in its first alone.
+      // A list row extends half a gap into the padding; a row across table columns is visible in the first column only.
       if (item.id.starts_with("dialog/entry/") || item.id.starts_with("dialog/sort-")) continue;
       const float gap = item.id.starts_with("history/") ? ImGui::GetStyle().ItemSpacing.x : 1.5f;
       const bool wide = item.visible.z >= item.whole.z - gap || item.scrollsX;
@@ -101,7 +101,7 @@ class Layout : public HeadlessEditor {
     return a.x >= b.x - 1.0f && a.y >= b.y - 1.0f && a.x + a.z <= b.x + b.z + 1.0f && a.y + a.w <= b.y + b.w + 1.0f;
   }
 
-  /// Controls of a window lie apart, or one in the other (a switch in its row).
+  /// Controls of a window are disjoint or nested (a switch in its row).
   void nothingOverlaps(const std::string& what, const std::string& only) {
     const std::vector<LaidOut>& all = widgets().laidOut();
     for (std::size_t i = 0; i < all.size(); ++i) {
@@ -122,7 +122,7 @@ class Layout : public HeadlessEditor {
     int worst = 0;
     std::string where;
     for (std::size_t i = 0; i < glyphs.size(); ++i) {
-      // Neighbors in a word may touch.
+      // Adjacent letters of a word may touch.
       for (std::size_t k = i + 2; k < glyphs.size(); ++k) {
         if (!meant(glyphs[i].list, only) || !meant(glyphs[k].list, only)) continue;
         if (covered(glyphs[i], glyphs[k]) < 0.4f) continue;

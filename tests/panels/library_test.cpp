@@ -1,4 +1,4 @@
-// tests/panels/library_test.cpp: the tab Library: a muscle by a click or by hand, and sets of one's own.
+// tests/panels/library_test.cpp: the Library tab: adding muscles by click or drag, and custom sets.
 #include <algorithm>
 #include <cstdlib>
 #include <fstream>
@@ -41,7 +41,7 @@ class LibraryPanel : public HeadlessEditor {
     return all;
   }
   [[nodiscard]] int bone(const char* name) const { return state.character().skeleton.findBone(name).value_or(-1); }
-  /// Takes a tile and lets it go there, window coordinates.
+  /// Drags a tile to a position in window coordinates.
   void carry(const std::string& tile, const glm::vec2& to) { drag(tile, to - center(tile)); }
 
  private:
@@ -211,7 +211,7 @@ TEST(SetNames, AreValidFileNames) {
   EXPECT_LE(setNameFor(std::string(500, 'x')).size(), 60u);
 }
 
-/// Red is there, in the middle, and nowhere without a muscle.
+/// The red pixels center on the middle; without a muscle there are none.
 TEST_F(LibraryPanel, PictureShowsTheMuscleInTheMiddle) {
   open(asset("humanoid.glb"));
   for (const FittedPreset& laid : state.open.library.laid) {

@@ -1,4 +1,4 @@
-// tests/panels/muscle_set_test.cpp: Muscles > Add muscle set by hand: one step, two sliders that change it.
+// tests/panels/muscle_set_test.cpp: Muscles > Add muscle set through its dialog: one step, adjusted by two sliders.
 #include <algorithm>
 
 #include "app/editor/actions.h"

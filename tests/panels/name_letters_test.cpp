@@ -1,4 +1,4 @@
-// tests/panels/name_letters_test.cpp: names whose letters no font has, in the panels and in a message.
+// tests/panels/name_letters_test.cpp: names with letters that no font has, in panels and messages.
 
 #include "app/window/editor_window.h"
 

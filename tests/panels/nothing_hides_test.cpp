@@ -1,8 +1,8 @@
-// tests/panels/nothing_hides_test.cpp: tooltips of a sleeping editor, reasons of what is grayed, messages, toasts, the
-// question about a file that has changed.
+// tests/panels/nothing_hides_test.cpp: tooltips while the editor sleeps, reasons of disabled controls, messages,
+// toasts, and the question about a changed file.
 
 #include <imgui.h>
-#include <imgui_internal.h>  // FindWindowByName, which 1.86 keeps to itself.
+#include <imgui_internal.h>  // FindWindowByName is internal in ImGui 1.86.
 
 #include <fstream>
 
@@ -19,7 +19,7 @@ namespace {
 
 class Feedback : public HeadlessEditor {
  protected:
-  /// Frames as the window draws them while nothing happens: only those that are asked for. @return how many
+  /// Draws only the frames that are requested, as the idle window does. @return their number
   int sleep(double seconds) {
     int frames = 0;
     for (double slept = 0.0; step.wakeAfter() > 0.0 && slept < seconds && frames < 200; ++frames) {

@@ -1,5 +1,5 @@
-// tests/panels/number_fields_test.cpp: numbers are dragged and typed in one way everywhere: double click
-// types, Shift is precise, Ctrl goes in steps.
+// tests/panels/number_fields_test.cpp: dragging and typing in number fields: double click types, Shift is precise, Ctrl
+// snaps.
 
 #include <cmath>
 
@@ -95,7 +95,7 @@ TEST_F(NumberFields, CtrlClickStartsTyping) {
 }
 
 TEST_F(NumberFields, NothingIsDrawnOverASlidersNumber) {
-  // Over all values: whatever is drawn after the letters stays off them.
+  // At all values, nothing drawn after the letters overlaps them.
   for (float value = 0.05f; value <= 0.9f; value += 0.05f) {
     SurfaceSettings settings = state.document.rig().surface;
     settings.iso = value;
@@ -110,7 +110,7 @@ TEST_F(NumberFields, NothingIsDrawnOverASlidersNumber) {
       if (list->_OwnerName != nullptr && std::string(list->_OwnerName) == "region-right") panel = list;
     }
     ASSERT_NE(panel, nullptr);
-    // In drawing order: from the first letter within the slider on, only letters lie within it.
+    // In drawing order: after the first letter within the slider, only letters lie within it.
     const float white = ImGui::GetIO().Fonts->TexUvWhitePixel.x;
     bool letters = false;
     for (const ImDrawVert& vertex : panel->VtxBuffer) {
@@ -131,7 +131,7 @@ class Arithmetic : public NumberFields {
     state.document.symmetry = false;
     addOne();
   }
-  /// Some time after what was typed before: two double clicks, not four clicks.
+  /// Waits, so that clicks count as two double clicks, not as four clicks.
   void wait() {
     ImGui::GetIO().DeltaTime = 1.0f;
     frame();

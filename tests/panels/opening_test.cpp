@@ -1,8 +1,7 @@
-// tests/panels/opening_test.cpp: the question about a missing character, and the button that shows helper
-// bones.
+// tests/panels/opening_test.cpp: the question about a missing character, and the button that shows helper bones.
 
 #include <imgui.h>
-#include <imgui_internal.h>  // FindWindowByName, which 1.86 keeps to itself.
+#include <imgui_internal.h>  // FindWindowByName is internal in ImGui 1.86.
 
 #include "core/files/disk/atomic_file.h"
 #include "sinew/files/rig_json.h"
@@ -61,7 +60,7 @@ TEST_F(OpeningPanels, InvalidCharacterIsReportedInTheDialogAndCanBeReplaced) {
   ASSERT_TRUE(shown("dialog/path"));
   EXPECT_FALSE(state.dialogs.file.error.empty());
   EXPECT_EQ(state.document.characterFile, before);
-  type((folder / "post.glb").string());  // What was typed is selected.
+  type((folder / "post.glb").string());  // The typed text is selected.
   press(kEnter);
   EXPECT_FALSE(shown("dialog/path"));
   EXPECT_EQ(state.document.rigFile, folder / "lost.rig.json");
@@ -81,7 +80,7 @@ TEST_F(OpeningPanels, FileWithTheMissingNameIsSuggested) {
 }
 
 TEST_F(OpeningPanels, ButtonShowsHelperBonesInTheTree) {
-  // The bundled character has none: one is made of the last bone.
+  // The bundled character has no helper bone: make one of the last bone.
   state.open.helperBones.assign(state.character().skeleton.bones.size(), false);
   state.open.helperBones.back() = true;
   const std::string id = "outliner/bone/" + state.character().skeleton.bones.back().name;

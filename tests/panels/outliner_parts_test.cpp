@@ -1,4 +1,4 @@
-// tests/panels/outliner_parts_test.cpp: the flat lists of the outliner, by region and by group.
+// tests/panels/outliner_parts_test.cpp: flat lists of the outliner, by region and by group.
 
 #include "tests/support/editor/headless_editor.h"
 

@@ -1,4 +1,4 @@
-// tests/panels/outliner_test.cpp: the tree: rows, selection, switches, renaming, moving to another bone.
+// tests/panels/outliner_test.cpp: outliner tree: rows, selection, switches, renaming, moving to another bone.
 
 #include "tests/support/editor/headless_editor.h"
 
@@ -12,7 +12,7 @@
 namespace sinew::app {
 namespace {
 
-/// Over the bundled rig.
+/// Bundled rig.
 class Outliner : public HeadlessEditor {
  protected:
   void SetUp() override {
@@ -74,7 +74,7 @@ TEST_F(Outliner, SearchKeepsTheBonesAboveItsMatches) {
       return containsText(state.document.rig().primitives[static_cast<std::size_t>(i)].name, "biceps");
     }));
   }
-  // A bone's name brings its muscles.
+  // A bone's name finds its muscles.
   EXPECT_EQ(muscles(rows("upper_arm.L")), 2u);
   EXPECT_TRUE(rows("no such thing").empty());
   click("outliner/search");
@@ -103,7 +103,7 @@ TEST_F(Outliner, FoldedBoneHidesItsChildrenUntilOneIsSelected) {
 }
 
 TEST_F(Outliner, ShiftSelectsARangeAndControlTogglesOne) {
-  state.view.layout.history = 64.0f;  // All rows of the range are on the screen.
+  state.view.layout.history = 64.0f;  // All rows of the range are visible.
   settle();
   click("outliner/muscle/glute L");
   ASSERT_EQ(selection(), std::vector<std::string>{"glute L"});
@@ -292,7 +292,7 @@ TEST(OutlinerRows, ListsAThousandMusclesOnFiveHundredBones) {
   EXPECT_EQ(found.back().index, 999);
 }
 
-/// Whether a row is drawn as lit: a rectangle of that color begins and ends with it.
+/// Whether a row is highlighted: a rectangle of that color spans it.
 bool isLit(const glm::vec4& row) {
   const ImU32 color = ImGui::GetColorU32(ImGuiCol_HeaderHovered);
   bool top = false;
@@ -327,7 +327,7 @@ TEST_F(Outliner, HoverInTheViewportHighlightsOnlyItsRow) {
     for (const auto& [id, box] : widgets().rectangles()) {
       const bool muscle = id.starts_with("outliner/muscle/");
       if (!muscle && !id.starts_with("outliner/bone/")) continue;
-      if (box.w < scrolled.w) continue;  // Half out of sight.
+      if (box.w < scrolled.w) continue;  // Partly scrolled out.
       EXPECT_EQ(isLit(box), id == wanted) << id << " over " << wanted;
       if (id == wanted) ++(muscle ? muscleRows : boneRows);
     }

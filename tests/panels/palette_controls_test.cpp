@@ -1,8 +1,7 @@
-// tests/panels/palette_controls_test.cpp: whatever has a name is found by it; what is found is brought into
-// sight.
+// tests/panels/palette_controls_test.cpp: the palette finds every named control and scrolls it into view.
 
 #include <imgui.h>
-#include <imgui_internal.h>  // Which item has the keyboard.
+#include <imgui_internal.h>  // ImGui's focused item.
 
 #include <sys/stat.h>
 
@@ -30,7 +29,7 @@ class PaletteControls : public PaletteEditor {
     const auto found = std::ranges::find(all, id, &LaidOut::id);
     return found == all.end() ? 0 : found->item;
   }
-  /// Until it is seen, or it is given up.
+  /// Runs frames until the control is visible or the search is given up.
   void wait() {
     for (int i = 0; i < 40 && !state.dialogs.reveal.id.empty() && state.dialogs.reveal.until < 0.0; ++i) frame();
     frame();
@@ -42,7 +41,7 @@ class PaletteControls : public PaletteEditor {
   }
 };
 
-/// Everything folded and put away, and a muscle selected for which the control is there.
+/// Folds and hides everything, and selects a muscle for which the control exists.
 void hideAll(EditorState& state) {
   state.view.layout = {};
   state.view.layout.leftShown = state.view.layout.rightShown = state.view.layout.bottomShown = false;
@@ -60,7 +59,7 @@ TEST_F(PaletteControls, EveryControlIsFoundByLabelRevealedAndFocused) {
     SCOPED_TRACE(control->id);
     hideAll(state);
     if (std::string_view(control->id).starts_with("view/")) state.view.layout = {};
-    if (std::string_view(control->id).starts_with("farm/")) openFlexing();  // A job needs a rig that is saved.
+    if (std::string_view(control->id).starts_with("farm/")) openFlexing();  // A farm job needs a saved rig.
     select(state.document, {"biceps L"});
     const std::string needsMuscle = whyNotThere(*control, state);
     if (needsMuscle.find("rides a line") != std::string::npos) addMuscle(state, 3);
@@ -73,7 +72,7 @@ TEST_F(PaletteControls, EveryControlIsFoundByLabelRevealedAndFocused) {
     ask(control->label);
     const std::string row = std::string("palette/control/") + control->id;
     ASSERT_TRUE(shown(row)) << control->label;
-    if (!why.empty()) {  // No helper bones, shapes or parts in this character.
+    if (!why.empty()) {  // This character has no helper bones, shapes or parts.
       press(kEscape);
       continue;
     }
@@ -93,7 +92,7 @@ TEST_F(PaletteControls, EveryControlIsFoundByLabelRevealedAndFocused) {
   EXPECT_GT(seen, 60);
 }
 
-// Rows whose name is no control's: they hold several, or buttons.
+// Row labels that are no control's name: rows of several controls, or buttons.
 TEST_F(PaletteControls, EveryRowLabelFindsAnEntry) {
   openFlexing();
   select(state.document, {"biceps L"});
@@ -101,7 +100,7 @@ TEST_F(PaletteControls, EveryRowLabelFindsAnEntry) {
   const std::regex row(R"re((?:beginRow\(ui|numberRow\(ui, lines|section\(ui, k\w+), "([^"]+)")re");
   int rows = 0;
   for (const auto& file : std::filesystem::directory_iterator(std::filesystem::path(SINEW_SOURCE_DIR) / "app/panels")) {
-    // The reference pictures are a panel that an action opens.
+    // The reference picture's panel is opened by an action.
     if (file.path().extension() != ".cpp" || file.path().stem() == "reference") continue;
     std::ifstream in(file.path());
     const std::string text{std::istreambuf_iterator<char>(in), {}};
@@ -175,7 +174,7 @@ TEST_F(PaletteControls, ChosenClipPlays) {
 
 TEST_F(PaletteControls, ActionsComeFirstAndFilesLast) {
   openFlexing();
-  select(state.document, {"biceps L"});  // Else Learn is grayed, and weighs less.
+  select(state.document, {"biceps L"});  // Otherwise Learn is disabled and ranks lower.
   ask("flex");
   float actionsLast = 0.0f;
   float filesFirst = 1e6f;
@@ -190,7 +189,7 @@ TEST_F(PaletteControls, ActionsComeFirstAndFilesLast) {
 
 TEST_F(PaletteControls, NamesInOtherScriptsAreFoundByTheirLetters) {
   addOne();
-  const std::string name = "\xe5\xa4\xa7\xe8\x83\xb8\xe7\xad\x8b";  // The pectoral muscle in Japanese.
+  const std::string name = "\xe5\xa4\xa7\xe8\x83\xb8\xe7\xad\x8b";  // "Pectoral muscle" in Japanese.
   ASSERT_TRUE(rename(state, muscle().id(), name));
   settle();
   run(action("help/palette"), state);
@@ -199,12 +198,12 @@ TEST_F(PaletteControls, NamesInOtherScriptsAreFoundByTheirLetters) {
   queue.character(U'\u7b4b');
   settle();
   ASSERT_TRUE(shown("palette/muscle/" + name));
-  // The bytes of the letter are in this text, but the letter is not.
+  // The text contains the letter's bytes but not the letter.
   EXPECT_FALSE(fitOf("\xe8\x83\xb8", "\xe8\xa0\x83\xe8\xa0\xb8"));
   EXPECT_TRUE(fitOf("\xe8\x83\xb8", name));
 }
 
-/// A desktop: a folder in PATH with an xdg-open that notes what it is given, and ends as it is told.
+/// A desktop: a folder in PATH with an xdg-open that records its argument and exits with a given status.
 class PalettePages : public PaletteControls {
  protected:
   void SetUp() override {

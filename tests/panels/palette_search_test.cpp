@@ -1,4 +1,4 @@
-// tests/panels/palette_search_test.cpp: what one means by a few letters comes first.
+// tests/panels/palette_search_test.cpp: the best match of a few letters comes first.
 
 #include "app/panels/palette_search.h"
 

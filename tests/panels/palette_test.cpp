@@ -1,5 +1,4 @@
-// tests/panels/palette_test.cpp: what the palette finds: buttons of panels, clips, other words; no hidden
-// bones.
+// tests/panels/palette_test.cpp: palette results: buttons of panels, clips, synonyms; no hidden bones.
 
 #include <algorithm>
 

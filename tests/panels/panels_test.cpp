@@ -1,4 +1,4 @@
-// tests/panels/panels_test.cpp: what a hand does to the panels, and what becomes of the rig.
+// tests/panels/panels_test.cpp: mouse input to the panels, and the resulting rig.
 
 #include "tests/support/editor/headless_editor.h"
 
@@ -26,7 +26,7 @@ TEST_F(Panels, ControlsAreOnScreenInEveryState) {
   check();
   for (const Menu& menu : menus()) {
     click(std::string("menu/") + menu.id);
-    // Rows of a submenu are on the screen once it is open.
+    // Rows of a submenu are visible once it is open.
     const auto submenuOf = [](std::string_view id) {
       for (const char* submenu : {"file/export", "edit/shape", "view/light", "view/background"}) {
         if (id.starts_with(std::string(submenu) + '-')) return std::string(submenu);
@@ -49,7 +49,7 @@ TEST_F(Panels, ControlsAreOnScreenInEveryState) {
     check();
     press(kEscape);
   }
-  selectNothing(state);  // Without a muscle the panels below have room.
+  selectNothing(state);  // Without a selected muscle the panels below have room.
   settle();
   for (const char* combo : {"surface/mode", "smoothing/patch"}) {
     click(combo);
@@ -113,7 +113,7 @@ TEST_F(Panels, DisplayingARotationNeverChangesIt) {
 
 TEST_F(Panels, TypedAnglesAreShownAsTyped) {
   addOne();
-  // At 90 degrees about y the three angles are not unique: shown back from the rotation they would jump.
+  // At 90 degrees about y the Euler angles are not unique: recomputed from the rotation they would jump.
   for (const char* field : {"inspector/rotation.x", "inspector/rotation.y", "inspector/rotation.z"}) {
     doubleClick(field);
     press(kKeyA, true);
@@ -152,7 +152,7 @@ TEST_F(Panels, DetailKindIsChosenInOneStep) {
   EXPECT_EQ(steps(), 1u);
 }
 
-/// One step.
+/// Makes the detail uniform, as one step.
 void makeUniform(EditorState& state) {
   SmoothingSettings settings = state.document.rig().smoothing;
   settings.detail = DetailKind::kUniform;

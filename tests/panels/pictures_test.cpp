@@ -1,5 +1,5 @@
-// tests/panels/pictures_test.cpp: File > Export > Turntable or contact sheet: what it asks of `sinew render`,
-// its dialog, and the file that is made.
+// tests/panels/pictures_test.cpp: File > Export > Turntable or contact sheet: its `sinew render` options, its dialog
+// and the written file.
 
 #include "app/editor/pictures_commands.h"
 
@@ -48,7 +48,7 @@ class PicturesDialog : public HeadlessEditor {
     const auto read = readWholeFile(file, 1u << 26);
     return read ? read.value() : "";
   }
-  /// Until nothing is drawn any more.
+  /// Waits until nothing is being drawn.
   void wait() {
     for (int i = 0; i < 600 && !state.session.exports.empty(); ++i) {
       std::this_thread::sleep_for(std::chrono::milliseconds(100));
@@ -56,7 +56,7 @@ class PicturesDialog : public HeadlessEditor {
     }
     ASSERT_TRUE(state.session.exports.empty());
   }
-  /// The command line's file of the saved rig.
+  /// File that the command line makes of the saved rig.
   [[nodiscard]] std::string fromCommandLine(const std::string& name) const {
     const fs::path file = folder / name;
     const std::string command = shellWord(SINEW_PROGRAM) + " render " + shellWord((folder / "demo.rig.json").string()) +

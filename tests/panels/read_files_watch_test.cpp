@@ -1,5 +1,4 @@
-// tests/panels/read_files_watch_test.cpp: files that are only read change on disk: told once, read again when
-// asked.
+// tests/panels/read_files_watch_test.cpp: referenced files that change on disk: reported once, reread on request.
 #include <chrono>
 
 #include "app/editor/disk_conflict.h"
@@ -12,17 +11,17 @@ namespace fs = std::filesystem;
 
 class FileWatch : public ClipFilesInEditor {
  protected:
-  /// Two looks, as of a window that stays open. @return messages that name the file
+  /// Polls twice, as an open window does. @return messages that name the file
   std::ptrdiff_t told(const std::string& file) {
     for (int look = 0; look < 2; ++look) watchReadFiles(state);
     settle();
     return messagesWith(file);
   }
-  /// Another date, as clocks of file systems may be coarse.
+  /// Changes the modification time, since file system clocks may be coarse.
   void touch(const std::string& name) {
     fs::last_write_time(folder_ / name, fs::last_write_time(folder_ / name) + std::chrono::seconds(++touched_));
   }
-  /// The post as name.gltf and name.bin. @return what the latter holds
+  /// Writes the post as name.gltf and name.bin. @return contents of the latter
   std::string gltfInTwoFiles(const std::string& name) {
     const test::Post post = test::makePost();
     write(name + ".gltf", post.file.gltfWithBufferAt(name + ".bin"));
@@ -42,7 +41,7 @@ TEST_F(FileWatch, ChangedClipFileIsReportedOnceAndReloaded) {
   EXPECT_EQ(told("walk.glb"), 1);
   EXPECT_EQ(told("more.glb"), 0);
   EXPECT_EQ(clips(), (Names{"Walk", "Run", "Walk 2"})) << "nothing changes unasked";
-  motion("walk.glb", {"Stroll", "Run", "Jump"});  // Saved once more before anyone looks.
+  motion("walk.glb", {"Stroll", "Run", "Jump"});  // Saved again before the next poll.
   touch("walk.glb");
   EXPECT_EQ(told("walk.glb"), 1);
   if (!state.open.clipList.shown) act("play/clip-files");

@@ -1,5 +1,5 @@
-// tests/panels/reference_test.cpp: View > Reference picture by hand: sides, file, numbers, and what is
-// remembered.
+// tests/panels/reference_test.cpp: View > Reference picture through its panel: sides, file, numbers, and what is
+// stored.
 
 #include "app/editor/reference_commands.h"
 

@@ -1,5 +1,5 @@
-// tests/panels/second_look_test.cpp: what stays where it was: rows under the pointer, the flex slider in small windows;
-// messages that give way; keys that a list takes for itself.
+// tests/panels/second_look_test.cpp: positions that must not move: rows under the pointer, the flex slider in small
+// windows; messages that move aside; keys that a list consumes.
 
 #include <algorithm>
 
@@ -50,7 +50,7 @@ TEST_F(PanelDetails, ArrowKeysInTheTreeDoNotPoseJoints) {
     press(key);
     EXPECT_FALSE(state.session.toast) << state.session.toast->text;
   }
-  // Elsewhere the same key is the shortcut it was.
+  // Elsewhere the same key is still the shortcut.
   clickAt({640.0f, 500.0f});
   state.session.toast.reset();
   press(kDown);

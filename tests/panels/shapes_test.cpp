@@ -1,4 +1,4 @@
-// tests/panels/shapes_test.cpp: the tab Shapes: sliders, groups, search, reset, keys and drivers.
+// tests/panels/shapes_test.cpp: the Shapes tab: sliders, groups, search, reset, keys and drivers.
 #include "app/editor/animate.h"
 #include "core/rig/morphs.h"
 #include "sinew/files/rig_json.h"
@@ -9,7 +9,7 @@
 namespace sinew::app {
 namespace {
 
-/// Over a post with "bulge.0", "dent.1", "bulge.2", "dent.3" and "smile".
+/// A post with morph targets "bulge.0", "dent.1", "bulge.2", "dent.3" and "smile".
 class ShapesPanel : public HeadlessEditor {
  protected:
   void SetUp() override {
@@ -21,7 +21,7 @@ class ShapesPanel : public HeadlessEditor {
     settle();
     click("shapes/tab");
   }
-  /// Until a click is no longer part of the double click before.
+  /// Waits until a click no longer counts as part of a double click.
   void rest() {
     for (int i = 0; i < 40; ++i) frame();
   }
@@ -108,7 +108,7 @@ TEST_F(ShapesPanel, DrivenShapeShowsItsCurveUnderItsName) {
   EXPECT_TRUE(state.document.rig().morphs.back().animated.empty());
 }
 
-/// A rig may name shapes that its character lacks. Set to nothing they stay until the document is opened anew.
+/// A rig may name shapes that its character lacks. Reset to zero, they stay listed until the document is reopened.
 TEST_F(ShapesPanel, ShapeMissingFromTheCharacterCanBeReset) {
   const Rig rig = setMorphWeight(state.document.rig(), "gone", 0.5f).value();
   const auto file = folder.path() / "gone.rig.json";

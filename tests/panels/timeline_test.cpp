@@ -1,5 +1,4 @@
-// tests/panels/timeline_test.cpp: the timeline's track, ranges that play, poses made by hand and the range of
-// motion.
+// tests/panels/timeline_test.cpp: timeline track, play ranges, posed joints and range of motion.
 
 #include <cmath>
 #include <numeric>
@@ -30,10 +29,10 @@ TEST(PlayRange, LoopsWithinItsEnds) {
   advance(transport, 50.0, character);
   EXPECT_GE(transport.time, 1.0);
   EXPECT_LT(transport.time, 1.5);
-  transport.time = 0.2;  // Before it: plays on into it.
+  transport.time = 0.2;  // Before the range: plays on into it.
   advance(transport, 0.1, character);
   EXPECT_NEAR(transport.time, 0.3, 1e-9);
-  transport.time = 2.0;  // After it: on to the end, then into it.
+  transport.time = 2.0;  // After the range: plays to the end, then into it.
   advance(transport, 0.5, character);
   EXPECT_NEAR(transport.time, 2.5, 1e-9);
   advance(transport, 0.6, character);
@@ -330,7 +329,7 @@ TEST_F(Timeline, PoseAndRigEditsShareOneHistory) {
   EXPECT_EQ(state.open.transport.overrides, both);
   EXPECT_EQ(state.document.rig(), rig);
   act("edit/undo");
-  turn("head");  // What was undone is forgotten.
+  turn("head");  // Undone poses are dropped.
   EXPECT_FALSE(state.document.commands.canRedo());
 }
 

@@ -1,4 +1,4 @@
-// tests/panels/viewport_menu_test.cpp: the picture's context menu does what it says to what lies under the pointer.
+// tests/panels/viewport_menu_test.cpp: viewport context menu acts on the object under the pointer.
 #include "app/editor/viewport_menu.h"
 
 #include <algorithm>
@@ -9,7 +9,7 @@
 namespace sinew::app {
 namespace {
 
-/// A muscle around a bone of the trunk, and a pixel where it is taken.
+/// A muscle around a bone of the trunk, and a pixel that picks it.
 class ViewportContextMenu : public HeadlessEditor {
  protected:
   void SetUp() override {
@@ -149,7 +149,7 @@ TEST_F(ViewportContextMenu, ListsOverlappingMusclesByName) {
 }
 
 TEST_F(ViewportContextMenu, EveryGrayEntryGivesAReason) {
-  // Whatever is selected or missing, an entry that cannot be chosen says why.
+  // Every disabled entry gives a reason, whatever is selected or missing.
   for (const bool muscle : {true, false}) {
     if (!muscle) {
       state.document.selection.set(state.document.idAt(0));

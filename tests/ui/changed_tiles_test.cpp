@@ -1,4 +1,4 @@
-// tests/ui/changed_tiles_test.cpp: every change of what is drawn lies in a rectangle, and little else does.
+// tests/ui/changed_tiles_test.cpp: every changed pixel lies in a reported rectangle, and few other pixels do.
 #include "app/ui/changed_tiles.h"
 
 #include <gtest/gtest.h>
@@ -16,7 +16,7 @@ namespace {
 using app::ChangedTiles;
 using app::TextureRevision;
 
-constexpr glm::ivec2 kSize{330, 200};  // No multiple of a tile.
+constexpr glm::ivec2 kSize{330, 200};  // Not a multiple of the tile size.
 constexpr std::uintptr_t kKnown = 7, kUnknown = 8;
 
 /// A filled box, as the interface draws it.
@@ -34,7 +34,7 @@ class TileChanges : public testing::Test {
     ImGui::DestroyContext();
   }
 
-  /// Draw data of these boxes; good until the test ends.
+  /// Draw data of these boxes; valid until the test ends.
   ImDrawData dataOf(const std::vector<Box>& boxes) {
     auto* list = IM_NEW(ImDrawList)(ImGui::GetDrawListSharedData());
     lists_.push_back(list);
@@ -66,7 +66,7 @@ class TileChanges : public testing::Test {
   std::vector<ImDrawList*> lists_;
 };
 
-/// By painter's rule, the oracle: the topmost color of each pixel.
+/// Oracle: topmost color of each pixel by painter's algorithm.
 std::vector<ImU32> painted(const std::vector<Box>& boxes) {
   std::vector<ImU32> pixels(static_cast<std::size_t>(kSize.x * kSize.y), 0);
   for (const Box& box : boxes) {

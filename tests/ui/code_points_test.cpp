@@ -1,4 +1,4 @@
-// tests/ui/code_points_test.cpp: UTF-8 there and back; kinds of letters.
+// tests/ui/code_points_test.cpp: UTF-8 decoding and encoding; classes of letters.
 
 #include "app/ui/code_points.h"
 
@@ -22,10 +22,10 @@ TEST(CodePoints, EveryCodePointRoundTrips) {
 
 TEST(CodePoints, InvalidUtf8IsReplaced) {
   EXPECT_EQ(codePoints("a\xff\x62"), U"a\uFFFDb");
-  EXPECT_EQ(codePoints("\xe8\x85"), U"\uFFFD\uFFFD");          // Cut off.
+  EXPECT_EQ(codePoints("\xe8\x85"), U"\uFFFD\uFFFD");          // Truncated.
   EXPECT_EQ(codePoints("\xc0\xaf"), U"\uFFFD\uFFFD");          // Overlong.
   EXPECT_EQ(codePoints("\xed\xa0\x80").size(), 3u);            // A surrogate.
-  EXPECT_EQ(codePoints("\xf4\x90\x80\x80").size(), 4u);        // Past the last.
+  EXPECT_EQ(codePoints("\xf4\x90\x80\x80").size(), 4u);        // Beyond the last code point.
   EXPECT_EQ(codePoints("\xe5\xb7\xa6\xe8\x85\x95"), U"左腕");  // Well-formed.
 }
 

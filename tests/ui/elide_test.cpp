@@ -1,4 +1,4 @@
-// tests/ui/elide_test.cpp: long names in little room, by the properties that readers rely on.
+// tests/ui/elide_test.cpp: elided names: properties that readers rely on.
 
 #include "app/ui/elide.h"
 
@@ -12,7 +12,7 @@
 namespace sinew::app {
 namespace {
 
-/// A font in which letters differ in width, and two letters side by side stand closer than apart.
+/// Width in a font whose letters differ in width.
 float widthOf(std::string_view text) {
   float width = 0.0f;
   for (const char c : text) {

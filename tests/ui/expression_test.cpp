@@ -89,7 +89,7 @@ TEST(Expression, ReportsSyntaxErrors) {
   for (const char open : {'(', '-'}) EXPECT_FALSE(evaluate(std::string(100000, open), 0.0).ok());
 }
 
-/// A random tree: its value is calculated from the tree, its text is read.
+/// Random expression tree: its value is computed from the tree, its text is parsed.
 struct Tree {
   char kind = 'n';  // 'n'umber, 'm'inus sign, else an operator.
   double number = 0.0;
@@ -101,10 +101,10 @@ struct Tree {
     if (kind == 'm') return -left->value();
     const double a = left->value();
     const double b = right->value();
-    if (kind == '/') return b == 0.0 ? std::nan("") : a / b;  // Refused, whatever is made of it.
+    if (kind == '/') return b == 0.0 ? std::nan("") : a / b;  // Refused, whatever follows.
     return kind == '+' ? a + b : (kind == '-' ? a - b : a * b);
   }
-  /// How tightly it binds.
+  /// Precedence.
   [[nodiscard]] int rank() const { return kind == 'n' ? 3 : (kind == 'm' ? 2 : (kind == '+' || kind == '-' ? 0 : 1)); }
   [[nodiscard]] std::string text(std::mt19937& random) const {
     const auto part = [&](const Tree& tree, int least) {

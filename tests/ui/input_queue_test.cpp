@@ -1,4 +1,4 @@
-// tests/ui/input_queue_test.cpp: nothing is lost or reordered between the window and a slow frame.
+// tests/ui/input_queue_test.cpp: no input is lost or reordered between the window and a slow frame.
 
 #include "app/ui/input_queue.h"
 
@@ -118,7 +118,7 @@ TEST(InputQueue, UnknownCodesAreIgnored) {
   EXPECT_FALSE(queue.pending());
 }
 
-/// What a recorder of single transitions would write down, in order.
+/// Name of one transition, as a recorder would list it.
 std::string name(int kind, int code, bool down) {
   return std::to_string(kind) + ":" + std::to_string(code) + (down ? "+" : "-");
 }

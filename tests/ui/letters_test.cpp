@@ -1,4 +1,4 @@
-// tests/ui/letters_test.cpp: which font has a letter, and how it draws it.
+// tests/ui/letters_test.cpp: which font has a letter, and how it is drawn.
 
 #include <gtest/gtest.h>
 

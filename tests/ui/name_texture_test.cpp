@@ -1,4 +1,4 @@
-// tests/ui/name_texture_test.cpp: letters that are shown are in the next texture.
+// tests/ui/name_texture_test.cpp: letters on the screen are in the next font texture.
 
 #include "app/ui/name_texture.h"
 
@@ -32,7 +32,7 @@ class LetterTexture : public testing::Test {
     fonts = loadFonts(1.0f);
     texture.build(fonts);
   }
-  /// As between two frames of which the first shows a text. @return whether the texture was built again
+  /// Shows a text in a frame and starts the next. @return whether the texture was rebuilt
   bool show(const std::string& text) {
     (void)inReadingOrder(text);
     texture.want(takeShown());
@@ -43,7 +43,7 @@ class LetterTexture : public testing::Test {
   [[nodiscard]] static const ImFontGlyph* glyph(const ImFont* font, char32_t c) {
     return font->FindGlyphNoFallback(static_cast<ImWchar>(c));
   }
-  /// What the texture holds where a letter is taken from.
+  /// Texture contents at a glyph.
   [[nodiscard]] static std::vector<unsigned char> pixels(const ImFontGlyph& of) {
     const ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
     const auto width = static_cast<float>(atlas.TexWidth);
@@ -63,7 +63,7 @@ class LetterTexture : public testing::Test {
 TEST_F(LetterTexture, LatinAndGreekNeedNoExtraLetters) { EXPECT_FALSE(show("Biceps.L \xc3\xa9 \xce\xa9")); }
 
 TEST_F(LetterTexture, EveryShownLetterIsDrawnOncePerFont) {
-  const std::string text = "\xd7\x90\xd7\x91 \xd8\xb9\xd8\xb6\xd9\x84\xd8\xa9";  // Hebrew, and Arabic that is joined.
+  const std::string text = "\xd7\x90\xd7\x91 \xd8\xb9\xd8\xb6\xd9\x84\xd8\xa9";  // Hebrew, and joined Arabic.
   EXPECT_TRUE(show(text));
   EXPECT_FALSE(show(text));
   for (const ImFont* font : {fonts.body, fonts.strong, fonts.mono}) {

@@ -1,4 +1,4 @@
-// tests/ui/overflow_test.cpp: how many of a bar's buttons have room, and where a number stops in steps.
+// tests/ui/overflow_test.cpp: number of a bar's buttons that fit, and the stops of a stepped number.
 
 #include <gtest/gtest.h>
 
@@ -32,7 +32,7 @@ TEST(Overflow, ShowsAsManyItemsAsFit) {
     if (shown > 0) {
       ASSERT_LE(sum(shown) + more, room);
     }
-    // One more would not fit, or would leave no room for the button.
+    // One more would not fit, or would leave no room for the overflow button.
     ASSERT_GT(sum(shown + 1) + more, room);
   }
 }

@@ -1,4 +1,4 @@
-// tests/ui/readable_names_test.cpp: names that no font can show are numbers, in lists and nowhere else.
+// tests/ui/readable_names_test.cpp: names that no font can show become numbers, in lists only.
 
 #include "app/ui/readable_names.h"
 
@@ -12,7 +12,7 @@ namespace {
 
 bool latinAlone(char32_t c) { return c < 0x250; }
 
-/// A machine without other letters, as long as it lives.
+/// Simulates a machine with Latin fonts only during its lifetime.
 struct LatinMachine {
   LatinMachine() { setGlyphs(latinAlone); }
   ~LatinMachine() { setGlyphs({}); }

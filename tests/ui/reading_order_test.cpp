@@ -1,4 +1,4 @@
-// tests/ui/reading_order_test.cpp: Hebrew and Arabic as they are drawn.
+// tests/ui/reading_order_test.cpp: display order and joining of Hebrew and Arabic.
 
 #include "app/ui/reading_order.h"
 
@@ -11,7 +11,7 @@
 namespace sinew::app {
 namespace {
 
-/// Without the marks around it.
+/// Result without the directional marks.
 std::u32string drawn(std::u32string_view text) {
   std::u32string out = codePoints(inReadingOrder(utf8(text)));
   std::erase_if(out, isInvisible);
@@ -38,7 +38,7 @@ TEST(ReadingOrder, ArabicLettersAreJoined) {
   EXPECT_EQ(drawn(U"ساق"), U"\uFED5\uFE8E\uFEB3");
   // YEH-DAL (يد), KAF-TEH-FEH (كتف): initial, medial, final.
   EXPECT_EQ(drawn(U"كتف"), U"\uFED2\uFE98\uFEDB");
-  // LAM-ALEF is one letter.
+  // LAM-ALEF is one ligature.
   EXPECT_EQ(drawn(U"لا").size(), 1u);
 }
 
