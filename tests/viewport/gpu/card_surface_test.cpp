@@ -1,4 +1,4 @@
-// tests/viewport/gpu/card_surface_test.cpp: surfaces of the graphics card are the processor's.
+// tests/viewport/gpu/card_surface_test.cpp: surfaces computed on the GPU match the CPU's.
 #include "app/viewport/gpu/card_surface.h"
 
 #include <algorithm>
@@ -36,7 +36,7 @@ int moments(int few) {
 
 class GpuSurface : public OnCard {
  protected:
-  /// Compares the moments of a scene. @return what was seen of all
+  /// Compares a scene in all poses. @return the combined difference
   app::CardDifference compare(const TrialScene& scene, const std::vector<Pose>& poses) {
     const auto preparation = prepared(scene.character, scene.rig);
     CardSurface card = surfaceFor(preparation);
@@ -82,7 +82,7 @@ TEST_F(GpuSurface, MatchesTheProcessorOnBundledReplaceRigs) {
   (void)compare(horse, spreadPoses(*horse.character, 1));
 }
 
-// As the tool lays them: a group for each muscle, bellies that are no ellipsoids, lines.
+// As the tool lays them: a group for each muscle, shaped bellies, lines.
 TEST_F(GpuSurface, MatchesTheProcessorOnMuscleSets) {
   for (const auto& [name, set] : {std::pair{"humanoid", "athlete"}, std::pair{"horse", "animal"}}) {
     TrialScene scene = bundledTrialScene(name);
@@ -95,7 +95,7 @@ TEST_F(GpuSurface, MatchesTheProcessorOnMuscleSets) {
   }
 }
 
-// Carves, groups that do not blend, steep rims, every patch, adaptive and uniform detail; and muscles of any shape.
+// Carves, groups that do not blend, steep rims, every patch kind, adaptive and uniform detail, muscles of any shape.
 TEST_F(GpuSurface, MatchesTheProcessorOnRandomRigs) {
   const auto character = makeTwoLegged();
   for (const float shapedChance : {0.0f, 1.0f}) {
@@ -118,7 +118,7 @@ TEST_F(GpuSurface, MatchesTheProcessorOnRandomRigs) {
   }
 }
 
-// Numbers of muscles that follow the pose, and morph targets.
+// Muscle parameters that follow the pose, and morph targets.
 TEST_F(GpuSurface, MatchesTheProcessorWithDriversAndMorphTargets) {
   const auto limb = makeLimb();
   const TrialScene driven{"keys and drivers", limb, withMode(animatedLimbRig(*limb, 3), SurfaceMode::kSwell)};
@@ -158,12 +158,12 @@ TEST_F(GpuSurface, DoesNotDependOnWorkGroupsOrCrowd) {
     one.make();
     alone.push_back(readDrawn(one));
   }
-  // What came before leaves nothing behind.
+  // Earlier poses leave nothing behind.
   ASSERT_FALSE(one.setPose(poses.front()).has_value());
   one.make();
   EXPECT_TRUE(sameBytes(readDrawn(one), alone.front()));
 
-  // Five groups along an axis, so that rows are many and the last one is not full.
+  // Five groups along an axis, for many rows and a partial last row.
   CardSurface narrow = surfaceFor(preparation, {1, 5});
   ASSERT_FALSE(narrow.setPose(poses.back()).has_value());
   narrow.make();

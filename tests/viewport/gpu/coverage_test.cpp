@@ -1,4 +1,4 @@
-// tests/viewport/gpu/coverage_test.cpp: what the card does not compute is left to the processor, with a reason.
+// tests/viewport/gpu/coverage_test.cpp: surfaces that the GPU cannot compute are left to the CPU, with a reason.
 #include "app/viewport/gpu/card_surface.h"
 
 #include <string>
@@ -49,7 +49,7 @@ TEST(GpuCoverage, GivesTheReasonForTheProcessor) {
   EXPECT_NE(many.find(" muscles reach one place of the skin, at most 96"), std::string::npos) << many;
 }
 
-// A line bends its muscle in some poses only, which `replace` has no code for.
+// A line bends its muscle only in some poses, which `replace` does not support.
 TEST(GpuCoverage, IsCheckedInEveryPose) {
   for (const SurfaceMode mode : {SurfaceMode::kSwell, SurfaceMode::kReplace}) {
     const TrialScene scene = bundledTrialScene("humanoid-flex");

@@ -1,4 +1,4 @@
-// tests/viewport/gpu/drawn_on_card_test.cpp: pictures of the card's surface, and the verbs that ask for it.
+// tests/viewport/gpu/drawn_on_card_test.cpp: pictures of the GPU's surface, and the verbs that use it.
 #include "app/viewport/gpu/drawn_on_card.h"
 
 #include <algorithm>
@@ -17,7 +17,7 @@
 namespace sinew::test {
 namespace {
 
-/// Share of the pixels that differ by more than 2 of 255.
+/// Fraction of the pixels that differ by more than 2 of 255.
 double differing(const app::Image& a, const app::Image& b) {
   EXPECT_EQ(a.rgba.size(), b.rgba.size());
   std::size_t count = 0;
@@ -102,7 +102,7 @@ TEST_F(GpuVerbs, BenchReportsBothAndTheDifference) {
   EXPECT_EQ(scenes[0].at("bodies").number(0), 1.0);
   EXPECT_GT(scenes[0].at("card_seconds").at("total").number(0), 0.0);
   EXPECT_LE(scenes[0].at("difference").at("surface_of_height").number(1), 1e-4);
-  // A rig of which the card has no code.
+  // A rig that the GPU does not support.
   std::string text = textOf(rig);
   const std::string patch = "\"patch\": \"pn\"";
   ASSERT_NE(text.find(patch), std::string::npos);

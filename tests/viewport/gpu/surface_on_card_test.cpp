@@ -1,4 +1,4 @@
-// tests/viewport/gpu/surface_on_card_test.cpp: who computes the surface in the editor, and that it is the same one.
+// tests/viewport/gpu/surface_on_card_test.cpp: choice between GPU and CPU in the editor; both give the same surface.
 #include "app/window/surface_on_card.h"
 
 #include <cstdio>
@@ -24,13 +24,13 @@ class GpuSurfaceInEditor : public Drawing {
     ASSERT_TRUE(app::openFile(state_, std::filesystem::path(SINEW_SOURCE_DIR) / "assets" / "demo.rig.json"));
     state_.open.transport.playing = false;
   }
-  /// What the window does of a frame.
+  /// The window's part of a frame.
   void frame() {
     state_.live->movePose(state_.open.transport);
     ASSERT_TRUE(state_.live->update(state_.document, app::surfaceView(state_)).ok());
     onCard_.follow(state_);
   }
-  /// Largest distance of the card's vertices from the processor's, fraction of the height.
+  /// Largest distance between vertices of GPU and CPU, fraction of the height.
   double apart() {
     const Surface& expected = state_.live->surface();
     const std::vector<int>& drawVertex = expected.refinement->drawVertex;
@@ -132,11 +132,11 @@ TEST_F(GpuSurfaceInEditor, FollowsThePreferences) {
   EXPECT_TRUE(state_.session.messages.empty());
 }
 
-/// The driver under another name, so that it is measured as a card is.
+/// The driver under another name, so that it is timed like a hardware GPU.
 class NamedCard {
  public:
   NamedCard() {
-    (void)glGetString(GL_RENDERER);  // From now on the driver's own function stands there.
+    (void)glGetString(GL_RENDERER);  // From now on the driver's own function is in use.
     real_ = epoxy_glGetString;
     epoxy_glGetString = [](GLenum name) {
       return name == GL_RENDERER ? reinterpret_cast<const GLubyte*>("a card") : real_(name);
@@ -169,7 +169,7 @@ TEST_F(GpuSurfaceInEditor, AutomaticKeepsTheFasterOne) {
   if (card != processor) {
     EXPECT_EQ(onCard_.drawn() != nullptr, card < processor) << first;
   }
-  // Once a document, whatever is shown meanwhile.
+  // Timed once for each document, whatever is shown.
   state_.view.display.cullBackFaces = true;
   frame();
   EXPECT_NE(maker().why, first);

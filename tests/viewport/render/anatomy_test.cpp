@@ -1,4 +1,4 @@
-// tests/viewport/render/anatomy_test.cpp: flesh is red, tendons pale, the skin is glass that keeps its outline.
+// tests/viewport/render/anatomy_test.cpp: muscle bellies are red, tendons pale, and the skin is glass with an outline.
 #include "app/viewport/render/muscle_drawer.h"
 
 #include <cmath>
@@ -21,7 +21,7 @@ using app::View;
 constexpr int kSize = 160;
 constexpr int kMiddle = kSize / 2;
 
-/// Muscles behind a white square seen from the front, without perspective: one unit is 40 pixels.
+/// Muscles behind a white square seen from the front, orthographic: one unit is 40 pixels.
 class Anatomy : public Drawing {
  protected:
   void SetUp() override {
@@ -62,7 +62,7 @@ class Anatomy : public Drawing {
     viewport_->draw(scene, view_, settings_);
     return viewport_->readPixels();
   }
-  /// At a place in the plane of the picture, the mean of 5 x 5 pixels, linear light.
+  /// Mean of 5 x 5 pixels around a point of the picture plane, linear light.
   static glm::vec3 colorAt(const Image& image, float x, float y) {
     const int column = kMiddle + static_cast<int>(std::lround(40.0f * x)),
               row = kMiddle - static_cast<int>(std::lround(40.0f * y));
@@ -185,7 +185,7 @@ TEST_F(Anatomy, FibresMoveAndStretchWithTheMuscle) {
 
 TEST_F(Anatomy, DistantFibresFadeIntoTheirMean) {
   const glm::vec3 radii(0.8f, 1.2f, 0.8f);
-  // How much neighbors differ beyond a smooth shade: the mean second difference along the middle row.
+  // Deviation of neighboring pixels from smooth shading: mean second difference along the middle row.
   const auto roughness = [&](int size) {
     view_ = viewOf(size);
     const Image image = draw({muscle(radii)});
@@ -267,7 +267,7 @@ TEST_F(Drawing, AnatomyDoesNotAffectOtherPictures) {
   usual.skeleton = usual.primitives = usual.influence = usual.wire = usual.controlMesh = true;
   const auto picture = [&](const DisplaySettings& settings) {
     viewport->draw(scene, view, settings);
-    while (viewport->samplesTaken() < 4) viewport->refine(scene, view, settings);  // The first mean that is shown.
+    while (viewport->samplesTaken() < 4) viewport->refine(scene, view, settings);  // The first averaged picture.
     return viewport->readPixels().rgba;
   };
   const std::vector<std::uint8_t> before = picture(usual);

@@ -13,7 +13,7 @@ using app::View;
 /// The body is in the middle of the picture, its shadow below it.
 struct Arrival {
   Image whole;  ///< With ground, as the editor shows it.
-  Image floor;  ///< Without the surface: the floor and the shadow.
+  Image floor;  ///< Floor and shadow only.
 };
 
 View viewOf(const Surface& surface) {
@@ -34,14 +34,14 @@ Arrival arrivalOf(const std::shared_ptr<const Character>& character, app::Viewpo
   return result;
 }
 
-/// Sum over the picture of how much darker it is than another.
+/// Sum over the picture of how much darker it is than another one.
 double darkerBy(const Image& image, const Image& than) {
   double sum = 0.0;
   for (std::size_t i = 0; i < image.rgba.size(); ++i) sum += std::max(than.rgba[i] - image.rgba[i], 0);
   return sum;
 }
 
-/// Alike but for the rounding of a blend with nothing.
+/// Equal except for rounding.
 void expectAlike(const Image& a, const Image& b, const char* what) {
   ASSERT_EQ(a.rgba.size(), b.rgba.size());
   int most = 0;
@@ -64,7 +64,7 @@ class AlphaAndVertexColors : public Drawing {
   }
 };
 
-// Depth 1 and 3: where the processor draws, the shadow of the second is cast by control triangles.
+// Depth 1 and 3: on the CPU, the second's shadow is cast by control triangles.
 TEST_F(AlphaAndVertexColors, HiddenCharacterShownOpaqueLooksOpaque) {
   for (const int depth : {1, 3}) {
     const Arrival opaque = arrival(limbWith(AlphaMode::kOpaque, 0.0f), depth);
@@ -91,7 +91,7 @@ TEST_F(AlphaAndVertexColors, ShadowFollowsTheOpacity) {
       EXPECT_GT(dark, 1.2 * last) << alpha;
       last = dark;
     }
-    // A full alpha is opaque; a cutoff takes all or nothing.
+    // Full alpha is opaque; a cutoff is all or nothing.
     const Arrival opaque = arrival(limbWith(AlphaMode::kOpaque, 1.0f), depth);
     expectAlike(arrival(limbWith(AlphaMode::kBlend, 1.0f), depth).floor, opaque.floor, "blend, alpha 1");
     expectAlike(arrival(limbWith(AlphaMode::kMask, 0.5f), depth).floor, opaque.floor, "mask at its cutoff");
@@ -99,7 +99,7 @@ TEST_F(AlphaAndVertexColors, ShadowFollowsTheOpacity) {
   }
 }
 
-// A texture that cuts holes: the picture has them, so the shadow has them. Clay shows no texture, and no holes.
+// A texture with holes: they appear in picture and shadow. Clay shows no texture, and no holes.
 TEST_F(AlphaAndVertexColors, CutOutsAppearInTheShadow) {
   auto limb = limbWith(AlphaMode::kMask, 1.0f);
   Texture half;
@@ -133,7 +133,7 @@ TEST_F(AlphaAndVertexColors, VertexAlphaAffectsPictureAndShadow) {
   }
 }
 
-// Unlit, the picture is the product of the three, in linear light.
+// Unlit, the picture is the product of the three in linear light.
 TEST_F(AlphaAndVertexColors, VertexColorsMultiplyTheBaseColor) {
   for (const bool wire : {false, true}) {
     const auto quad = makeQuad();
@@ -178,7 +178,7 @@ TEST_F(AlphaAndVertexColors, VertexColorsAreInterpolated) {
   }
 }
 
-// A mesh without colors, one with, one without: nothing is left over from the one before.
+// Meshes without colors, with colors, without: nothing is kept from the previous one.
 TEST_F(AlphaAndVertexColors, NewCharacterHasItsOwnColors) {
   const auto plain = makeQuad(), painted = makeQuad();
   for (Wedge& wedge : painted->mesh.wedges) wedge.color = {1.0f, 0.0f, 0.0f, 1.0f};

@@ -1,4 +1,4 @@
-// tests/viewport/render/beside_test.cpp: a second surface beside the first is drawn as it would be alone.
+// tests/viewport/render/beside_test.cpp: a second surface beside the first is drawn as if it were alone.
 #include "tests/viewport/render/pictures.h"
 
 namespace sinew::test {
@@ -8,7 +8,7 @@ using app::Image;
 
 constexpr int kSide = 96;
 
-/// The quad and one beside it, displaced otherwise.
+/// The quad and another one beside it with a different displacement.
 struct Pair {
   std::shared_ptr<Character> quad = makeQuad();
   Moment first = bindMoment(quad, 2, PatchKind::kFlat);
@@ -73,7 +73,7 @@ TEST_F(Drawing, BothSurfacesCastShadows) {
   const auto viewport = viewportFor(*pair.quad);
   app::DisplaySettings settings;
   settings.shading = app::Shading::kClay;
-  settings.surface = false;  // The floor alone: shadows are cast all the same.
+  settings.surface = false;  // Floor only: shadows are cast anyway.
   const Image none = pair.picture(*viewport, pair.first.surface, nullptr, settings);
   const Image both = pair.picture(*viewport, pair.first.surface, &pair.second, settings);
   int darker = 0;

@@ -1,4 +1,5 @@
-// tests/viewport/render/color_scales_test.cpp: equal displacements look equally far apart; classes are told apart.
+// tests/viewport/render/color_scales_test.cpp: displacement colors are perceptually even; class colors are
+// distinguishable.
 #include "app/viewport/render/color_scales.h"
 
 #include <algorithm>
@@ -10,7 +11,7 @@
 namespace sinew::test {
 namespace {
 
-/// CIE lightness 0..100, a measure of its own.
+/// CIE lightness 0..100, computed independently.
 float lightness(const glm::vec3& srgb) {
   const glm::vec3 linear = app::linearFromSrgb(srgb);
   const float y = 0.2126f * linear.r + 0.7152f * linear.g + 0.0722f * linear.b;
@@ -42,7 +43,7 @@ TEST(HeatScale, DarkensEvenlyFromANeutralMiddle) {
       EXPECT_LT(step, 2.0f * whole / 8.0f) << x;
     }
   }
-  // Equally far displacements in and out are equally light, and warm or cold.
+  // Equal displacements outwards and inwards are equally light, and warm or cold.
   for (const float x : {0.25f, 0.5f, 1.0f}) {
     EXPECT_NEAR(lightness(app::heatColor(x)), lightness(app::heatColor(-x)), 6.0f);
     EXPECT_GT(app::heatColor(x).r, app::heatColor(x).b + 0.05f);

@@ -1,4 +1,4 @@
-// tests/viewport/render/culling_test.cpp: pictures without hidden triangles are those with them, pixel for pixel.
+// tests/viewport/render/culling_test.cpp: pictures with and without culled triangles are equal, pixel for pixel.
 #include <cstdio>
 
 #include "tests/support/rigs/trial_scenes.h"
@@ -22,7 +22,7 @@ struct Counts {
   long long triangles = 0;
 };
 
-/// Near, far and without perspective, from all around.
+/// Near, far and orthographic views from all sides.
 std::vector<app::View> viewsOf(const Bounds& bounds) {
   std::vector<app::View> views;
   const float reach = 0.5f * glm::length(bounds.high - bounds.low);

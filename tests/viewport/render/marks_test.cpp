@@ -1,4 +1,4 @@
-// tests/viewport/render/marks_test.cpp: outlines, territory and segments show where they should and nowhere else.
+// tests/viewport/render/marks_test.cpp: outlines, territory and segments appear where they should and nowhere else.
 #include <random>
 
 #include <glm/gtc/matrix_transform.hpp>
@@ -20,7 +20,7 @@ using app::View;
 
 constexpr glm::ivec2 kMarkSize{120, 100};
 
-/// Nothing but what a scene marks.
+/// Shows only the scene's marks.
 DisplaySettings marksAlone() {
   DisplaySettings settings = bareColors();
   settings.surface = false;
@@ -39,13 +39,13 @@ PrimitiveShape anyEllipsoid(std::mt19937& random) {
   return shape;
 }
 
-/// Whether the sight through a pixel meets the ellipsoid.
+/// Whether the ray through a pixel hits the ellipsoid.
 bool covers(const PrimitiveShape& shape, const View& view, int x, int y) {
   const auto sight = view.rayThrough({static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f});
   return app::crossShell(sight, shape.unitBallInWorld).has_value();
 }
 
-/// Both what is covered and what is not lie within `reach` pixels.
+/// Covered and uncovered pixels lie within `reach` pixels.
 bool nearTheEdge(const PrimitiveShape& shape, const View& view, int x, int y, int reach) {
   const bool here = covers(shape, view, x, y);
   for (int dy = -reach; dy <= reach; ++dy) {
@@ -127,7 +127,7 @@ TEST_F(Drawing, InfluenceIsOutlinedOnTheSkin) {
   Scene scene = sceneOf(*quad, moment);
   scene.primitives.emplace_back();
   scene.primitives[0].unitBallInWorld = glm::scale(glm::mat4(1), glm::vec3(0.4f));
-  scene.primitives[0].reach = 1.5f;  // Meets the quad in a circle of radius 0.6.
+  scene.primitives[0].reach = 1.5f;  // Intersects the quad in a circle of radius 0.6.
   const View view = viewOfQuad(0.0f, 128);
   DisplaySettings settings = bareColors();
   viewport->draw(scene, view, settings);
@@ -232,7 +232,7 @@ TEST_F(Drawing, SegmentsConnectTheirEndsWithOptionalDots) {
   const Pixel faint = colored(hidden, 0.5f * (behind.from + behind.to));
   EXPECT_LT(faint[2], 250);
   EXPECT_GT(faint[2], colored(on, 0.5f * (segment.from + segment.to))[2] + 20);
-  // Every class has a color of its own.
+  // Every class has its own color.
   const std::array kinds{SegmentClass::kPlain, SegmentClass::kFound, SegmentClass::kFallback, SegmentClass::kLost};
   for (const SegmentClass a : kinds) {
     for (const SegmentClass b : kinds) {
@@ -257,7 +257,7 @@ TEST_F(Drawing, TerritoryBonesAreHighlightedWithAHiddenSkeleton) {
   EXPECT_NE(hidden, shown);
   scene.territoryBones = {0};
   EXPECT_NE(picture(true), shown);
-  EXPECT_EQ(picture(false), picture(true));  // The only bone is one of the territory.
+  EXPECT_EQ(picture(false), picture(true));  // The only bone belongs to the territory.
 }
 
 TEST_F(Drawing, UnlitBaseColorsAreExact) {
@@ -280,13 +280,13 @@ TEST_F(Drawing, SurfaceIsUploadedOnlyWhenItsRevisionChanges) {
   };
   const auto first = picture();
   for (glm::vec3& p : moment.surface.positions) p.x += 0.4f;
-  EXPECT_EQ(picture(), first);  // The number says that nothing is new.
+  EXPECT_EQ(picture(), first);  // An equal version number means unchanged.
   scene.surfaceRevision = 2;
   const auto moved = picture();
   EXPECT_NE(moved, first);
   viewport->setCharacter(*quad);
   for (glm::vec3& p : moment.surface.positions) p.x -= 0.4f;
-  EXPECT_EQ(picture(), first);  // A number says nothing about another character.
+  EXPECT_EQ(picture(), first);  // The version number does not apply to another character.
 }
 
 }  // namespace

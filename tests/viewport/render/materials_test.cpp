@@ -1,4 +1,5 @@
-// tests/viewport/render/materials_test.cpp: materials in pictures, against the specification written down once more.
+// tests/viewport/render/materials_test.cpp: pictures of materials match an independent implementation of the
+// specification.
 #include <functional>
 
 #include "tests/viewport/render/brdf_oracle.h"
@@ -53,7 +54,7 @@ Image drawQuad(const std::shared_ptr<Character>& quad, const DisplaySettings& se
   return made.value()->readPixels();
 }
 
-/// What the oracle says a pixel of the quad shows.
+/// Color of a pixel of the quad according to the oracle.
 glm::dvec3 expectedAt(const OracleMaterial& material, const View& view, int x, int y, const glm::dvec3& n) {
   const app::Ray ray = view.rayThrough(glm::vec2(static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f));
   const glm::dvec3 color = appendixB(material, n, -glm::normalize(glm::dvec3(ray.direction)), kWhiteLight);
@@ -73,7 +74,7 @@ double meanOff(const Image& a, const Image& b) {
   return sum / static_cast<double>(std::max<std::size_t>(a.rgba.size(), 1));
 }
 
-/// The middle of the light's mirror image: a quad from where the lamp's light is thrown.
+/// Center of the light's reflection: view angles at which the quad mirrors the lamp.
 constexpr float kMirrorYaw = 0.5586f, kMirrorPitch = -0.5663f;
 
 TEST_F(Drawing, WhiteLightMatchesGltfAppendixB) {
@@ -133,7 +134,7 @@ TEST_F(Drawing, ConstantMapEqualsItsFactors) {
   }
 }
 
-/// One image as color and as numbers: decoded from sRGB for the one, not for the other.
+/// One image as color and as data: decoded from sRGB only as color.
 TEST_F(Drawing, OneImageCanHoldColorAndData) {
   const auto quad = makeQuad(), apart = makeQuad();
   quad->textures = {evenTexture(90, 140, 200)};
@@ -171,7 +172,7 @@ TEST_F(Drawing, NormalMapsFollowTheTextureAxes) {
     const Image image = drawQuad(quad, lit(LightPreset::kWhite), view);
     expectNear(pixelAt(image, 32, 32), expectedAt(material, view, 32, 32, glm::normalize(n)), 1.0, what);
   };
-  // The quad's u goes along x, its v down.
+  // The quad's u runs along x, its v down.
   expectTurned(makeQuad(), texel, "upright");
   auto quad = makeQuad();
   quad->materials[0].normalScale = 0.4f;
@@ -196,7 +197,7 @@ TEST_F(Drawing, NormalMapsFollowTheTextureAxes) {
   quad = makeQuad();
   quad->materials[0].doubleSided = true;
   const double size = glm::length(texel);
-  // From behind it is the mould of what is seen from the front. The lamp is in front: turn the quad instead.
+  // Seen from behind, relief is inverted. The lamp is in front: rotate the quad instead.
   for (glm::vec3& position : quad->mesh.positions) position *= glm::vec3(-1.0f, 1.0f, -1.0f);
   for (glm::vec3& normal : quad->mesh.normals) normal = -normal;
   for (Wedge& wedge : quad->mesh.wedges) wedge.normal = -wedge.normal;

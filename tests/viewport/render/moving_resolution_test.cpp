@@ -1,4 +1,4 @@
-// tests/viewport/render/moving_resolution_test.cpp: the resolution of a moving picture follows given times, and
+// tests/viewport/render/moving_resolution_test.cpp: resolution of a moving picture adapts to given frame times, and
 // settles.
 #include "app/window/moving_resolution.h"
 
@@ -16,12 +16,12 @@ using app::MovingResolution;
 
 constexpr double kGoal = MovingResolution::kFrameGoal;
 
-/// A machine: what a frame costs there at a scale.
+/// Simulated machine: cost of a frame at a scale.
 struct Machine {
-  double fixed = 0.0;     ///< Drawing that no resolution changes.
-  double perPixel = 0.0;  ///< Drawing of a whole picture.
+  double fixed = 0.0;     ///< Drawing that is independent of the resolution.
+  double perPixel = 0.0;  ///< Drawing of a full-size picture.
   double other = 0.0;
-  double noise = 0.0;  ///< Share by which a frame may take longer.
+  double noise = 0.0;  ///< Fraction by which a frame may take longer.
 
   [[nodiscard]] FrameCost cost(float scale, double chance = 0.0) const {
     const auto s = static_cast<double>(scale);
@@ -82,7 +82,7 @@ TEST(MovingResolutions, IsNoCoarserThanNecessary) {
   for (int i = 0; i < 500; ++i) {
     const Machine machine{0.0, 5.0 * kGoal * part(random), 0.4 * kGoal * part(random)};
     MovingResolution resolution;
-    played(resolution, {0.0, 100.0 * kGoal, 0.0}, 100);  // From the coarsest.
+    played(resolution, {0.0, 100.0 * kGoal, 0.0}, 100);  // Starting at the coarsest.
     ASSERT_EQ(resolution.scale(), scales.back());
     played(resolution, machine, 400);
     const auto* const at = std::ranges::find(scales, resolution.scale());
@@ -103,7 +103,7 @@ TEST(MovingResolutions, SettlesAndStays) {
   }
 }
 
-/// Drawing of `machine` but for `fixed` goes on while the surface is made.
+/// Drawing of `machine` except for `fixed` overlaps with the surface's computation.
 FrameCost overlapped(const Machine& machine, float scale) {
   const double pixels = machine.perPixel * static_cast<double>(scale) * static_cast<double>(scale);
   return {machine.fixed + std::max(pixels - machine.other, 0.0), machine.other, machine.other};

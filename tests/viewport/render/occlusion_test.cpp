@@ -1,4 +1,4 @@
-// tests/viewport/render/occlusion_test.cpp: convex bodies are open, gaps are not; spread values follow the
+// tests/viewport/render/occlusion_test.cpp: convex bodies are unoccluded, gaps are not; interpolated values follow the
 // barycentrics.
 #include "app/viewport/render/occlusion.h"
 

@@ -1,4 +1,4 @@
-// tests/viewport/render/picking_test.cpp: what is picked is what is drawn, and what geometry says.
+// tests/viewport/render/picking_test.cpp: picking agrees with the picture and with geometry.
 #include "app/viewport/render/picking.h"
 
 #include <optional>
@@ -20,7 +20,7 @@ using app::PrimitiveShape;
 using app::Ray;
 using app::View;
 
-/// A copy in which every control triangle has a color of its own: triangle t is drawn as t + 1 in base 40.
+/// A copy in which every control triangle has its own color: triangle t is drawn as t + 1 in base 40.
 std::shared_ptr<Character> numbered(const Character& original) {
   auto character = std::make_shared<Character>(original);
   character->materials.clear();
@@ -35,7 +35,7 @@ std::shared_ptr<Character> numbered(const Character& original) {
   return character;
 }
 
-/// Control triangle a pixel shows, or -1.
+/// Control triangle at a pixel, or -1.
 int triangleShown(const Image& image, int x, int y) {
   const Pixel pixel = pixelAt(image, x, y);
   const auto digit = [](int value) { return (value + 3) / 6; };
@@ -131,7 +131,7 @@ TEST(CrossShell, MatchesASearchAlongTheRay) {
     }
     const auto span = app::crossShell(ray, shell);
     if (!enter) {
-      EXPECT_TRUE(!span || span->leave - span->enter < kStep);  // At most a graze between two steps of the search.
+      EXPECT_TRUE(!span || span->leave - span->enter < kStep);  // At most a touch between two steps of the search.
       continue;
     }
     ++hits;
@@ -203,7 +203,7 @@ TEST(CrossShell, HandlesFlatDistantAndBehindShapes) {
   const auto inside = app::crossShell({{0, 0.5f, 0}, {0, 1, 0}}, ball);
   ASSERT_TRUE(inside);
   EXPECT_EQ(inside->enter, 0.0f);
-  const Ray fromAfar{{0.9f, 0, 1e5f}, {0, 0, -1}};  // Far origins must not cost the hit.
+  const Ray fromAfar{{0.9f, 0, 1e5f}, {0, 0, -1}};  // Distant origins must not miss.
   const auto far = app::crossShell(fromAfar, ball);
   ASSERT_TRUE(far);
   EXPECT_NEAR((fromAfar.origin + far->enter * fromAfar.direction).z, std::sqrt(1.0f - 0.81f), 0.02f);
@@ -221,7 +221,7 @@ TEST(PickBone, FindsTheBoneUnderThePixel) {
               body->skeleton.bones[static_cast<std::size_t>(segment.bone)].name);
     EXPECT_LE(hit->pixels, 1.5f);
   }
-  for (std::size_t i = 0; i < body->skeleton.bones.size(); ++i) {  // On a joint: the bone that starts there.
+  for (std::size_t i = 0; i < body->skeleton.bones.size(); ++i) {  // At a joint: the bone that starts there.
     const auto hit =
         app::pickBone(glm::vec2(view.toPixel(glm::vec3(pose.boneInWorld[i][3]))), view, body->skeleton, pose, 4.0f);
     ASSERT_TRUE(hit);

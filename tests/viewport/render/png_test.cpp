@@ -1,4 +1,4 @@
-// tests/viewport/render/png_test.cpp: what is written reads back.
+// tests/viewport/render/png_test.cpp: written images read back.
 #include "app/viewport/render/png.h"
 
 #include <cstring>

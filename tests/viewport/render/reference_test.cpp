@@ -1,4 +1,4 @@
-// tests/viewport/render/reference_test.cpp: pictures to work after stand where they should, and hide no more than they
+// tests/viewport/render/reference_test.cpp: reference pictures stand where they should, and hide no more than they
 // should.
 
 #include "app/viewport/render/reference_picture.h"
@@ -61,7 +61,7 @@ constexpr std::array<Look, 5> kLooks{{{ReferenceSide::kFront, 0.0f, 0.0f},
                                       {ReferenceSide::kRight, -kQuarter, 0.0f},
                                       {ReferenceSide::kTop, 0.0f, kQuarter}}};
 
-// Seen from its side without perspective, the body's rectangle in the picture says where it has to be.
+// Orthographic, from its side, the body's rectangle in the picture gives the expected place.
 TEST(ReferencePicture, MatchesTheBodySeenFromItsSide) {
   Random random(5);
   for (int round = 0; round < 50; ++round) {
@@ -99,7 +99,7 @@ TEST(ReferencePicture, MatchesTheBodySeenFromItsSide) {
       }
       const glm::vec3 normal(plane.squareInWorld[2]);
       EXPECT_NEAR(glm::dot(normal, -view.forwardInWorld()), 1.0f, 1e-5f);
-      // Behind: no corner of the body lies beyond it. Through: as many do as not.
+      // Behind: no corner of the body is beyond it. Through the middle: half of them are.
       int beyond = 0;
       for (int corner = 0; corner < 8; ++corner) {
         const glm::vec3 point((corner & 1) ? body.low.x : body.high.x, (corner & 2) ? body.low.y : body.high.y,

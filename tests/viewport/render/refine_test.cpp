@@ -1,4 +1,4 @@
-// tests/viewport/render/refine_test.cpp: a resting picture becomes smooth, stays where it was, and looks as chosen.
+// tests/viewport/render/refine_test.cpp: a resting picture becomes smooth, stays in place, and follows its settings.
 #include <cmath>
 #include <set>
 
@@ -81,7 +81,7 @@ TEST_F(Drawing, RefinedPictureHasSmoothEdgesInPlace) {
     const Image smooth = viewport->readPixels();
     EXPECT_GT(partlyCovered(smooth), 40);
     EXPECT_FALSE(viewport->refine(scene, view, bareColors())) << "it is done";
-    // An independent way to the same: the picture nine times as large, each 3x3 pixels averaged.
+    // Independent reference: a picture nine times as large, each 3x3 pixels averaged.
     View large = view;
     large.size = {576, 576};
     viewport->draw(scene, large, bareColors());
@@ -98,7 +98,7 @@ TEST_F(Drawing, RefinedPictureHasSmoothEdgesInPlace) {
         sum += off;
       }
     }
-    EXPECT_LT(worst, 255.0 * 0.13);  // Sixteen samples see a straight edge to within two of them.
+    EXPECT_LT(worst, 255.0 * 0.13);  // Sixteen samples resolve a straight edge to within two of them.
     EXPECT_LT(sum / (64.0 * 64.0), 0.6);
   }
 }
@@ -108,7 +108,7 @@ TEST_F(Drawing, RefinedPictureApproachesManySamples) {
   const Moment moment = bindMoment(limb, 4);
   const Scene scene = sceneOf(*limb, moment);
   DisplaySettings settings;
-  settings.ground = false;  // Its lines are smooth by themselves, and become softer by samples.
+  settings.ground = false;  // Its lines are antialiased on their own, and samples soften them.
   const auto many = viewportFor(*limb, 4), one = viewportFor(*limb, 1);
   many->draw(scene, viewOf(moment), settings);
   one->draw(scene, viewOf(moment), settings);

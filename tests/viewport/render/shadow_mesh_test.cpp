@@ -1,4 +1,4 @@
-// tests/viewport/render/shadow_mesh_test.cpp: what fewer triangles cover lies where all of them do.
+// tests/viewport/render/shadow_mesh_test.cpp: the reduced mesh covers the same region as all triangles.
 #include "app/viewport/render/shadow_mesh.h"
 
 #include <gtest/gtest.h>
@@ -39,7 +39,7 @@ app::ShadowMesh meshOf(const Character& character, const Surface& surface) {
   return app::makeShadowMesh(character, app::shadowClusters(character), *surface.refinement, byMaterial(character));
 }
 
-/// Cells of a plane, along two axes, whose middles triangles cover; a cell is 1 / kFine of the height.
+/// Cells of a plane along two axes whose middles are covered by triangles; a cell is 1 / kFine of the height.
 class Cover {
  public:
   static constexpr float kFine = 250.0f;
@@ -57,7 +57,7 @@ class Cover {
     }
   }
   [[nodiscard]] std::size_t size() const { return cells_.size(); }
-  /// Cells of this with none of the other's within `reach` cells.
+  /// Number of these cells without any of the other's within `reach` cells.
   [[nodiscard]] std::size_t farFrom(const Cover& other, int reach) const {
     return static_cast<std::size_t>(std::ranges::count_if(cells_, [&](const std::pair<int, int>& at) {
       for (int x = -reach; x <= reach; ++x) {

@@ -1,4 +1,4 @@
-// tests/viewport/render/shells_test.cpp: shells say where they are and what they are.
+// tests/viewport/render/shells_test.cpp: muscle shells show their position, kind and state.
 #include "app/viewport/render/shape_colors.h"
 
 #include <cmath>
@@ -154,7 +154,7 @@ TEST_F(Shells, OnlyTheTwinHasADashedOutline) {
     PrimitiveShape ball = ballAt(0.0f, 0.9f);
     (twin ? ball.twin : ball.selected) = true;
     const Image image = draw({ball});
-    // The outline's radius: where most of the way round something is drawn.
+    // Radius of the outline: where something is drawn along most of the circle.
     int best = 0, runs = 0;
     for (float radius = 20.0f; radius < 60.0f; radius += 0.5f) {
       int drawn = 0, starts = 0;

@@ -1,5 +1,5 @@
-// tests/viewport/render/thumbnails_test.cpp: thumbnails belong to a document as it is on the disk; what is damaged is
-// none.
+// tests/viewport/render/thumbnails_test.cpp: thumbnails belong to a document as stored on disk; a damaged one is
+// ignored.
 #include "app/viewport/render/thumbnails.h"
 
 #include <chrono>

@@ -1,4 +1,4 @@
-// tests/viewport/render/view_test.cpp: pixels and rays are inverse; views hold what they frame.
+// tests/viewport/render/view_test.cpp: pixel and ray conversions are inverse; views contain their target.
 #include "app/viewport/render/view.h"
 
 #include <cmath>
@@ -78,7 +78,7 @@ TEST_P(ViewProjection, FramingIsTight) {
     }
     EXPECT_GE(std::min(low.x, low.y), margin - 2e-3f);
     EXPECT_LE(std::max(high.x, high.y), 1.0f - margin + 2e-3f);
-    // One axis touches its margins on both sides.
+    // One axis fills its range up to the margins.
     const glm::vec2 free = glm::max(low - margin, 1.0f - margin - high);
     EXPECT_LT(std::min(free.x, free.y), 4e-3f);
   }

@@ -1,4 +1,4 @@
-// tests/viewport/render/viewport_test.cpp: pictures hold what they should, the same every time.
+// tests/viewport/render/viewport_test.cpp: pictures have the expected content, and are repeatable.
 #include "app/viewport/render/viewport.h"
 
 #include <cstdlib>
@@ -17,7 +17,7 @@ using app::Scene;
 using app::Shading;
 using app::View;
 
-/// One color all over.
+/// Texture of a single color.
 Texture plainTexture(int red, int green, int blue, int alpha) {
   Texture texture;
   texture.width = texture.height = 4;
@@ -175,7 +175,7 @@ TEST_F(Drawing, EverySettingChangesThePicture) {
 }
 
 TEST_F(Drawing, ClassColorsMatchTheirTriangles) {
-  // Two materials, so that triangles are drawn in another order than they stand in.
+  // Two materials, so that triangles are drawn in another order than stored.
   const auto quad = makeQuad();
   quad->materials.emplace_back();
   quad->mesh.triangles[0].material = 1;

@@ -1,4 +1,4 @@
-// tests/viewport/tools/add_muscle_test.cpp: a muscle lies where and how it was drawn.
+// tests/viewport/tools/add_muscle_test.cpp: a drawn muscle has the stroke's position, direction and size.
 
 #include "app/viewport/tools/add_muscle.h"
 
@@ -71,7 +71,7 @@ TEST(PlacementOnSkin, ClickAlignsWithTheBone) {
   }
 }
 
-/// A stroke over an arc in the XY plane around the origin, symmetric about +Y. `outward` -1: seen from inside.
+/// A stroke along an arc in the XY plane around the origin, symmetric about +Y. `outward` -1: seen from inside.
 SkinStroke arcStroke(float radius, float angle, float outward) {
   SkinStroke stroke;
   for (int i = 0; i <= 64; ++i) {
@@ -125,7 +125,7 @@ TEST(PlacementOnSkin, ExtremeStrokesGiveValidShapes) {
       SkinStroke{{start}},
       SkinStroke{{start, start, start}},
       SkinStroke{{start, at(0, 1, 3), start}},                            // There and back.
-      SkinStroke{{start, at(1, 1, 0), at(50, 1, 0)}},                     // Far off.
+      SkinStroke{{start, at(1, 1, 0), at(50, 1, 0)}},                     // Far away.
       SkinStroke{{start, at(0, 1, 0.5f), at(0, 1, 1)}},                   // Along its own normal.
       SkinStroke{{start, at(0, 1, 1), at(0.1f, 1, 1), at(0.1f, 1, 0)}}};  // Over a spike.
   for (const SkinStroke& stroke : strokes) {

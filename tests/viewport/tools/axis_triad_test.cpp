@@ -1,4 +1,4 @@
-// tests/viewport/tools/axis_triad_test.cpp: the axis gizmo shows the camera and turns it.
+// tests/viewport/tools/axis_triad_test.cpp: the axis gizmo shows the camera and rotates it.
 #include "app/viewport/tools/axis_triad.h"
 
 #include <gtest/gtest.h>
@@ -89,11 +89,11 @@ TEST(AxisTriad, EndsMatchTheAxesInThePicture) {
       const glm::vec3 seen = rotation * direction(end.end);
       const glm::vec2 away = (end.pixel - layout.center) / layout.radius;
       EXPECT_LT(glm::distance(away, 0.78f * glm::vec2(seen.x, -seen.y)), 1e-3f);
-      EXPECT_GE(end.depth, depth);  // Furthest first.
+      EXPECT_GE(end.depth, depth);  // Farthest first.
       depth = end.depth;
       EXPECT_LE(glm::length(away) + end.radius / layout.radius, 1.03f);
     }
-    // All of it stands in the picture, in the lower right corner.
+    // All of it lies in the picture, in the lower right corner.
     EXPECT_LE(layout.center.x + layout.radius, static_cast<float>(kWindow.x));
     EXPECT_LE(layout.center.y + layout.radius, static_cast<float>(kWindow.y));
     EXPECT_FLOAT_EQ(layout.radius, kTriadRadius * scale);
@@ -113,7 +113,7 @@ TEST(AxisTriad, ClickLooksAlongTheAxisAndTheNextFromTheOpposite) {
     EXPECT_LT(glm::distance(forwardAfter(camera), -direction(end)), 1e-4f);
     advance(camera, 1.0f);
     const TriadLayout arrived = layoutTriad(camera, kWindow, 1.0f);
-    EXPECT_EQ(axisEndAt(arrived, arrived.center), end);  // It has come to the middle, nearest to the eye.
+    EXPECT_EQ(axisEndAt(arrived, arrived.center), end);  // It has moved to the middle, nearest to the eye.
     click(triad, camera, arrived.center);
     EXPECT_LT(glm::distance(forwardAfter(camera), direction(end)), 1e-4f);
   }
@@ -127,7 +127,7 @@ TEST(AxisTriad, DragOrbitsWithoutClicking) {
   const CameraStand before = camera.stand;
   EXPECT_TRUE(routeTriad(triad, camera, press(start), kWindow, 1.0f));
   for (int step = 1; step <= 20; ++step) {
-    // Far out of the ball: the drag goes on.
+    // Far outside the ball: the drag continues.
     EXPECT_TRUE(
         routeTriad(triad, camera, hold(start + glm::vec2(-10.0f * static_cast<float>(step), 0)), kWindow, 1.0f));
   }
@@ -171,7 +171,7 @@ TEST(AxisTriad, TakesTheMouseOnlyOnTheBallAndNeverDuringOtherDrags) {
   EXPECT_FALSE(routeTriad(triad, camera, covered, kWindow, 1.0f));
   EXPECT_FALSE(triad.pressed);
   EXPECT_EQ(camera.stand.yaw, before.yaw);
-  // A release that never came (the window lost the focus) ends the press all the same.
+  // A missed release (the window lost the focus) ends the press anyway.
   EXPECT_TRUE(routeTriad(triad, camera, press(layout.center + glm::vec2(0, 30)), kWindow, 1.0f));
   routeTriad(triad, camera, at({100, 100}), kWindow, 1.0f);
   EXPECT_FALSE(triad.pressed);

@@ -1,4 +1,4 @@
-// tests/viewport/tools/camera_test.cpp: what a camera must keep, whatever is done to it.
+// tests/viewport/tools/camera_test.cpp: camera invariants under any input.
 
 #include "app/viewport/tools/camera.h"
 
@@ -41,7 +41,7 @@ glm::vec2 pixelOfAim(const Camera& camera) {
   return 0.5f * glm::vec2(kPicture) * (1.0f + glm::vec2(1.0f, -1.0f) * camera.stand.aim);
 }
 
-/// Low x and y, high x and y, 0..1 of the picture: what holds all corners of the box in it.
+/// Bounds of the box's corners in the picture: low x and y, high x and y, 0..1.
 glm::vec4 placeOf(const Camera& camera, const Bounds& box) {
   glm::vec2 low(2.0f), high(-1.0f);
   for (int corner = 0; corner < 8; ++corner) {
@@ -154,7 +154,7 @@ TEST(Camera, FramingIsTight) {
   }
 }
 
-// What is covered lies at the edges, as bars and lists do, so that a part is free.
+// Covered areas lie at the edges, like bars and lists, so that a part is free.
 TEST(Camera, FramingAvoidsCoveredAreas) {
   Random random(18);
   for (int i = 0; i < 200; ++i) {
@@ -172,7 +172,7 @@ TEST(Camera, FramingAvoidsCoveredAreas) {
     }
     EXPECT_TRUE(place.x >= 0.0f && place.y >= 0.0f && place.z <= 1.0f && place.w <= 1.0f) << i;
     EXPECT_EQ(camera.stand.target, box.center());
-    // No free part shows it larger: compared with each that a coarse grid has.
+    // No free part shows it larger: compared with every one on a coarse grid.
     Camera other = camera;
     for (int cell = 0; cell < 10 * 10 * 10 * 10; ++cell) {
       const glm::vec4 part = 0.1f * glm::vec4(cell % 10, cell / 10 % 10, 1 + cell / 100 % 10, 1 + cell / 1000);

@@ -1,4 +1,4 @@
-// tests/viewport/tools/gizmo_drag_test.cpp: what is grabbed follows the pointer, on every bone, under every camera.
+// tests/viewport/tools/gizmo_drag_test.cpp: a grabbed handle follows the pointer, on every bone, under every camera.
 
 #include <cmath>
 #include <numbers>
@@ -74,7 +74,7 @@ TEST_P(GizmoDragOnBones, ArrowsMoveTheGrabbedPointAlongTheirAxis) {
     const glm::vec3 origin = scene.originInWorld();
     const auto onAxis = [&](float t) { return pixelOf(scene.context.view, origin + t * direction); };
     beginDrag(state, handle(GizmoHandle::kMoveX, axis), scene.placement, onAxis(from), scene.context);
-    // In two steps, as a hand would.
+    // In two steps, as with a mouse.
     static_cast<void>(updateDrag(state, pointerAt(onAxis(0.5f * (from + to))), scene.context));
     const DragResult result = updateDrag(state, releasedAt(onAxis(to)), scene.context);
     EXPECT_LT(glm::length(worldShift(scene, result.placement) - (to - from) * direction), 0.01f * arm) << i;

@@ -1,4 +1,4 @@
-// tests/viewport/tools/gizmo_draw_test.cpp: what is drawn is where it can be hit. No window: ImGui only fills lists.
+// tests/viewport/tools/gizmo_draw_test.cpp: handles are drawn where they can be hit. No window: ImGui only fills lists.
 
 #include "app/viewport/tools/gizmo_draw.h"
 

@@ -1,5 +1,5 @@
-// tests/viewport/tools/gizmo_keys_test.cpp: locks, snaps, precision, numbers, leaving, and bones that move during a
-// drag.
+// tests/viewport/tools/gizmo_keys_test.cpp: locks, snaps, precision, typed numbers, canceling, and bones that move
+// during a drag.
 
 #include <cmath>
 #include <numbers>
@@ -103,7 +103,7 @@ TEST(GizmoKeys, ShiftMovesATenth) {
   input.shift = true;
   const glm::vec3 tenth = slow.shift(slow.to(input));
   EXPECT_LT(glm::length(10.0f * tenth - whole), 1e-5f);
-  // Letting go of Shift does not make up for what was slowed.
+  // Releasing Shift does not catch up with the pointer.
   input.shift = false;
   EXPECT_LT(glm::length(slow.shift(slow.to(input)) - tenth), 1e-6f);
 }

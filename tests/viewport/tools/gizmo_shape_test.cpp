@@ -1,4 +1,4 @@
-// tests/viewport/tools/gizmo_shape_test.cpp: the belly and the bend pulled in the picture.
+// tests/viewport/tools/gizmo_shape_test.cpp: dragging the handles of belly and bend.
 
 #include "app/viewport/tools/gizmo_shape.h"
 
@@ -36,7 +36,7 @@ struct ShapeHandles : testing::Test {
 
   [[nodiscard]] GizmoLayout layout() const { return layoutGizmo(state, placement, context); }
 
-  /// Presses on a handle, moves the pointer and lets go.
+  /// Presses a handle, moves the pointer and releases.
   Placement pulled(GizmoHandle handle, const glm::vec2& by) {
     const GizmoLayout seen = layout();
     const HandleShape* shape = seen.find(handle);

@@ -1,4 +1,4 @@
-// tests/viewport/tools/gizmo_way_test.cpp: ways a handle may go, and the handles they name.
+// tests/viewport/tools/gizmo_way_test.cpp: constraints of handles, and the handles they belong to.
 
 #include "app/viewport/tools/gizmo_way.h"
 

@@ -1,4 +1,4 @@
-// tests/viewport/tools/input_router_test.cpp: one press belongs to one layer.
+// tests/viewport/tools/input_router_test.cpp: a press belongs to one layer.
 
 #include "app/viewport/tools/input_router.h"
 
@@ -90,7 +90,7 @@ TEST(InputRouter, LostReleaseCommitsTheDrag) {
   scene.move(pixel);
   scene.press(pixel);
   scene.drag(pixel + glm::vec2(30, 0));
-  scene.move(pixel + glm::vec2(30, 0));  // The button is up and nobody said when.
+  scene.move(pixel + glm::vec2(30, 0));  // The button was released without an event.
   EXPECT_FALSE(scene.document.commands.inGesture());
   EXPECT_NE(scene.placement().center, start.center);
 }
@@ -154,7 +154,7 @@ TEST(InputRouter, CameraButtonsOrbitAndPan) {
     EXPECT_EQ(after.distance, before.distance);
     EXPECT_EQ(scene.document.commands.stepCount(), 1u);
     EXPECT_EQ(scene.document.selection.primitives.size(), 1u) << "a drag is no click";
-    // All of the motion counts, also what came before it was known to be a drag.
+    // All of the motion counts, including the part before the drag threshold.
     Camera whole = scene.tools.camera;
     whole.stand = before;
     if (c.pans) pan(whole, {60, 25}, LimbScene::kSize);

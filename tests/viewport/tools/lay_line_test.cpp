@@ -1,4 +1,4 @@
-// tests/viewport/tools/lay_line_test.cpp: a line between two places on the skin, and the muscle that it gets.
+// tests/viewport/tools/lay_line_test.cpp: a line between two places on the skin, and its muscle.
 
 #include "app/viewport/tools/lay_line.h"
 
@@ -13,7 +13,7 @@
 namespace sinew::app {
 namespace {
 
-/// The control triangle whose middle is nearest to a point of the bind pose, that mostly follows a bone.
+/// The control triangle nearest to a point of the bind pose among those that mostly follow a bone.
 SkinAnchor skinNear(const Character& character, const glm::vec3& point, int bone) {
   SkinAnchor best;
   float nearest = 1e30f;
@@ -87,7 +87,7 @@ TEST(LaidPairs, SymmetryLaysBothSides) {
   EXPECT_EQ(alone->lines.size(), 1u);
 }
 
-/// Over every joint of characters that others made: never an empty or monstrous belly.
+/// Across every joint of third-party characters: never an empty or huge belly.
 TEST(LaidPairs, WorkAcrossEveryJointOfRealCharacters) {
   int joints = 0;
   for (const char* file : {"Fox.glb", "greenman.glb", "cesium_man.gltf", "robot.glb"}) {

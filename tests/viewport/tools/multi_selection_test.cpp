@@ -1,5 +1,5 @@
-// tests/viewport/tools/multi_selection_test.cpp: several muscles, twins among them, on one gizmo; boxes; a muscle on
-// both sides.
+// tests/viewport/tools/multi_selection_test.cpp: several muscles, twins among them, under one gizmo; box selection; a
+// muscle on both sides.
 
 #include <gtest/gtest.h>
 
@@ -75,7 +75,7 @@ struct Legs : LimbScene {
 
 constexpr GizmoAxes kAllAxes[] = {GizmoAxes::kWorld, GizmoAxes::kBone, GizmoAxes::kPrimitive};
 
-/// What the keys do during the drag.
+/// Keyboard input during the drag.
 enum class Manner { kPlain, kTyped, kLocked, kSnapped, kPrecise, kEscape, kRightButton };
 constexpr Manner kManners[] = {Manner::kPlain,   Manner::kTyped,  Manner::kLocked,     Manner::kSnapped,
                                Manner::kPrecise, Manner::kEscape, Manner::kRightButton};
@@ -106,7 +106,7 @@ bool dragHandle(Legs& scene, GizmoHandle handle, Manner manner) {
   return true;
 }
 
-/// What a drag of `handle` did to the others, against what it did to the active one.
+/// Compares the effect of dragging `handle` on the other muscles with that on the active one.
 void expectTogether(const Legs& scene, const Legs& before, GizmoHandle handle, const std::string& active) {
   const HandleKind kind = partsOf(handle).kind;
   for (const char* name : {"belly", "shin"}) {
@@ -123,7 +123,7 @@ void expectTogether(const Legs& scene, const Legs& before, GizmoHandle handle, c
       EXPECT_EQ(start.rotation, now.rotation);
     }
     if (kind == HandleKind::kRotate) {
-      // The muscles stay as far from each other, and turn by one angle.
+      // Distances between the muscles stay, and all rotate by one angle.
       EXPECT_NEAR(glm::distance(scene.centerInWorld(name), scene.centerInWorld(active)),
                   glm::distance(before.centerInWorld(name), before.centerInWorld(active)), 1e-4f);
       const Placement& leadStart = before.primitive(active).placement;

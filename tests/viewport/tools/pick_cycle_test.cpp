@@ -1,4 +1,4 @@
-// tests/viewport/tools/pick_cycle_test.cpp: further clicks on a place take what lies behind, in turn.
+// tests/viewport/tools/pick_cycle_test.cpp: repeated clicks cycle through the objects behind each other.
 #include "app/viewport/tools/pick_cycle.h"
 
 #include <gtest/gtest.h>
@@ -29,7 +29,7 @@ struct Row : LimbScene {
       rig = addPrimitive(rig, ball).value();
     }
     document.commands.apply("Set up", rig);
-    // Beside the handles that stand on the middle and the poles.
+    // Clear of the handles at the middle and the poles.
     pixel = glm::vec2(viewOf(tools.camera, kSize).toPixel({0, 1, 0})) + glm::vec2(17, 13);
   }
   RouteResult clickAgain(const glm::vec2& off = glm::vec2(0.0f), ViewportInput with = {}) {
@@ -102,7 +102,7 @@ TEST(PickCycle, PlaybackKeepsTheOrder) {
   Row row;
   std::string names;
   for (int i = 0; i < 6; ++i) {
-    // The balls swing; their order along the ray changes, what was found first stays the list.
+    // The balls swing, which changes their order along the ray; the list stays as first found.
     const float turn = 0.05f * static_cast<float>(i % 3);
     row.pose = bindPose(row.document.character->skeleton);
     for (glm::mat4& bone : row.pose.boneInWorld) bone = glm::rotate(glm::mat4(1), turn, glm::vec3(0, 1, 0)) * bone;

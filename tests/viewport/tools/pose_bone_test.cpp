@@ -1,5 +1,4 @@
-// tests/viewport/tools/pose_bone_test.cpp: a joint follows the ring that is dragged, in the world, whatever its bone's
-// frame.
+// tests/viewport/tools/pose_bone_test.cpp: a joint follows the dragged ring in the world, whatever its bone's frame.
 
 #include "app/viewport/tools/pose_bone.h"
 
@@ -20,7 +19,7 @@ namespace {
 constexpr float kDegree = std::numbers::pi_v<float> / 180.0f;
 constexpr int kMiddle = 1;
 
-/// The limb with the pose tool; the pose follows the overrides as the editor's does.
+/// The limb with the pose tool; the pose follows the overrides as in the editor.
 struct PoseScene : test::LimbScene {
   PoseOverrides overrides;
   Pose moment;
@@ -87,7 +86,7 @@ TEST(PoseTool, ShowsOnlyRingsAtTheSelectedJoint) {
 TEST(PoseTool, TypedAngleRotatesAboutTheWorldAxis) {
   for (const char* ring : {"rotate.x", "rotate.y", "rotate.z"}) {
     PoseScene scene;
-    // A frame of its own, so that the world's axes are not the bone's.
+    // A frame of its own, so that the world's axes differ from the bone's.
     scene.moment.boneInWorld[kMiddle] =
         scene.moment.boneInWorld[kMiddle] * glm::mat4_cast(glm::angleAxis(0.9f, glm::normalize(glm::vec3(1, 2, 3))));
     scene.tools.gizmo.axes = GizmoAxes::kWorld;
@@ -96,7 +95,7 @@ TEST(PoseTool, TypedAngleRotatesAboutTheWorldAxis) {
     axis[ring[7] - 'x'] = 1.0f;
     const glm::mat3 expected = glm::mat3_cast(glm::angleAxis(37.0f * kDegree, axis));
     for (int c = 0; c < 3; ++c) EXPECT_LT(glm::length(scene.turned(kMiddle)[c] - expected[c]), 1e-4f) << ring;
-    scene.typeTurn(ring, "20");  // Turns add up.
+    scene.typeTurn(ring, "20");  // Rotations add up.
     EXPECT_NEAR(angleOf(scene.turned(kMiddle)), 57.0f, 0.01f) << ring;
   }
 }
@@ -135,7 +134,7 @@ TEST(PoseTool, RingFollowsThePointerDuringPlayback) {
   };
   scene.mouse(from, false);
   scene.mouse(from, true);
-  // The clip turns the joint, too; 40 degrees by hand are on top of that.
+  // The clip rotates the joint too; the 40 degrees by hand come on top.
   for (int i = 1; i <= 10; ++i) {
     scene.moment.boneInWorld[kMiddle] *= glm::mat4_cast(glm::angleAxis(0.05f, glm::vec3(0, 1, 0)));
     scene.mouse(at(4.0f * static_cast<float>(i) * kDegree), true);
@@ -162,7 +161,7 @@ TEST(PoseTool, ClickSelectsTheJointAndKeepsTheMuscle) {
   scene.document.selection.set(PrimitiveId{77});
   const RouteResult route = scene.mouse({1, 1}, false);
   const glm::vec2 end(route.view.toPixel(glm::vec3(scene.pose.boneInWorld[2][3])));
-  // A little off: joints have a reach, and x-ray is on without being switched on.
+  // Slightly off: joints have a pick radius, and can be picked through the skin.
   scene.mouse(end + glm::vec2(3, -3), false);
   EXPECT_EQ(scene.tools.hover.bone, 2);
   scene.mouse(end + glm::vec2(3, -3), true);

@@ -1,4 +1,4 @@
-// tests/viewport/tools/skin_stroke_test.cpp: a stroke stays on the skin it began on, and a muscle lies along it.
+// tests/viewport/tools/skin_stroke_test.cpp: a stroke stays on the skin on which it began, and its muscle follows it.
 
 #include "app/viewport/tools/add_muscle.h"
 
@@ -34,7 +34,7 @@ struct StrokeScene : LimbScene {
     EXPECT_TRUE(start.has_value());
     return strokeOnSkin(snapshotOf(surface), {start->position, start->normal}, view(), to, document.character->height);
   }
-  /// Press, drag in steps and release with the add-muscle tool; the surface follows every step, as in the editor.
+  /// Presses, drags in steps and releases with the add-muscle tool; the surface follows every step, as in the editor.
   Placement drawn(const glm::vec2& from, const glm::vec2& to) {
     setTool(tools, ToolKind::kAddMuscle);
     move(from);
@@ -49,7 +49,7 @@ struct StrokeScene : LimbScene {
   }
 };
 
-/// Pixels on the body, as seen, and beyond it.
+/// Pixels on the visible body and beyond it.
 glm::vec2 randomPixel(Random& random) { return {random.uniform(250, 750), random.uniform(50, 750)}; }
 
 TEST(SkinStroke, FollowsTheSkinUnderThePointerLine) {
@@ -72,7 +72,7 @@ TEST(SkinStroke, FollowsTheSkinUnderThePointerLine) {
       EXPECT_GE(glm::dot(offset, direction), last) << "onwards";
       last = glm::dot(offset, direction) - 0.01f;
       const glm::vec3 sight = scene.view().rayThrough(from + offset).direction;
-      if (glm::dot(at.normal, sight) > -0.3f) continue;  // Near the outline half a pixel is a long way.
+      if (glm::dot(at.normal, sight) > -0.3f) continue;  // Near the outline half a pixel is a long distance.
       const std::optional<SurfaceHit> seen = scene.hit(from + offset);
       if (!seen) continue;  // The outline is a sharp edge.
       EXPECT_LT(glm::length(seen->position - at.point), 2e-3f * height) << "what is seen there";
@@ -182,7 +182,7 @@ TEST(SkinStroke, MuscleAroundABodyEndsAtTheSkin) {
         if (glm::length(bare.positions[v] - tip) < glm::length(bare.positions[nearest] - tip)) nearest = v;
       }
       const float above = glm::dot(tip - bare.positions[nearest], bare.normals[nearest]);
-      // As much as the muscle is thick: on a body that curves away, the straight chord's ends are level with its top.
+      // By the muscle's thickness: on a curved body, the ends of the straight chord are level with its top.
       EXPECT_LT(above, 0.012f * height) << i << ": a tip stands out of the skin";
       EXPECT_LT(glm::length(tip - bare.positions[nearest]), 0.3f * glm::length(glm::vec3(shape[0])) + 0.03f * height)
           << i << ": a tip is far from the skin";
@@ -209,7 +209,7 @@ TEST(SkinStroke, IgnoresTheSwellingOfTheNewMuscle) {
   EXPECT_EQ(first.radii, last.radii);
 }
 
-/// The stroke of a pointer that takes a second for it, the editor's frames in their order.
+/// A stroke that takes a second, with the editor's frames in order.
 Placement drawnInASecond(bool playing) {
   StrokeScene scene;
   const Character& character = *scene.document.character;

@@ -1,4 +1,4 @@
-// tests/viewport/tools/start_drag_test.cpp: a drag that a key begins: no button, a click keeps it.
+// tests/viewport/tools/start_drag_test.cpp: a drag started from the keyboard: no button, a click confirms it.
 
 #include <cmath>
 
@@ -47,7 +47,7 @@ TEST(StartDrag, EveryToolChangesItsOwnProperty) {
   for (const ToolKind tool : {ToolKind::kMove, ToolKind::kRotate, ToolKind::kScale}) {
     MuscleOnLimb scene;
     const Placement start = scene.placement();
-    scene.move({640, 300});  // Beside the middle: a turn about it has an angle.
+    scene.move({640, 300});  // Off the middle, so that a rotation has an angle.
     startDrag(scene.tools, tool);
     scene.move({640, 300});
     scene.move({660, 400});
@@ -109,7 +109,7 @@ TEST(StartDrag, DoesNotStartWithoutASelectionOrOutsideTheViewport) {
   MuscleOnLimb scene;
   startDrag(scene.tools, ToolKind::kMove);
   scene.move({-20, 100});
-  scene.move(scene.kBegin);  // It is not begun later either.
+  scene.move(scene.kBegin);  // It does not start later either.
   EXPECT_FALSE(ownsKeyboard(scene.tools));
   scene.document.selection.clear();
   startDrag(scene.tools, ToolKind::kRotate);

@@ -1,4 +1,4 @@
-// tests/viewport/tools/status_line_test.cpp: in every state of every tool the status line has one form
+// tests/viewport/tools/status_line_test.cpp: the status line has one form in every state of every tool
 // (app/viewport/tools/status_line.h).
 #include "app/viewport/tools/status_line.h"
 
@@ -19,13 +19,13 @@ namespace {
 
 using test::LimbScene;
 
-/// The inputs in the order in which a line may name them.
+/// Inputs in the order in which a line may name them.
 constexpr std::array<const char*, 19> kInputs{"Click", "Shift+click", "Right+click", "Release",  "Drop",
                                               "Drag",  "Ctrl+drag",   "Shift+drag",  "Alt+drag", "Right+drag",
                                               "Wheel", "Ctrl",        "Shift",       "Alt",      "X/Y/Z",
                                               "0-9",   "Enter",       "Esc",         ""};
 
-/// The input's place in the order, or -1: the act begins with none of them.
+/// The input's position in the order, or -1 if the text begins with none.
 int rankOf(const std::string& act) {
   const std::string input = act.substr(0, act.find(' '));
   const auto found = std::ranges::find(kInputs, input);
