@@ -1,5 +1,5 @@
-// tests/surface/adaptive_surface_test.cpp: adaptive detail in the pipeline: a function of character and rig alone,
-// closed, within its tolerance, and no more vertices than it needs.
+// tests/surface/adaptive_surface_test.cpp: adaptive detail: depends only on character and rig, closed, within
+// tolerance, no more vertices than needed.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -56,7 +56,7 @@ TEST(AdaptiveSurface, IsClosedIfTheMeshIs) {
   }
 }
 
-// A drag, undo, and everything else that was edited before leave no trace.
+// A drag, undo and earlier edits leave no trace.
 TEST(AdaptiveSurface, LevelsDependOnlyOnTheRig) {
   Prepared prepared;
   std::shared_ptr<const Preparation> former;
@@ -168,7 +168,7 @@ TEST(AdaptiveSurface, MeshDoesNotDependOnThePose) {
   EXPECT_EQ(first.refinement, second.refinement);
 }
 
-/// How far a point is from a triangle, by dense sampling: independent of the formulas that choose the levels.
+/// Distance of a point to a triangle by dense sampling, independent of the formulas that choose levels.
 float distanceTo(const glm::vec3& p, const glm::vec3& a, const glm::vec3& b, const glm::vec3& c) {
   float least = glm::distance(p, a);
   constexpr int kSteps = 40;
@@ -182,7 +182,7 @@ float distanceTo(const glm::vec3& p, const glm::vec3& a, const glm::vec3& b, con
   return least;
 }
 
-/// Vertices of the fine mesh that are farther from the flat triangles of their control triangle.
+/// Number of the fine mesh's vertices that are farther from the flat triangles of their control triangle.
 int fartherThan(float most, const ControlMesh& mesh, const Surface& fine, const Surface& flat) {
   int count = 0;
   for (std::size_t t = 0; t < mesh.triangles.size(); t += 5) {
@@ -199,7 +199,7 @@ int fartherThan(float most, const ControlMesh& mesh, const Surface& fine, const 
   return count;
 }
 
-// Against depth 12, as projected: stages after it (filter, folds) need neighbors, and may differ by more.
+// Against depth 12, as projected: later stages (filter, folds) need neighbors, and may differ by more.
 TEST(AdaptiveSurface, IsWithinToleranceOfTheFineSurface) {
   for (const CharacterPtr& character : {makeLimb(), makeTube()}) {
     for (const float tolerance : {0.001f, 0.004f}) {
@@ -210,7 +210,7 @@ TEST(AdaptiveSurface, IsWithinToleranceOfTheFineSurface) {
       rig.smoothing.depth = 12;
       Projected fine(*character, rig);
       EXPECT_LT(adaptive.now().refinement->vertexCount, fine.now().refinement->vertexCount);
-      // The oracle finds the nearest of some points of a triangle.
+      // The oracle takes the nearest of sampled points of a triangle.
       EXPECT_EQ(fartherThan(1.03f * tolerance * character->height, character->mesh, fine.now(), adaptive.now()), 0);
     }
   }

@@ -1,4 +1,4 @@
-// tests/surface/allocations_test.cpp: a frame allocates nothing once the memory that is kept has grown.
+// tests/surface/allocations_test.cpp: a frame allocates nothing once its buffers have grown.
 
 #include "tests/support/allocations.h"
 
@@ -48,7 +48,7 @@ TEST_P(FrameAllocations, RepeatedFrameAllocatesNothing) {
   }
 }
 
-// Some vertices of each are left to the scalar path, which must not allocate either.
+// Some vertices of each take the scalar path, which must not allocate either.
 TEST(SearchAllocations, BundledRigsAllocateNothing) {
   for (const char* name : {"humanoid", "humanoid-wrapped", "horse-flex", "tangle"}) {
     const TrialScene scene = bundledTrialScene(name);

@@ -1,4 +1,4 @@
-// tests/surface/cancelling_test.cpp: where the field is nothing but rounding, the skin stays.
+// tests/surface/cancelling_test.cpp: where the field is only rounding error, the skin stays.
 
 #include <cmath>
 
@@ -13,8 +13,7 @@ namespace {
 
 constexpr float kStays = 1e-4f;  ///< Fraction of H.
 
-/// Each muscle of a rig again as a carve: the same ellipsoid, told by another quaternion, so that the sums do not
-/// cancel to the last bit.
+/// Adds a carve for each muscle: the same ellipsoid with another quaternion, so that the sums do not cancel exactly.
 Rig undone(Rig rig) {
   const std::vector<Primitive> muscles = rig.primitives;
   for (Primitive carve : muscles) {
@@ -50,7 +49,7 @@ TEST(Canceling, MuscleAndOppositeCarveCancel) {
   }
 }
 
-// An influence that just touches a vertex: the field there is rounding, and so must be what it does.
+// An influence that just touches a vertex: the field there is rounding error, and so must be its effect.
 TEST(Canceling, BarelyTouchingInfluenceBarelyMovesTheSkin) {
   const auto character = makeLimb();
   RigRecipe recipe;

@@ -1,4 +1,4 @@
-// tests/surface/cloth_test.cpp: muscles push the skin, cloth follows and does not sink in, eyes stay.
+// tests/surface/cloth_test.cpp: muscles push the skin, cloth follows without sinking in, eyes stay.
 #include <algorithm>
 #include <filesystem>
 
@@ -22,7 +22,7 @@ namespace fs = std::filesystem;
 
 const fs::path kClothAssets = fs::path(SINEW_SOURCE_DIR) / "assets";
 
-/// With and without muscles the same mesh.
+/// The same mesh with and without muscles.
 Rig flexRig() {
   Rig rig = loadRig(kClothAssets / "humanoid-flex.rig.json").value();
   rig.smoothing.detail = DetailKind::kUniform;
@@ -69,9 +69,9 @@ TEST_P(ClothBySurfaceMode, ClothStaysAboveTheSkin) {
   const ClothCount count = countClothBelow(dressed.character, rig, poses).value();
   EXPECT_GT(count.vertices, 3000);
   EXPECT_LE(count.below, count.bare) << "deepest " << count.deepest << " H in pose " << count.worst;
-  // Where two walls of a fold lie in each other there may be no way out.
+  // Where two walls of a fold penetrate each other there may be no free position.
   EXPECT_LT(static_cast<double>(count.more), 2e-4 * count.vertices * static_cast<double>(poses.size()));
-  // The measure sees what sinks: clothes that follow no skin.
+  // The measure detects penetration: clothes that follow no skin.
   for (const char* part : {"Shirt", "Trousers", "Hair"}) rig = setLayer(rig, part, SkinLayer::kRigid).value();
   const ClothMeter meter = dressed.meter(rig);
   const std::vector<ClothSunk> sunk = meter.below(dressed.smooth(rig, poses[2]));
@@ -114,8 +114,8 @@ TEST(Cloth, DoesNotChangeTheSkin) {
     Surface expected;
     smoother.smooth(pose, expected);
     const Surface lifted = dressed.smooth(rig, pose);
-    // The body comes first in the file; edges and triangles keep their order. The hair makes H, and so the width of the
-    // blend, larger by 1 %.
+    // The body comes first in the file; edges and triangles keep their order. The hair makes H, and with it the blend
+    // width, 1 % larger.
     double sum = 0.0;
     ASSERT_EQ(dressed.character->mesh.triangles[0].part, 0);
     for (std::size_t t = 0; t < expected.refinement->triangles.size(); ++t) {

@@ -1,4 +1,4 @@
-// tests/surface/creases_test.cpp: shading normals at creases; the geometry never notices.
+// tests/surface/creases_test.cpp: shading normals at creases; the geometry is unaffected.
 
 #include "core/geometry/creases.h"
 
@@ -114,7 +114,7 @@ TEST(ShadingCreases, CreasesFollowThePose) {
     ASSERT_LT(glm::distance(moved.shadingNormals[d], glm::mat3(turn) * rest.shadingNormals[d]), 1e-5f);
   }
 
-  // Bent: the lower four corners stay with their bone, the upper four turn with theirs, face normals and all.
+  // Bent: the lower four corners stay with their bone, the upper four rotate with theirs, face normals included.
   const Pose bent = samplePose(cube->skeleton, cube->clips.front(), 0.5f);
   const Surface sheared = smoothed(cube, rig, bent);
   const ControlMesh mesh = creased(cube->mesh, 30.0f);
@@ -130,7 +130,7 @@ TEST(ShadingCreases, MuscleIsVisibleOnACreasedFace) {
   Rig rig;
   rig.smoothing.depth = 8;
   rig.smoothing.creaseAngle = 30.0f;
-  rig.smoothing.patch = PatchKind::kFlat;  // So that the patch's normal is far from the face's near the corners only.
+  rig.smoothing.patch = PatchKind::kFlat;  // So that the patch's normal differs from the face's near the corners only.
   rig.groups.push_back({"g", {}});
   rig.primitives.push_back(ellipsoidAt(*cube, "bump", "root", "g", {0.5f, 0.5f, 1.0f}, glm::vec3(0.2f)));
   rig.primitives[0].territory = std::vector<std::string>{"root", "end"};
@@ -154,7 +154,7 @@ TEST(ShadingCreases, MuscleIsVisibleOnACreasedFace) {
 }
 
 TEST(ShadingCreases, SmoothEdgesShowNoSeamBetweenCreasedWedges) {
-  // The tube's caps are creased off and its seam is not: along the seam, both sides have the same normals.
+  // The tube's caps are creased and its seam is not: along the seam, both sides have the same normals.
   const CharacterPtr tube = makeTube();
   Rig rig = randomRig(*tube, {}, 8);
   rig.smoothing.depth = 5;
@@ -201,7 +201,7 @@ TEST(ShadingCreases, AngleChangeMatchesAFreshSmoother) {
       EXPECT_EQ(surface.refinement->drawTriangles, fresh.refinement->drawTriangles) << what;
     }
   }
-  // An edit that is not about creases keeps the tables, so that nothing is uploaded again.
+  // An edit that does not affect creases keeps the tables, so that nothing is uploaded again.
   Rig edited = creasedRig(rig, 20.0f);
   ASSERT_TRUE(smoother.prepare(edited).ok());
   smoother.smooth(pose, surface);

@@ -1,4 +1,4 @@
-// tests/surface/crowd_test.cpp: a crowd's surfaces are those of one smoother, bit for bit, whatever the threads.
+// tests/surface/crowd_test.cpp: a crowd's surfaces match one smoother's bit for bit, for any number of threads.
 
 #include "sinew/surface/crowd_smoother.h"
 
@@ -29,7 +29,7 @@ TEST_P(Crowd, SurfacesMatchASingleSmoother) {
     Rig rig = scene.rig;
     rig.smoothing.detail = DetailKind::kUniform;
     rig.smoothing.depth = depth;
-    const std::vector<int> hidden(1, depth);  // Prepared anew, and otherwise, the second time.
+    const std::vector<int> hidden(1, depth);  // The second time prepared again with other options.
     ASSERT_TRUE(crowd.prepare(rig, hidden).ok() && single.prepare(rig, hidden).ok());
     for (const int threads : {1, 2, 5}) {
       const ThreadLimit limit(threads);

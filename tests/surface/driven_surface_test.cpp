@@ -1,4 +1,5 @@
-// tests/surface/driven_surface_test.cpp: a driven rig's surface is that of the rig with those numbers typed in.
+// tests/surface/driven_surface_test.cpp: a driven rig's surface matches that of a rig with the same values as
+// constants.
 
 #include <gtest/gtest.h>
 
@@ -11,7 +12,7 @@
 namespace sinew {
 namespace {
 
-/// Numbers as they are, nothing that moves them.
+/// The rig with its current values and without drivers.
 Rig typedIn(Rig rig) {
   rig.surface.animated.clear();
   for (MuscleLine& line : rig.lines) line.animated.clear();
@@ -33,7 +34,7 @@ TEST_P(DrivenSurface, MatchesTheEvaluatedNumbers) {
     Smoother live(character);
     ASSERT_TRUE(live.prepare(rig));
     Surface driven;
-    // To and fro: what was smoothed before leaves nothing behind.
+    // Back and forth: earlier frames leave nothing behind.
     for (const float time : {1.4f, 0.2f, 1.4f}) {
       const Pose pose = samplePose(character->skeleton, clip, time);
       live.smooth(pose, driven);

@@ -1,4 +1,4 @@
-// tests/surface/face_culling_test.cpp: what the eye skips turns away from it; what it does not skip is as ever.
+// tests/surface/face_culling_test.cpp: triangles culled for an eye face away from it; all others are unaffected.
 #include "core/surface/face_culling.h"
 
 #include <cmath>
@@ -14,14 +14,14 @@
 namespace sinew::test {
 namespace {
 
-/// Sums over the eyes of one scene and mode.
+/// Sums over all eyes of one scene and mode.
 struct Tally {
   long long eyes = 0;
   long long triangles = 0;
   long long culled = 0;
-  long long small = 0;    ///< Refined triangles of culled ones.
-  long long towards = 0;  ///< Those that face the eye on the whole surface.
-  long long changed = 0;  ///< Drawn vertices that differ from the whole surface's in any bit.
+  long long small = 0;    ///< Refined triangles of culled control triangles.
+  long long towards = 0;  ///< Those that face the eye on the complete surface.
+  long long changed = 0;  ///< Drawn vertices that differ from the complete surface's in any bit.
 };
 
 bool facesEye(const Surface& surface, const std::array<int, 3>& triangle, const glm::vec3& eye) {

@@ -1,4 +1,4 @@
-// tests/surface/hidden_test.cpp: hidden primitives leave the surface that a rig without them gives, bit for bit.
+// tests/surface/hidden_test.cpp: hidden muscles give the surface of a rig without them, bit for bit.
 
 #include <vector>
 

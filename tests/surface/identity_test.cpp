@@ -1,4 +1,4 @@
-// tests/surface/identity_test.cpp: where no primitive reaches, the surface is the patch; every depth is whole.
+// tests/surface/identity_test.cpp: beyond every muscle's reach the surface is the patch; every depth is watertight.
 
 #include <gtest/gtest.h>
 
@@ -88,7 +88,7 @@ TEST(SurfaceIdentity, SkinOutOfReachIsThePatchBitForBit) {
         const Surface without = surfaceOf(character, empty, pose);
         oracle::Oracle oracle(*character, rig);
         oracle.pose(pose);
-        // Faces turn one edge away from a moved vertex.
+        // Normals change up to one edge away from a moved vertex.
         const std::vector<bool> reshaded =
             grown(with.refinement->triangles, movedBetween(with.positions, without.positions), 1);
         for (std::size_t v = 0; v<with.positions.size(); v += depth> 6 ? 5 : 1) {
@@ -164,7 +164,7 @@ float longestSide(std::span<const glm::vec3> positions, std::span<const std::arr
   return out;
 }
 
-// Edge vertices are shared, so a patch that did not meet its edges would show as long thin triangles beside them.
+// Edge vertices are shared, so a patch that missed its edges would show as long thin triangles next to them.
 TEST(SurfaceIdentity, PatchesMeetTheirEdges) {
   constexpr int kFinest = 16;
   for (const CharacterPtr& character : characters()) {
@@ -180,7 +180,7 @@ TEST(SurfaceIdentity, PatchesMeetTheirEdges) {
   }
 }
 
-// Neighboring refined triangles must not fold: in the bind pose a patch's small triangles face as their corners'
+// Adjacent refined triangles must not fold: in the bind pose a patch's small triangles face along their corners'
 // normals.
 TEST(SurfaceIdentity, SmallTrianglesFaceOutwards) {
   for (const CharacterPtr& character : characters()) {
@@ -200,7 +200,7 @@ TEST(SurfaceIdentity, SmallTrianglesFaceOutwards) {
   }
 }
 
-// A spherigon has several readings; all of them put a sphere's points on the sphere.
+// There are several definitions of a spherigon; all of them put a sphere's points on the sphere.
 TEST(SurfaceIdentity, SpherigonBulgesLikeASphere) {
   const CharacterPtr character = makeLimb();
   Rig rig;

@@ -1,5 +1,5 @@
-// tests/surface/level_changes_test.cpp: an edit is looked at wherever it shows, and nowhere else; what a part of a
-// mesh shows is what the whole shows there.
+// tests/surface/level_changes_test.cpp: an edit reevaluates levels wherever it has an effect, and nowhere else; part of
+// a mesh gets the whole's levels.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -32,7 +32,7 @@ struct Preparer {
   }
 };
 
-/// What a drag, a number field or an eye in the list may change of one muscle.
+/// Random edit of one muscle by a drag, a number field or a visibility switch.
 Rig edited(Rig rig, Random& random) {
   Primitive& primitive = at(rig.primitives, random.below(static_cast<int>(rig.primitives.size())));
   switch (random.below(6)) {
@@ -146,7 +146,7 @@ TEST(LevelChanges, LevelsAfterAnEditMatchAFreshStart) {
   }
 }
 
-// A piece is some thousand edges and triangles, and a range of vertices a thousand: a fine mesh alone has several.
+// Pieces hold about a thousand edges and triangles, ranges a thousand vertices: only a fine mesh has several.
 TEST(LevelChanges, LevelsDoNotDependOnThreads) {
   const CharacterPtr character = fineHumanoid();
   Rig rig = randomRig(*character, {.primitives = 4}, 3);
@@ -172,7 +172,7 @@ TEST(LevelChanges, LevelsDoNotDependOnThreads) {
   }
 }
 
-// An edge without a triangle of its own is sampled as well.
+// An edge without a triangle of its own is sampled too.
 TEST(LevelChanges, PartialMeshMatchesTheWhole) {
   const TrialScene scene = bundledTrialScene("tangle");
   Preparer prepared(scene.character);

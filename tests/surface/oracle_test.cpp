@@ -1,4 +1,4 @@
-// tests/surface/oracle_test.cpp: the smoother's vertices against a double-precision brute-force solver.
+// tests/surface/oracle_test.cpp: the smoother's vertices match a double-precision brute-force solver.
 
 #include <array>
 #include <iostream>
@@ -28,7 +28,7 @@ RigRecipe recipeOf(int primitives) {
   return recipe;
 }
 
-/// The bind pose, then `count` moments spread over the character's first clip.
+/// The bind pose, then `count` poses spread over the character's first clip.
 std::vector<Pose> posesOf(const Character& character, int count) {
   std::vector<Pose> out{bindPose(character.skeleton)};
   const AnimationClip& clip = character.clips.back();
@@ -113,7 +113,7 @@ void expectReplaceAgrees(ProjectionKind projection) {
   }
 }
 
-// The comparison itself must see what it is there to see.
+// The comparison must detect deliberate errors.
 TEST(Oracle, ComparisonDetectsWrongSurfaces) {
   const CharacterPtr character = makeLimb();
   const Rig rig = randomRig(*character, recipeOf(12), 2);
@@ -133,14 +133,14 @@ TEST(Oracle, ComparisonDetectsWrongSurfaces) {
   Surface wrong = right;
   for (glm::vec3& p : wrong.positions) p.y += 2e-4f * character->height;
   const oracle::Tally moved = oracle::compare(oracle, *character, stages, wrong, 1, 0);
-  // A guarded vertex is compared as it was before.
+  // A guarded vertex is compared as before.
   EXPECT_EQ(moved.far + moved.farUnsought + moved.guardOff, moved.compared);
   wrong = right;
   for (glm::vec3& n : wrong.normals) n = glm::normalize(n + glm::vec3(0.05f, -0.04f, 0.03f));
   EXPECT_GT(oracle::compare(oracle, *character, stages, wrong, 1, 0).shadingOff, good.sought / 2);
 }
 
-// ... a triangle that was turned and left so, and field normals that were not held to their faces.
+// Deliberate errors: inverted triangles left as they are, and field normals not limited by their faces.
 TEST(Oracle, ComparisonDetectsUnfinishedSurfaces) {
   const CharacterPtr character = makeTwoLegged();
   const Rig rig = randomRig(*character, recipeOf(40), 40);

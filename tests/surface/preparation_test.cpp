@@ -1,4 +1,4 @@
-// tests/surface/preparation_test.cpp: what preparations share, and that threads may share one.
+// tests/surface/preparation_test.cpp: data shared between preparations, and use from several threads.
 #include "core/surface/preparation.h"
 
 #include <thread>

@@ -1,4 +1,4 @@
-// tests/surface/prepare_again_test.cpp: a smoother that was edited step by step gives what a fresh one gives.
+// tests/surface/prepare_again_test.cpp: a smoother edited step by step matches a fresh one.
 
 #include <functional>
 #include <utility>
@@ -100,7 +100,7 @@ TEST(RepeatedPrepare, MatchesAFreshSmootherBitForBit) {
   }
 }
 
-// A drag changes shapes alone, and what depends on nothing else is kept.
+// A drag changes shapes only; what does not depend on them is kept.
 TEST(RepeatedPrepare, DragChangesOnlyShapes) {
   const auto character = makeTwoLegged();
   const Rig rig = randomRig(*character, {}, 3);
@@ -133,7 +133,7 @@ TEST(RepeatedPrepare, ReattachesOnlyIfMoreThanShapesChanges) {
   EXPECT_TRUE(isAttachedAnew());
 }
 
-// Groups in threes of which each is linked to all but its own two: 3^8 cliques.
+// Groups in threes, each linked to all but its own two: 3^8 cliques.
 TEST(RepeatedPrepare, RigWithTooManyCliquesIsRefusedAndThePreviousOneStays) {
   const auto character = makeTwoLegged();
   const Rig rig = randomRig(*character, {}, 3);

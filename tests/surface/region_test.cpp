@@ -1,4 +1,4 @@
-// tests/surface/region_test.cpp: a part of the body in detail is that of the whole, and fits to the rest.
+// tests/surface/region_test.cpp: a detailed part of the body matches the whole surface, and fits the rest.
 #include "sinew/surface/region.h"
 
 #include <algorithm>
@@ -28,11 +28,11 @@ Region regionOf(const Character& character, const std::vector<std::string>& name
 
 int count(const Region& region) { return static_cast<int>(std::ranges::count(region, 1)); }
 
-/// How a part differs from the whole surface.
+/// Differences between a part and the whole surface.
 struct PartDifference {
-  int triangles = 0;      ///< Of the region, of which not all corners are the same to the bit.
-  float position = 0.0f;  ///< The most, character units.
-  float normal = 0.0f;    ///< The most.
+  int triangles = 0;      ///< Triangles of the region with any corner that differs in a bit.
+  float position = 0.0f;  ///< Maximum, character units.
+  float normal = 0.0f;    ///< Maximum.
 };
 
 PartDifference differenceOfPart(const Surface& part, const Surface& whole, const Region& region) {
@@ -92,7 +92,7 @@ INSTANTIATE_TEST_SUITE_P(Bundled, RegionOfScene,
                                          RegionCase{"humanoid", {"chest"}}, RegionCase{"humanoid-wrapped", {"shin.L"}},
                                          RegionCase{"demo", {"head"}}));
 
-/// Muscles as steep and folded as they come: what is done about it may reach further than the margin, and fades there.
+/// Steep and folded muscles: their correction may reach beyond the margin, and fades there.
 TEST(Region, DiffersLittleWhereFoldsCrossTheMargin) {
   std::vector<std::pair<std::shared_ptr<const Character>, Rig>> scenes;
   const auto body = makeTwoLegged();
@@ -149,7 +149,7 @@ TEST(Region, RestKeepsTheControlTrianglesWithoutCracks) {
   EXPECT_TRUE(isClosed(surface.refinement->triangles));
   EXPECT_TRUE(allFinite(surface.positions));
   EXPECT_TRUE(allUnit(surface.normals));
-  // Found here by vertices that are shared: 16 in the region and three rings around it, 1 where no edge of those is.
+  // Found by shared vertices: 16 in the region and three rings around it, 1 if none of its edges is there.
   std::set<int> corners;
   std::vector<bool> refined(region.begin(), region.end());
   for (int ring = 0; ring < 3; ++ring) {

@@ -1,4 +1,4 @@
-// tests/surface/smoother_test.cpp: the pipeline as its users meet it: same in, same out; edits; refusals; counts.
+// tests/surface/smoother_test.cpp: public behavior of the pipeline: determinism, edits, refusals, counts.
 
 #include <cmath>
 #include <limits>
@@ -57,7 +57,7 @@ TEST(Smoother, EqualInputsGiveEqualSurfaces) {
     const Surface first = fresh(character, rig, at(*character, 0.8f));
     expectSame(first, fresh(character, rig, at(*character, 0.8f)), what);
 
-    // A smoother that saw other moments in any order, one of them far away, says the same.
+    // A smoother that saw other poses in any order, one of them far away, gives the same.
     Smoother used(character);
     ASSERT_TRUE(used.prepare(rig).ok());
     Surface surface;
@@ -166,7 +166,7 @@ TEST(Smoother, RefusedRigKeepsThePreviousOne) {
 TEST(Smoother, TooManyCliquesAreRefused) {
   const CharacterPtr character = makeLimb();
   Rig rig;
-  // 8 triples, all linked but within a triple: 3^8 = 6,561 maximal cliques.
+  // 8 triples, all linked except within a triple: 3^8 = 6,561 maximal cliques.
   for (int i = 0; i < 24; ++i) rig.groups.push_back({"g" + std::to_string(i), {}});
   for (int i = 0; i < 24; ++i) {
     for (int j = 0; j < i; ++j) {
@@ -270,7 +270,7 @@ TEST(Smoother, DisplacementIsMeasuredAlongTheRiseDirection) {
   oracle.pose(pose);
   int moved = 0;
   int turned = 0;
-  int aside = 0;  // Out of a fold, along the skin.
+  int aside = 0;  // Moved out of a fold, along the skin.
   for (std::size_t v = 0; v < surface.positions.size(); ++v) {
     const oracle::Vec rise = oracle.riseAt(oracle::siteOf(character->mesh, *surface.refinement, static_cast<int>(v)));
     const oracle::Vec way = oracle::vec(surface.positions[v]) - oracle::vec(patch.positions[v]);
@@ -304,7 +304,7 @@ TEST(Smoother, ReplaceDisplacementIsAlongThePatchNormal) {
   EXPECT_GT(moved, 0);
 }
 
-// docs/design.md with the numbers typed in: T = 1/4, h = 0.08, a sphere of radius 0.3 whose center lies on a flat skin.
+// docs/design.md with numbers: T = 1/4, h = 0.08, a sphere of radius 0.3 whose center lies on a flat skin.
 TEST(Smoother, SwellOverASphereMatchesTheFormula) {
   const CharacterPtr character = makeStrip();
   Rig rig;
@@ -331,7 +331,7 @@ TEST(Smoother, SwellOverASphereMatchesTheFormula) {
   EXPECT_GT(risen, 5);
 }
 
-// Under `replace` the counts of a surface are those the brute-force search comes to.
+// Under `replace` a surface's counts match the brute-force search.
 TEST(Smoother, ReplaceCountsUnresolvedVertices) {
   const CharacterPtr character = makeTwoLegged();
   const Rig rig = someRig(*character, SurfaceMode::kReplace);
@@ -351,8 +351,7 @@ TEST(Smoother, ReplaceCountsUnresolvedVertices) {
   EXPECT_GT(sought, 0);
 }
 
-// A lone ellipsoid far bigger than the skin under it: swell must reach out to its visible surface or beyond, never
-// below.
+// A lone ellipsoid far bigger than the skin under it: swell must reach its visible surface or beyond, never stay below.
 TEST(Smoother, SkinCoversALoneMuscle) {
   const CharacterPtr character = makeLimb();
   Rig rig;

@@ -1,4 +1,5 @@
-// tests/surface/straddling_test.cpp: the wrapped body's classes, and the paper's mix on straddling triangles.
+// tests/surface/straddling_test.cpp: triangle classes of the wrapped body, and the paper's blend on straddling
+// triangles.
 
 #include <algorithm>
 #include <array>
@@ -20,7 +21,7 @@
 namespace sinew::test {
 namespace {
 
-/// Bone that a control vertex follows most.
+/// Bone with the largest weight on a control vertex.
 std::string boneOf(const Character& character, int vertex) {
   const auto influences = character.mesh.influencesOf(vertex);
   const Influence strongest = *std::ranges::max_element(influences, {}, &Influence::weight);
@@ -57,8 +58,8 @@ TEST(Straddling, WrappedBodyHasAllThreeClasses) {
   EXPECT_GT(seen[2], 200);
 }
 
-// Where a vertex of an implicit triangle stays on its patch, brute force finds no way to the surface either: in the
-// armpits of the moving body it runs along the arm, past the search length.
+// Where a vertex of an implicit triangle stays on its patch, brute force does not find the surface either: in the
+// armpits of the moving body the ray runs along the arm, beyond the search length.
 TEST(Straddling, ImplicitTrianglesOfTheWrappedBodyFindTheSurface) {
   const TrialScene& scene = trialScene("wrapped");
   Rig empty = scene.rig;
@@ -103,7 +104,7 @@ std::vector<double> omegas(const TrialScene& scene, const Rig& rig, const Refine
   return out;
 }
 
-/// The projections alone: every control vertex counted as implicit.
+/// Pure projections: every control vertex counts as implicit.
 Surface projectedAlone(const TrialScene& scene, const Rig& rig, const Pose& pose, const Surface& patch) {
   const Character& character = *scene.character;
   const Attachment attachment = attach(rig, character).value();

@@ -14,7 +14,7 @@
 namespace sinew::test {
 namespace {
 
-/// The limb's skin over one muscle on its middle bone, half sunk, before its heights are filtered.
+/// The limb's skin over one muscle on its middle bone, half sunk in, before heights are filtered.
 Surface over(const Placement& placement, float skinBlend) {
   const auto character = makeLimb();
   Rig rig;
@@ -58,7 +58,7 @@ TEST(BlendWidth, SaturatesAtTheMusclesMeanRadius) {
   EXPECT_FALSE(sameBytes(full.positions, narrower.positions)) << "the limit is the mean radius";
 }
 
-// What made every muscle a hard pillow: a rim as steep as a wall where the influence ends.
+// A rim as steep as a wall at the influence's border used to turn every muscle into a hard pillow.
 TEST(BlendWidth, KeepsRimsFromBecomingWalls) {
   for (const float blend : {0.04f, 0.15f, 0.5f}) {
     const Surface surface = over(kMuscle, blend);

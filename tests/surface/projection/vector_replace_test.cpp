@@ -1,5 +1,5 @@
-// tests/surface/projection/vector_replace_test.cpp: `replace` in tiles: as the scalar path, and bit for bit the same
-// by every set.
+// tests/surface/projection/vector_replace_test.cpp: vectorized `replace` matches the scalar path, and gives the same
+// bits with every instruction set.
 
 #include <array>
 #include <string>

@@ -1,5 +1,5 @@
-// tests/surface/projection/vector_swell_test.cpp: `swell` in tiles: as the scalar path, and bit for bit the same by
-// every set.
+// tests/surface/projection/vector_swell_test.cpp: vectorized `swell` matches the scalar path, and gives the same bits
+// with every instruction set.
 
 #include <algorithm>
 #include <array>
@@ -65,7 +65,7 @@ TEST(VectorSwell, EveryInstructionSetGivesTheSameBits) {
   }
 }
 
-// Where a ray's neighbors meet other muscles than it does, carves among them.
+// Neighboring rays meet other muscles, some of them carves.
 TEST(VectorSwell, EveryInstructionSetGivesTheSameBitsOnRandomRigs) {
   const CharacterPtr character = makeTwoLegged();
   for (std::uint64_t seed = 0; seed < 16; ++seed) {
@@ -92,7 +92,7 @@ TEST(VectorSwell, EveryInstructionSetGivesTheSameBitsOnRandomRigs) {
   }
 }
 
-// Patches, shading normals and `replace` too: the projection's are the same by the test above.
+// Also patches, shading normals and `replace`; the projection's bits are covered by the test above.
 TEST(VectorSwell, EveryInstructionSetGivesTheSameBitsForAWholeFrame) {
   constexpr PatchKind kKinds[] = {PatchKind::kPn, PatchKind::kPhong, PatchKind::kSpherigon};
   for (const TrialScene& scene : trialScenes()) {
@@ -127,7 +127,7 @@ TEST(VectorSwell, MatchesTheScalarOnRandomRigs) {
     float low;
     float high;
     int least;           ///< Projected.
-    double uncertified;  ///< Share; inside of muscles larger than the body several cross a ray at once.
+    double uncertified;  ///< Fraction; inside muscles larger than the body a ray crosses several at once.
   };
   for (const auto& [name, low, high, least, uncertified] : {Sizes{"usual", 0.03f, 0.1f, 10000, 0.02},
                                                             {"tiny", 0.002f, 0.01f, 50, 0.02},
@@ -149,14 +149,14 @@ TEST(VectorSwell, MatchesTheScalarOnRandomRigs) {
     }
     print(name, seen);
     EXPECT_GT(seen.projected, least) << name;
-    // Where two roots meet, rounding says which is there.
+    // Where two roots meet, rounding decides which one is found.
     EXPECT_LE(seen.far, seen.projected / 2000) << name;
     EXPECT_LE(seen.uncertifiedShare(), uncertified) << name;
   }
 }
 
-// A shell that the skin's own field just reaches, then just misses: roots meet and vanish along the way. And carves
-// that do the same inwards.
+// A shell that the skin's field just reaches, then just misses: roots meet and vanish along the path. And carves that
+// do the same inwards.
 TEST(VectorSwell, MatchesTheScalarAcrossTangencies) {
   const CharacterPtr character = makeStrip();
   const float height = character->height;

@@ -1,4 +1,4 @@
-// tests/surface/roots/quartic_test.cpp: first roots of random quartics against dense sampling.
+// tests/surface/roots/quartic_test.cpp: first roots of random quartics match dense sampling.
 #include "core/surface/roots/quartic.h"
 
 #include <algorithm>
@@ -10,7 +10,7 @@
 namespace sinew {
 namespace {
 
-/// First change to <= 0 by 20,000 samples and bisection; near-touches are told apart by `clear`.
+/// First change to <= 0 by 20,000 samples and bisection; `clear` is false for near-tangencies.
 struct Reference {
   std::optional<double> root;
   bool clear = true;

@@ -1,4 +1,4 @@
-// tests/surface/roots/root_finding_test.cpp: the three methods on random rays, against dense marching.
+// tests/surface/roots/root_finding_test.cpp: all three root finding methods on random rays match dense marching.
 #include "core/surface/roots/root_finding.h"
 
 #include <cmath>

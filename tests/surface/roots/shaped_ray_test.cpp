@@ -1,5 +1,4 @@
-// tests/surface/roots/shaped_ray_test.cpp: shaped primitives along rays: stretches, polynomials, smoothness, first
-// roots.
+// tests/surface/roots/shaped_ray_test.cpp: shaped muscles along rays: intervals, polynomials, smoothness, first roots.
 #include "core/surface/roots/shaped_ray.h"
 
 #include <cstdio>
@@ -19,7 +18,7 @@ namespace {
 
 using test::Random;
 
-/// SINEW_SHAPED_RAYS asks for more.
+/// SINEW_SHAPED_RAYS overrides the number.
 int raysWanted(int usual) {
   const char* asked = std::getenv("SINEW_SHAPED_RAYS");
   return asked ? std::atoi(asked) : usual;
