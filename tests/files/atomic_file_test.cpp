@@ -1,4 +1,4 @@
-// tests/files/atomic_file_test.cpp: a file is old or new, never in between.
+// tests/files/atomic_file_test.cpp: a file has its old or new content, never anything in between.
 #include "core/files/disk/atomic_file.h"
 
 #include <array>
@@ -34,7 +34,7 @@ class AtomicFile : public ::testing::Test {
   const fs::path folder_ = own_.path();
 };
 
-/// No file of this process grows past `bytes` while this lives: a full disk that needs no disk.
+/// While alive, limits files of this process to `bytes`: simulates a full disk.
 class FileSizeLimit {
  public:
   explicit FileSizeLimit(rlim_t bytes) {
@@ -184,7 +184,7 @@ TEST_F(AtomicFile, OlderPreviousVersionIsReplacedButAFolderIsNot) {
 }
 
 TEST_F(AtomicFile, PreviousVersionMayBeAHardLinkToTheFile) {
-  // What a process leaves that was killed after it had kept the version and before it put the new one.
+  // As left by a process that was killed after it kept the previous version and before it renamed the new one.
   own_.write("a", "old");
   fs::create_hard_link(folder_ / "a", folder_ / "a~");
   ASSERT_TRUE(writeFileAtomically(folder_ / "a", "new").ok());
@@ -244,14 +244,14 @@ TEST_F(AtomicFile, ReaderThatLeavesIsAnError) {
   EXPECT_NE(written.error().reason.find("cannot be written"), std::string::npos);
 }
 
-// Killed at any moment --------------------------------------------------------------------------------------------
+// Killed at any time ----------------------------------------------------------------------------------------------
 
-/// Whether it is one version, from the first byte to the last.
+/// Whether it is a single complete version.
 bool isOneVersion(const std::string& bytes, std::size_t size) {
   return bytes.size() == size && bytes.find_first_not_of(bytes.front()) == std::string::npos;
 }
 
-/// Writes versions, as fast as it can, until it is killed. Closes `started` once each file has been replaced.
+/// Writes versions as fast as possible until killed. Closes `started` once each file has been replaced.
 [[noreturn]] void writeForEver(const fs::path& folder, std::size_t size, int started) {
   for (char version = 'a';; version = version == 'z' ? 'a' : static_cast<char>(version + 1)) {
     const std::string bytes(size, version);
@@ -262,8 +262,8 @@ bool isOneVersion(const std::string& bytes, std::size_t size) {
   }
 }
 
-/// A process that writes for ever. Every second one is handed over at once, the others after their first round, so
-/// that both the first and a later write are cut off, however slow the machine is.
+/// Starts a writer process. Every second one is returned at once, the others after their first round, so that both the
+/// first and a later write are interrupted, however slow the machine is.
 pid_t startWriter(const fs::path& folder, std::size_t size, bool afterRound) {
   std::array<int, 2> started{};
   if (::pipe(started.data()) != 0) return -1;
@@ -274,12 +274,12 @@ pid_t startWriter(const fs::path& folder, std::size_t size, bool afterRound) {
   }
   ::close(started[1]);
   char none = 0;
-  if (child > 0 && afterRound) static_cast<void>(::read(started[0], &none, 1));  // Its end, as nothing is written.
+  if (child > 0 && afterRound) static_cast<void>(::read(started[0], &none, 1));  // Nothing is written: its end.
   ::close(started[0]);
   return child;
 }
 
-/// SINEW_KILLS in the environment: how many times, 40 without it.
+/// Environment: SINEW_KILLS, number of kills (40).
 TEST_F(AtomicFile, KilledProcessLeavesWholeFiles) {
   constexpr std::size_t kSize = 200'000;
   const char* const asked = std::getenv("SINEW_KILLS");
@@ -303,7 +303,7 @@ TEST_F(AtomicFile, KilledProcessLeavesWholeFiles) {
     }
   }
   EXPECT_GT(previous, 0) << "no version was kept";
-  // What was not put in its place yet has a name for an instant; it is whole too.
+  // A version that is not in place yet briefly has its own name; it is complete too.
   for (const auto& each : fs::directory_iterator(folder_)) {
     EXPECT_TRUE(isOneVersion(contentOf(each.path()), kSize)) << each.path();
   }

@@ -1,4 +1,4 @@
-// tests/files/clip_files_test.cpp: files without a mesh, and characters with the clips of other files.
+// tests/files/clip_files_test.cpp: files without a mesh, and characters with clips of other files.
 #include "core/files/clip_files.h"
 
 #include <algorithm>
@@ -60,7 +60,7 @@ TEST_F(ClipFiles, ClipFromAFileWithoutMeshPlaysBitForBit) {
     EXPECT_EQ(samplePose(with.character->skeleton, clip, time),
               samplePose(whole.value()->skeleton, whole.value()->clips.front(), time));
   }
-  // Again: those that were added are exchanged, not added twice; without the entry they go.
+  // Loading again replaces the added clips; without the entry they are removed.
   EXPECT_EQ(withClipFiles(with.character, rig, folder_).character->clips.size(), 1u);
   EXPECT_TRUE(withClipFiles(with.character, Rig{}, folder_).character->clips.empty());
 }

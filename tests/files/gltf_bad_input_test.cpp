@@ -1,4 +1,4 @@
-// tests/files/gltf_bad_input_test.cpp: files that are damaged, wrong or hostile: one line a person can act on, never a
+// tests/files/gltf_bad_input_test.cpp: damaged, wrong or hostile files give an actionable one-line error, never a
 // crash.
 
 #include <array>
@@ -24,8 +24,8 @@ using test::Post;
 struct BadPost {
   const char* name;
   std::function<void(Post&)> bend;
-  const char* place;   ///< What the error's place must hold.
-  const char* reason;  ///< And its reason.
+  const char* place;   ///< Part of the error's place.
+  const char* reason;  ///< Part of its reason.
 };
 
 void PrintTo(const BadPost& bad, std::ostream* out) { *out << bad.name; }
@@ -52,7 +52,7 @@ TEST_P(BadGltf, IsRefusedWithPlaceAndReason) {
   EXPECT_EQ(plain.find(": " + imported.error().place + ": "), std::string::npos) << plain;
 }
 
-/// No two vertices have the same weights, so that none are welded.
+/// All vertices have different weights, so that none are welded.
 void withoutExtent(Post& post, float size) {
   std::vector<float> positions(36, 0.0f);
   std::vector<float> weights;
@@ -332,7 +332,7 @@ TEST(BadGltfFile, TruncatedFilesAreRefused) {
 TEST(BadGltfFile, FlippedBytesOfAGlbAreSafe) { test::flipBytes(makePost().file.glb(), "flipped.glb", 500); }
 TEST(BadGltfFile, FlippedBytesOfATextFileAreSafe) { test::flipBytes(makePost().file.gltf(), "flipped.gltf", 500); }
 
-/// Only the JSON's numbers change: the damage that gets past the parser.
+/// Changes only numbers in the JSON: damage that passes the parser.
 TEST(BadGltfFile, ChangedNumbersAreSafe) {
   const test::TemporaryFolder folder;
   const std::string whole = makePost().file.gltf();

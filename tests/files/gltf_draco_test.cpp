@@ -1,5 +1,5 @@
-// tests/files/gltf_draco_test.cpp: meshes that Draco has compressed, whole, damaged, and at odds with what the file
-// declares.
+// tests/files/gltf_draco_test.cpp: Draco-compressed meshes: valid, damaged, and inconsistent with the file's
+// declarations.
 
 #include <functional>
 
@@ -45,7 +45,7 @@ TEST_P(GltfDraco, MatchesThePlainFile) { expectShown(compressedPost(GetParam()))
 TEST_P(GltfDraco, StripDecodesToItsCompressedTriangles) {
   Post post = compressedPost(GetParam());
   post.primitive()["mode"] = 5;
-  dracoIndices(post)["count"] = 31;  // Some way of joining twenty triangles.
+  dracoIndices(post)["count"] = 31;  // Some connectivity for twenty triangles.
   expectShown(post);
 }
 
@@ -68,8 +68,8 @@ TEST_P(GltfDraco, PrimitivesMayShareBytes) {
   expectShown(post);
 }
 
-/// The triangles of the post below or above its middle. What they do not use lies elsewhere, so that places are rounded
-/// to another grid.
+/// The triangles of the post below or above its middle. Unused vertices lie elsewhere, so that positions are rounded to
+/// another grid.
 Post halfPost(bool above) {
   Post post = makePost();
   std::vector<std::uint16_t> kept;
@@ -146,7 +146,7 @@ TEST_P(GltfDraco, RefusesTruncatedBytes) {
     useDraco(post, cut);
     const auto file = folder_.write("cut.glb", post.file.glb());
     expectNoHarm(file);
-    // Padding at the end may be all that is gone.
+    // Maybe only padding at the end is missing.
     const bool opens = importGltf(file).ok();
     EXPECT_FALSE(opens && length + 8 < whole.bytes.size()) << length;
   }
@@ -168,7 +168,7 @@ TEST_P(GltfDraco, FlippedBytesAreSafe) {
   }
 }
 
-/// Draco's numbers of seven bits a byte.
+/// Draco's variable-length integer, seven bits a byte.
 std::string dracoVarint(std::uint64_t value) {
   std::string bytes;
   for (; value >= 0x80; value >>= 7U) bytes += static_cast<char>(0x80U | (value & 0x7fU));
@@ -181,14 +181,14 @@ Post postOfBytes(const std::string& bytes) {
   return post;
 }
 
-const std::string kEdgebreakerHead("DRACO\x02\x02\x01\x01\x00\x00\x00", 12);  // The last: how it goes around.
+const std::string kEdgebreakerHead("DRACO\x02\x02\x01\x01\x00\x00\x00", 12);  // The last byte: traversal method.
 const std::string kSequentialHead("DRACO\x02\x02\x01\x00\x00\x00", 11);
 
 struct DracoTrap {
   const char* name;
   std::function<Post()> make;
-  const char* place;   ///< What the error's place must hold.
-  const char* reason;  ///< And its reason.
+  const char* place;   ///< Part of the error's place.
+  const char* reason;  ///< Part of its reason.
 };
 
 void PrintTo(const DracoTrap& trap, std::ostream* out) { *out << trap.name; }

@@ -1,4 +1,5 @@
-// tests/files/gltf_guard_test.cpp: what tinygltf gets to see of a file, and what it would do without the guard.
+// tests/files/gltf_guard_test.cpp: the part of a file that tinygltf gets to see, and what it would do without the
+// guard.
 
 #include "core/files/gltf/guard.h"
 
@@ -23,7 +24,7 @@ using test::Post;
 
 Json parsed(const std::string& text) { return Json::parse(text).value(); }
 
-/// "place: reason" of the refusal; "" if there is none.
+/// "place: reason" of the error; "" if there is none.
 template <class Act>
 std::string refusalOf(Act act) {
   try {
@@ -80,8 +81,8 @@ TEST(GltfGuard, DuplicateKeysAreRefused) {
   EXPECT_EQ(imported.error().place, "asset.version");
 }
 
-/// Files that are sound, or wrong only where nothing looks, and that tinygltf refuses or reads otherwise: why it gets
-/// neither uris nor all members to see.
+/// Files that are valid, or invalid only in unused places, and that tinygltf refuses or misreads: why it sees neither
+/// uris nor all members.
 struct Refused {
   const char* name;
   std::function<void(Post&)> bend;

@@ -1,5 +1,5 @@
-// tests/files/gltf_hidden_test.cpp: alpha that hides a whole character is told and not shown; alpha that hides a part
-// is.
+// tests/files/gltf_hidden_test.cpp: alpha that hides a whole character is reported and ignored; alpha that hides a part
+// is kept.
 
 #include "core/files/gltf/node_tree.h"
 
@@ -13,11 +13,11 @@
 namespace sinew {
 namespace {
 
-/// One material of a character: its alpha from all three sources.
+/// Alpha of one material from all three sources.
 struct Alpha {
   AlphaMode mode = AlphaMode::kOpaque;
   float factor = 1.0f;
-  int texture = 255;  ///< The largest of a texture's pixels; 255: no texture.
+  int texture = 255;  ///< Largest alpha of a texture's pixels; 255: no texture.
   float vertices = 1.0f;
   float cutoff = 0.5f;
 };
@@ -32,7 +32,7 @@ Texture textureWith(int alpha) {
   return texture;
 }
 
-/// The cube, its triangles in equal parts of these materials.
+/// The cube, its triangles divided evenly between these materials.
 Character cubeOf(const std::vector<Alpha>& alphas) {
   Character cube = *test::makeCube();
   cube.materials.assign(alphas.size(), Material{});
@@ -54,7 +54,7 @@ Character cubeOf(const std::vector<Alpha>& alphas) {
     triangle.material = static_cast<int>(m);
     for (int& corner : triangle.wedges) {
       Wedge wedge = wedges[static_cast<std::size_t>(corner)];
-      wedge.color.a = corner % 2 == 0 ? 0.0f : alphas[m].vertices;  // The largest is what counts.
+      wedge.color.a = corner % 2 == 0 ? 0.0f : alphas[m].vertices;  // The largest one counts.
       corner = static_cast<int>(cube.mesh.wedges.size());
       cube.mesh.wedges.push_back(wedge);
     }

@@ -1,4 +1,4 @@
-// tests/files/gltf_image_test.cpp: textures, whole, damaged and made to exhaust memory.
+// tests/files/gltf_image_test.cpp: textures: valid, damaged and meant to exhaust memory.
 
 #include <algorithm>
 
@@ -15,7 +15,7 @@ using nlohmann::ordered_json;
 
 const std::string kTwoPixels("\x00\xff\x00\x00\x00\x00\xff", 7);  // red, blue
 
-/// A post whose material shows the image. @param webp  also an image, for those that can read it
+/// A post whose material uses the image. @param webp  additional image for readers that support it
 std::shared_ptr<const Character> importWith(const std::string& image, const std::string& webp = {}) {
   test::Post post = test::makePost();
   post.file.json["images"].push_back({{"bufferView", post.file.view(image)}, {"mimeType", "image/png"}});
@@ -102,7 +102,7 @@ TEST(GltfImage, TruncatedWebpIsSkipped) {
 
 TEST(GltfImage, WebpOfTooManyPixelsIsSkippedBeforeDecoding) {
   std::string image = test::losslessWebp(2, 2, kFourPixels);
-  const std::size_t sizes = image.find("VP8L") + 9;  // Behind the length and a signature: 14 bits less one each.
+  const std::size_t sizes = image.find("VP8L") + 9;  // After length and signature: 14 bits each, minus one.
   image[sizes] = static_cast<char>(0xff);
   image[sizes + 1] = static_cast<char>(0x3f | (image[sizes + 1] & 0xc0));
   expectLeftOut(image, "16384 x 2");

@@ -1,4 +1,4 @@
-// tests/files/gltf_material_test.cpp: the maps of glTF's materials, and back into a file.
+// tests/files/gltf_material_test.cpp: material maps of glTF, read and written.
 
 #include <cmath>
 #include <string>
@@ -42,7 +42,7 @@ void expectWhole(const Character& character) {
   EXPECT_EQ(material.normalScale, -0.5f);
   EXPECT_EQ(material.occlusionStrength, 0.25f);
   EXPECT_EQ(material.emissive, glm::vec3(3.0f, 1.5f, 0.0f));
-  // Turned counter-clockwise, scaled, then moved (KHR_texture_transform).
+  // Rotated counter-clockwise, scaled, then translated (KHR_texture_transform).
   const float c = std::cos(0.5f), s = std::sin(0.5f);
   const std::array<glm::vec3, 2> place{{{2 * c, 4 * s, 0.5f}, {-2 * s, 4 * c, 0.25f}}};
   for (int i = 0; i < 3; ++i) {
@@ -75,7 +75,7 @@ TEST(GltfMaterial, MapsSurviveAGlbExport) {
   expectWhole(*again.value());
 }
 
-/// Where the base color has its own transform, the surface's uv are what that makes; other maps are placed from there.
+/// If the base color has its own transform, the surface's uv include it; other maps are transformed relative to that.
 TEST(GltfMaterial, MapTransformsAreRelativeToTheBaseColor) {
   const ordered_json base{{"scale", {2, 2}}, {"offset", {1, 0}}};
   ordered_json material{{"pbrMetallicRoughness", {{"baseColorTexture", mapAt(0, base)}}},
@@ -144,7 +144,7 @@ TEST(GltfMaterial, BrokenMapsAreSkippedAndInvalidOnesRefused) {
   }
 }
 
-/// Base colors of all materials first, whatever the order in the file: the limit takes away what is seen least.
+/// Base colors of all materials first, whatever the order in the file: the limit drops the least visible maps.
 TEST(GltfMaterial, BaseColorsAreReadFirst) {
   test::Post post = test::makePost();
   for (int i = 0; i < 2; ++i) {

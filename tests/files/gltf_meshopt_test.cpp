@@ -1,5 +1,4 @@
-// tests/files/gltf_meshopt_test.cpp: views that meshoptimizer has compressed, whole, damaged, and at odds with the
-// file.
+// tests/files/gltf_meshopt_test.cpp: views compressed by meshoptimizer: valid, damaged, and inconsistent with the file.
 
 #include <cmath>
 #include <functional>
@@ -103,7 +102,7 @@ std::vector<float> undone(const std::vector<Number>& packed, std::size_t count, 
   return result;
 }
 
-/// Any number of elements, of which the library takes four at once.
+/// Any number of elements; the library handles four at once.
 TEST(MeshoptView, FiltersRoundTripWithinTheirPrecision) {
   for (unsigned seed = 0; seed < 40; ++seed) {
     std::mt19937 random(seed);
@@ -113,7 +112,7 @@ TEST(MeshoptView, FiltersRoundTripWithinTheirPrecision) {
     meshopt_encodeFilterQuat(shorts.data(), count, 8, 16, units.data());
     const std::vector<float> turns = undone(shorts, count, MeshoptFilter::kQuaternion);
     for (std::size_t i = 0; i < count; ++i) {
-      float along = 0.0f;  // A quaternion and its opposite are the same turn.
+      float along = 0.0f;  // A quaternion and its negative are the same rotation.
       for (std::size_t c = 0; c < 4; ++c) along += turns[4 * i + c] * units[4 * i + c];
       EXPECT_NEAR(std::abs(along), 1.0f, 1e-3f);
     }
@@ -184,7 +183,7 @@ TEST_P(GltfMeshoptTrap, IsRefusedWithPlaceAndReason) {
 
 constexpr const char* kMeshoptPlace = "bufferViews[0].extensions.EXT_meshopt_compression";
 
-/// As if the whole view were other elements.
+/// Declares the whole view as elements of another kind.
 void setMeshopt(ordered_json& view, ordered_json& compressed, std::uint64_t count, std::uint64_t stride,
                 const char* mode = "ATTRIBUTES", const char* filter = "NONE") {
   view["byteLength"] = count * stride;
@@ -256,7 +255,7 @@ TEST_F(GltfMeshopt, IndicesBeyondTheVerticesAreRefused) {
   }
 }
 
-/// A view that names the bytes of others must not multiply them without end.
+/// Views that share the same bytes must not multiply them without limit.
 TEST_F(GltfMeshopt, ManyViewsOfTheSameBytesAreCountedTogether) {
   Post post = meshoptPost();
   const std::vector<float> zeros(1 << 20, 0.0f);

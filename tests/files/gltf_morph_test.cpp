@@ -1,4 +1,4 @@
-// tests/files/gltf_morph_test.cpp: morph targets of files: the mesh that they give, and the clips that play them.
+// tests/files/gltf_morph_test.cpp: morph targets of files: the resulting mesh, and clips that animate them.
 #include <limits>
 
 #include <gtest/gtest.h>
@@ -27,7 +27,7 @@ std::vector<float> randomWeights(std::size_t count, Random& random) {
   return weights;
 }
 
-/// Positions and normals of every corner as an import of the file with moved base positions has them.
+/// Positions and normals of all corners match an import of the file with moved base positions.
 void expectAsMovedBase(const std::filesystem::path& file, std::uint64_t seed) {
   const auto character = importGltf(file).value();
   ASSERT_FALSE(character->morphTargets.empty());
@@ -117,7 +117,7 @@ TEST(GltfMorphs, NamesComeFromTheFileOrTheNode) {
   EXPECT_EQ(character->morphTargets[2].name, "post.3");
 }
 
-/// Elsewhere than beside what has moved the normals keep their bits; positions everywhere.
+/// Normals keep their bits except next to moved vertices; positions everywhere.
 TEST(GltfMorphs, UnmovedVerticesKeepTheirBits) {
   const TemporaryFolder folder;
   Post post = makeMorphingPost(0, 0);
@@ -151,7 +151,7 @@ TEST(GltfMorphs, UnmovedVerticesKeepTheirBits) {
   EXPECT_GT(turned, 0);
 }
 
-/// The result is that of the weights at hand, whatever the memory held before.
+/// The result depends on the current weights only, whatever the memory held before.
 TEST(GltfMorphs, ResultDoesNotDependOnPreviousWeights) {
   const TemporaryFolder folder;
   const auto character = importGltf(folder.write("post.glb", makeMorphingPost(3, 5).file.glb())).value();
@@ -170,7 +170,7 @@ TEST(GltfMorphs, ResultDoesNotDependOnPreviousWeights) {
   }
 }
 
-/// The faces of a fan, each by its angle, in double.
+/// Normals of a fan from its faces, weighted by angle, in double precision.
 std::vector<glm::dvec3> fanNormals(const ControlMesh& sharp, const std::vector<glm::vec3>& positions) {
   std::vector<glm::dvec3> sums(3 * sharp.triangles.size(), glm::dvec3(0.0));
   for (const ControlTriangle& triangle : sharp.triangles) {
@@ -236,7 +236,7 @@ TEST_F(BadMorphs, NonFiniteDeltasAreReported) {
   EXPECT_NE(notes.find("not finite or too large: 0 is used there (2 times)"), std::string::npos) << notes;
 }
 
-/// Whatever a file asks for, positions stay numbers.
+/// Whatever the file contains, positions stay finite.
 TEST_F(BadMorphs, HugeWeightsAreClamped) {
   post_.file.json["meshes"][0]["weights"] = {1e30, -1e30};
   setWeightKeys(post_, {0.0f, 1e-6f, 1.0f}, std::vector<float>(18, 1e15f), "CUBICSPLINE");

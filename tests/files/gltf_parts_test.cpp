@@ -1,4 +1,4 @@
-// tests/files/gltf_parts_test.cpp: pieces of the mesh have names, and each triangle one of them.
+// tests/files/gltf_parts_test.cpp: pieces of the mesh have names, and each triangle belongs to one.
 #include <algorithm>
 #include <set>
 
@@ -34,7 +34,7 @@ TEST(GltfParts, PartsAreMeshesOrTheirMaterials) {
   EXPECT_EQ(namesOf(*importOf(post)), Names{"default"}) << "the mesh has no name";
   post.file.json["meshes"][0]["name"] = "Post";
   EXPECT_EQ(namesOf(*importOf(post)), Names{"Post"});
-  // The upper half is of another material.
+  // The upper half has another material.
   post.file.json["materials"] = {{{"name", "Wood"}}, {{"name", "Wood"}}, {{"name", ""}}};
   const std::vector<std::uint16_t> lower(post.indices.begin(), post.indices.begin() + 30);
   const std::vector<std::uint16_t> upper(post.indices.begin() + 30, post.indices.end());

@@ -1,4 +1,4 @@
-// tests/files/gltf_skeleton_test.cpp: skeletons, binds and clips as real files bend them.
+// tests/files/gltf_skeleton_test.cpp: skeletons, binds and clips with the peculiarities of real files.
 
 #include <algorithm>
 #include <cmath>
@@ -53,7 +53,7 @@ void expectBindPoseIsTheMesh(const Character& character) {
   }
 }
 
-/// Two rigid matrices, columns first: the identity, and one that takes y = `height` to the origin.
+/// Two rigid matrices in column order: the identity, and one that moves y = `height` to the origin.
 std::vector<float> uprightBinds(float height) {
   return {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, -height, 0, 1};
 }
@@ -87,7 +87,7 @@ TEST_F(GltfSkeleton, RootMayBeScaled) {
 TEST_F(GltfSkeleton, NodesMayHaveMatrices) {
   Post post = makePost();
   post.file.json["nodes"][1]["matrix"] = {0, 0, -2, 0, 0, 2, 0, 0, 2, 0, 0, 0, 3, 0, 5, 1};
-  post.file.json["nodes"][0]["translation"] = {9, 9, 9};  // of no effect on a skinned mesh
+  post.file.json["nodes"][0]["translation"] = {9, 9, 9};  // no effect on a skinned mesh
   const auto character = import(post);
   EXPECT_NEAR(character->height, 4.0f, 1e-4f);
   EXPECT_TRUE(character->skeleton.nodes[0].rest.matrix.has_value());
@@ -150,7 +150,7 @@ TEST_F(GltfSkeleton, TwoSkinsShareJointsAndBindings) {
   EXPECT_EQ(character->mesh.positions.size(), 12u) << "both meshes lie in the same place and weld";
 }
 
-/// The second skin's mesh has another origin; its inverse binds say so, and both lie together in the bind pose.
+/// The second skin's mesh has another origin, as its inverse binds show; in the bind pose both coincide.
 TEST_F(GltfSkeleton, SecondSkinWithItsOwnOriginSharesBindings) {
   Post post = makePost();
   std::vector<float> positions = post.positions;

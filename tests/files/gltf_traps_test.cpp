@@ -1,4 +1,5 @@
-// tests/files/gltf_traps_test.cpp: things glTF allows and real files do, each cut into the same small post.
+// tests/files/gltf_traps_test.cpp: unusual features that glTF allows and real files use, each added to the same small
+// post.
 
 #include <algorithm>
 #include <cmath>
@@ -26,7 +27,7 @@ using test::Post;
 
 class GltfTrap : public testing::Test {
  protected:
-  /// Imports a post; also holds it against the independent skinning unless told otherwise.
+  /// Imports a post; by default also compares it with an independent skinning.
   std::shared_ptr<const Character> import(const Post& post, bool compare = true) {
     const auto file = folder_.write("post.glb", post.file.glb());
     if (compare) test::expectSkinsLikeTheFile(file);
@@ -79,7 +80,7 @@ TEST_F(GltfTrap, MoreThanFourJointsPerVertexAreImported) {
   std::vector<float> weights(48, 0.0f);
   for (std::size_t v = 0; v < 12; ++v) {
     joints[4 * v] = 1;
-    weights[4 * v] = 1.0f;  // half of the whole, the first set sums to 1 already
+    weights[4 * v] = 1.0f;  // half of the total; the first set already sums to 1
   }
   post.attributes()["JOINTS_1"] = post.file.accessor(joints, "VEC4");
   post.attributes()["WEIGHTS_1"] = post.file.accessor(weights, "VEC4");
@@ -178,7 +179,7 @@ TEST_F(GltfTrap, UnindexedPrimitivesAreImported) {
 
 TEST_F(GltfTrap, StripsAndFansKeepTheirWinding) {
   Post post = makePost();
-  const std::vector<std::uint8_t> around{0, 4, 1, 5, 2, 6, 3, 7, 0, 4};  // lower wall as a strip, turned outwards below
+  const std::vector<std::uint8_t> around{0, 4, 1, 5, 2, 6, 3, 7, 0, 4};  // lower wall as a strip, flipped below
   const std::vector<std::uint8_t> upper{4, 8, 5, 9, 6, 10, 7, 11, 4, 8};
   const auto reversed = [](std::vector<std::uint8_t> strip) {
     for (std::size_t i = 0; i + 1 < strip.size(); i += 2) std::swap(strip[i], strip[i + 1]);
@@ -248,7 +249,7 @@ TEST_F(GltfTrap, QuantizedPositionsAreImported) {
   EXPECT_EQ(character->height, 200.0f);
 }
 
-/// KHR_texture_transform is taken into the uv: rotate a quarter turn, scale, shift.
+/// KHR_texture_transform is applied to the uv: rotation by 90 degrees, scale, translation.
 TEST_F(GltfTrap, TextureTransformIsAppliedToTheUv) {
   Post post = makePost();
   std::vector<std::uint16_t> uv;

@@ -1,4 +1,4 @@
-// tests/files/json_test.cpp: JSON values, their reading and writing.
+// tests/files/json_test.cpp: parsing and writing of JSON values.
 #include "core/files/json/json.h"
 
 #include <bit>
@@ -43,7 +43,7 @@ TEST(Json, EveryDoubleRoundTrips) {
     if (!std::isfinite(value)) continue;
     const auto back = Json::parse(Json(value).dump());
     ASSERT_TRUE(back.ok()) << value;
-    // Denormals included; only the fallback differs from a number.
+    // Including denormals; only the fallback differs from a number.
     ASSERT_EQ(std::bit_cast<std::uint64_t>(back->number(-7.0)), std::bit_cast<std::uint64_t>(value)) << value;
   }
 }

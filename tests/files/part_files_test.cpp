@@ -1,4 +1,4 @@
-// tests/files/part_files_test.cpp: what killed programs left goes, what others are writing stays.
+// tests/files/part_files_test.cpp: temporary files of killed programs are deleted, files being written stay.
 #include "core/files/disk/atomic_file.h"
 
 #include <chrono>
@@ -25,7 +25,7 @@ class PartFiles : public testing::Test {
     fs::last_write_time(file, fs::file_time_type::clock::now() - age);
     return file;
   }
-  /// As if it were so much later.
+  /// Cleans up as if it were that much later.
   void clear(seconds later = seconds{0}) const { clearStrayParts(folder_, std::time(nullptr) + later.count()); }
 
   const test::TemporaryFolder own_;
@@ -88,7 +88,7 @@ TEST_F(PartFiles, LinksAndFoldersAreKept) {
 }
 
 TEST_F(PartFiles, HardLinkAgeIsThatOfTheLink) {
-  // As a program leaves it that was killed while it kept the previous version.
+  // As left by a program killed while it kept the previous version.
   const fs::path work = makeAged("work.rig.json", 1000 * kOld);
   fs::create_hard_link(work, folder_ / ".sinew-1-0.part");
   clear();

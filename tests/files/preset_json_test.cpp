@@ -1,4 +1,4 @@
-// tests/files/preset_json_test.cpp: sets of muscles as files, good and bad.
+// tests/files/preset_json_test.cpp: valid and invalid muscle set files.
 #include "core/files/preset_json.h"
 
 #include <filesystem>

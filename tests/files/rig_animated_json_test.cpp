@@ -1,5 +1,4 @@
-// tests/files/rig_animated_json_test.cpp: keys, drivers and channels in rig files: what is written, what is refused,
-// where.
+// tests/files/rig_animated_json_test.cpp: keys, drivers and channels in rig files: format, errors and their places.
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-// tests/files/rig_json_test.cpp: rig files: exact round trips, and a named place for everything refused.
+// tests/files/rig_json_test.cpp: rig files: exact round trips, and errors with a place.
 #include "sinew/files/rig_json.h"
 
 #include <filesystem>
@@ -193,7 +193,7 @@ TEST(RigJson, UnknownKeysRoundTripDigitForDigit) {
   EXPECT_EQ(rigToJson(rigFromJson(text).value()), text);
 }
 
-/// The full sample with one place of it changed.
+/// The full sample with one replacement.
 std::string fullWith(const std::string& from, const std::string& to) {
   std::string text = readWholeFile(dataFile("v1-full.rig.json"), 1 << 20).value();
   const std::size_t at = text.find(from);
@@ -226,8 +226,7 @@ TEST_P(BadRigs, IsRefusedWithPlaceAndReason) {
   EXPECT_EQ(rig.error().place, place);
   EXPECT_NE(rig.error().reason.find(reason), std::string::npos) << rig.error().text();
   EXPECT_EQ(rig.error().text().find('\n'), std::string::npos);
-  // For the interface: what it is about, without a path into the file. Only a name that stands twice has one in its
-  // reason.
+  // The interface shows the subject without a path into the file. Only a duplicate name has a path in its reason.
   EXPECT_FALSE(rig.error().subject.empty()) << rig.error().text();
   if (rig.error().place.find('[') != std::string::npos) {
     EXPECT_EQ(rig.error().plainText().find(rig.error().place), std::string::npos) << rig.error().plainText();

@@ -1,4 +1,4 @@
-// tests/files/rig_lines_json_test.cpp: muscle lines in rig files: what is written, what is refused, and where.
+// tests/files/rig_lines_json_test.cpp: muscle lines in rig files: format, errors and their places.
 
 #include <gtest/gtest.h>
 

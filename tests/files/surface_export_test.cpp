@@ -1,4 +1,4 @@
-// tests/files/surface_export_test.cpp: what lands in .obj, .ply and .glb, read back by other eyes.
+// tests/files/surface_export_test.cpp: contents of .obj, .ply and .glb exports, read back independently.
 #include "sinew/files/surface_export.h"
 
 #include <bit>
@@ -22,7 +22,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The tube with a seam, in two materials with awkward names, one of them textured by pixels without a file.
+/// The tube with a seam, in two materials with awkward names, one of them with an embedded texture.
 std::shared_ptr<const Character> twoMaterialTube() {
   Character character = *test::makeTube();
   character.name = "tube # 1";
@@ -31,7 +31,7 @@ std::shared_ptr<const Character> twoMaterialTube() {
   texture.width = 2;
   texture.height = 2;
   texture.rgba = {255, 0, 0, 255, 0, 255, 0, 255, 0, 0, 255, 255, 9, 8, 7, 255};
-  character.textures = {Texture{}, texture};  // The first is used by nobody.
+  character.textures = {Texture{}, texture};  // The first one is unused.
   character.materials.assign(3, Material{});
   character.materials[0].name = character.materials[2].name = "skin tone";
   character.materials[0].baseColorTexture = 1;
@@ -65,7 +65,7 @@ class SurfaceExport : public ::testing::Test {
   Surface surface_;
 };
 
-/// A plain reader of .obj, knowing only what the format says.
+/// A minimal reader of .obj written from its specification.
 struct Obj {
   std::vector<glm::vec3> positions;
   std::vector<glm::vec3> normals;
@@ -133,7 +133,7 @@ TEST_F(SurfaceExport, ObjKeepsSeamsInItsTextureCoordinates) {
     for (std::size_t corner = 0; corner < 3; ++corner) {
       const auto drawn = static_cast<std::size_t>(obj.uvFaces[t][corner]);
       ASSERT_EQ(refinement.drawVertex[drawn], obj.faces[t][corner]);
-      // Their v counts upwards, glTF's downwards.
+      // Its v points upwards, glTF's downwards.
       ASSERT_EQ(obj.uvs[drawn], glm::vec2(refinement.drawUv[drawn].x, 1.0f - refinement.drawUv[drawn].y));
     }
   }
@@ -239,7 +239,7 @@ TEST_F(SurfaceExport, InvalidUtf8NamesAreRepaired) {
   EXPECT_EQ(imported.value()->materials[0].name, "skin\xEF\xBF\xBD");
 }
 
-/// The same tube, shaded in facets: every format carries the split normals, and the .obj stays closed.
+/// The same tube, flat shaded: every format has the split normals, and the .obj stays closed.
 class CreasedExport : public SurfaceExport {
  protected:
   void SetUp() override {

@@ -1,5 +1,4 @@
-// tests/files/vrm_test.cpp: .vrm files of both versions: bones that are sure, expressions as shapes, faults without
-// harm.
+// tests/files/vrm_test.cpp: .vrm files of both versions: bone roles, expressions as shapes, tolerated faults.
 #include <gtest/gtest.h>
 
 #include "core/bodies/body_map.h"
@@ -38,14 +37,14 @@ TEST_P(VrmFile, BonesHaveSureConfidence) {
   EXPECT_EQ(boneAt(Slot::kHips), "hip");
   EXPECT_EQ(boneAt(Slot::kUpperLeg), "knee");
   EXPECT_EQ(slots.kind, BodyKind::kHumanoid);
-  // What the designer says counts before the file.
+  // The designer's corrections override the file.
   const std::array corrections{SlotCorrection{"hips", "knee"}};
   const BodySlots corrected = bodySlots(*character, makeMirrorPlan(*character), corrections);
   EXPECT_EQ(corrected[{Slot::kHips}].confidence, SlotConfidence::kGiven);
   EXPECT_TRUE(character->ignored.empty()) << character->ignored[0];
 }
 
-/// No bone is two parts, whatever the search has made of it.
+/// No bone has two roles, whatever the search found.
 TEST_P(VrmFile, BoneIsAtMostOnePart) {
   for (const char* as : {"spine", "chest", "upperChest", "neck", "head", "leftHand"}) {
     ordered_json& bones = vrm()["humanoid"]["humanBones"];
@@ -75,7 +74,7 @@ TEST_P(VrmFile, ExpressionNamedLikeATargetIsDisambiguated) {
   EXPECT_EQ(morphNames(*character).front(), "happy (expression)");
 }
 
-/// Whatever stands in the extension, the character opens, and what is read of it names what is there.
+/// Whatever the extension contains, the character opens, and only existing objects are referenced.
 TEST_P(VrmFile, FaultyExtensionsAreSafe) {
   const ordered_json sound = post_.file.json["extensions"];
   const std::vector<ordered_json> odd{nullptr,
@@ -95,7 +94,7 @@ TEST_P(VrmFile, FaultyExtensionsAreSafe) {
     for (int k = 0; k < spoilt; ++k) {
       auto item = flat.begin();
       std::advance(item, random.below(static_cast<int>(flat.size())));
-      // Any part of the path: the value itself or one of those around it.
+      // Any part of the path: the value itself or one that contains it.
       std::string path = item.key();
       for (int up = random.below(4); up > 0 && path.rfind('/') > 0; --up) path.erase(path.rfind('/'));
       ordered_json& at = vrm();

@@ -1,4 +1,4 @@
-// tests/files/export/baked_export_test.cpp: baked clips, seen by other readers, beside the live surface.
+// tests/files/export/baked_export_test.cpp: baked clips match the live surface in independent readers.
 #include "sinew/files/baked_export.h"
 
 #include <bit>
@@ -40,7 +40,7 @@ class BakedExport : public ::testing::TestWithParam<const char*> {
     return exportBaked(scene_.characterFile, scene_.character, scene_.rig, settings, file, progress);
   }
 
-  /// Every frame, then the end.
+  /// Times of all frames, and the end.
   std::vector<float> times(double framesPerSecond = 15.0) const {
     std::vector<float> result;
     for (int frame = 0; frame < static_cast<double>(clip_->duration) * framesPerSecond - 1e-3; ++frame) {
@@ -50,7 +50,7 @@ class BakedExport : public ::testing::TestWithParam<const char*> {
     return result;
   }
 
-  /// The live surface at one time after the other.
+  /// Visits the live surface at each time.
   template <class Use>
   void forEachSurface(const std::vector<float>& moments, Use use) const {
     Smoother smoother(scene_.character);
@@ -62,7 +62,7 @@ class BakedExport : public ::testing::TestWithParam<const char*> {
     }
   }
 
-  /// Largest distance of a triangle's corner in the file from where the surface has it, percent of the height.
+  /// Largest distance of the file's triangle corners to the live surface, percent of the height.
   double worst(const GltfOracle& oracle, float time, const Surface& surface) const {
     const auto& triangles = surface.refinement->triangles;
     const auto exported = oracle.triangles(0, static_cast<double>(time));
@@ -214,7 +214,7 @@ TEST_P(BakedExport, ReportsProgressAndCanBeCanceledAtAnyTime) {
   }
 }
 
-/// Reads numbers one after the other.
+/// Reads numbers in sequence.
 class Bytes {
  public:
   Bytes(std::string bytes, bool bigEndian) : bytes_(std::move(bytes)), bigEndian_(bigEndian) {}
@@ -263,7 +263,7 @@ TEST_P(BakedExport, PointCachesHoldTheLiveVertices) {
     forEachSurface(times(), [&](float time, const Surface& surface) {
       ASSERT_EQ(surface.positions.size(), points);
       for (const glm::vec3& place : surface.positions) {
-        const glm::vec3 cached{bytes.real(), bytes.real(), bytes.real()};  // Braces: in this order.
+        const glm::vec3 cached{bytes.real(), bytes.real(), bytes.real()};  // Braces: evaluated in this order.
         ASSERT_EQ(cached, place) << time;
       }
     });

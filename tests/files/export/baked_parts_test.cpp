@@ -1,4 +1,4 @@
-// tests/files/export/baked_parts_test.cpp: baked files of more than one plain mesh.
+// tests/files/export/baked_parts_test.cpp: baked files of several meshes.
 #include <cmath>
 
 #include <nlohmann/json.hpp>
@@ -17,7 +17,7 @@ namespace {
 
 using nlohmann::ordered_json;
 
-/// The post's patches curve as it bends: a live surface that no skinning shows, without a muscle.
+/// The post's patches curve as it bends: even without muscles the live surface differs from skinning.
 class BakedParts : public ::testing::Test {
  protected:
   void SetUp() override { rig_.smoothing.depth = 3; }
@@ -48,7 +48,7 @@ class BakedParts : public ::testing::Test {
       const auto& triangles = surface.refinement->triangles;
       EXPECT_EQ(shown.size(), triangles.size());
       for (std::size_t t = 0; t < shown.size(); ++t) {
-        // A mirrored mesh winds the other way: the nearest corner of the triangle.
+        // A mirrored mesh has the opposite winding: use the triangle's nearest corner.
         for (const glm::dvec3& corner : shown[t]) {
           double nearest = 1e9;
           for (const int vertex : triangles[t]) {

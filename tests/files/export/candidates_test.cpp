@@ -1,4 +1,4 @@
-// tests/files/export/candidates_test.cpp: which joints the fit may choose from.
+// tests/files/export/candidates_test.cpp: joints that the fit may use.
 #include "core/files/fit/joint_fit.h"
 
 #include <algorithm>
@@ -29,7 +29,7 @@ TEST(Candidates, StartWithTheVertexsOwnAndAreUnique) {
   }
 }
 
-/// A joint that carries no skin is a candidate where a muscle on it reaches, and nowhere else.
+/// A joint without skin is a candidate only where a muscle on it reaches.
 TEST(Candidates, IncludeBonesOfMuscles) {
   test::ExportScene scene = test::bundledScene("horse");
   const Refinement refinement = refine(scene.character->mesh, 2);

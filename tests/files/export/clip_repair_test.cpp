@@ -1,5 +1,4 @@
-// tests/files/export/clip_repair_test.cpp: clips whose keys are not as glTF wants them play in an export as they were
-// read.
+// tests/files/export/clip_repair_test.cpp: clips with keys that violate glTF play in an export as they were imported.
 #include <algorithm>
 #include <cmath>
 #include <random>
@@ -48,7 +47,7 @@ class ClipRepair : public ::testing::Test {
     return report.ok() ? report.value() : SkinnedExportReport{};
   }
 
-  /// All times rise from 0 on, in accessors that say so.
+  /// All times increase from 0, and accessors declare them so.
   void expectSoundTimes() const {
     const tinygltf::Model model = rawModel(out_);
     for (const tinygltf::Animation& animation : model.animations) {
@@ -58,7 +57,7 @@ class ClipRepair : public ::testing::Test {
         ASSERT_FALSE(times.empty());
         EXPECT_GE(times.front(), 0.0f);
         EXPECT_EQ(std::ranges::adjacent_find(times, std::ranges::greater_equal()), times.end());
-        if (accessor.minValues.empty()) continue;  // The file's own.
+        if (accessor.minValues.empty()) continue;  // Written by the file itself.
         EXPECT_EQ(static_cast<float>(accessor.minValues.at(0)), times.front());
         EXPECT_EQ(static_cast<float>(accessor.maxValues.at(0)), times.back());
       }
@@ -139,7 +138,7 @@ TEST_F(ClipRepair, InactiveChannelsAreOmitted) {
   expectPlaysAsRead();
 }
 
-/// Any times, also before 0, any interpolation, rotations of any length.
+/// Random times, also before 0, any interpolation, rotations of any length.
 TEST_F(ClipRepair, RandomKeysPlayAsImported) {
   std::mt19937 random(11);
   const auto number = [&](float low, float high) { return std::uniform_real_distribution<float>(low, high)(random); };

@@ -1,4 +1,4 @@
-// tests/files/export/error_meter_test.cpp: figures beside those of a sorted list.
+// tests/files/export/error_meter_test.cpp: error statistics match those of a sorted list.
 #include "core/files/fit/played_surface.h"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// tests/files/export/fit_kernel_test.cpp: the sums of every instruction set are those of plain loops, to the bit.
+// tests/files/export/fit_kernel_test.cpp: sums of every instruction set equal those of plain loops, bit for bit.
 #include "core/files/fit/fit_kernel.h"
 
 #include <random>
@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::size_t kVertices = 50;
 constexpr std::size_t kBindings = 20;
-constexpr std::size_t kFirstHelper = 7;  // 13 helpers: a group and a part of one.
+constexpr std::size_t kFirstHelper = 7;  // 13 helpers: one full group and part of another.
 constexpr std::size_t kHelpers = kBindings - kFirstHelper;
 constexpr std::size_t kPoses = 5;
 
@@ -71,7 +71,7 @@ TEST(FitKernel, GramsMatchPlainLoops) {
   }
   for (const InstructionSet set : availableInstructionSets()) {
     if (set == InstructionSet::kScalar) continue;
-    // Added to what is there, and in parts as threads do it.
+    // Added to existing sums, and in parts as threads do.
     std::vector<double> own(sums.begin.back(), 0.5);
     std::vector<double> further(sums.begin.back(), 0.0);
     const GramSums task{sums.rest, sums.lists, sums.begin, own.data(), further.data(), sums.poses};

@@ -1,4 +1,4 @@
-// tests/files/export/formats_test.cpp: which endings hold which form, and which files an export consists of.
+// tests/files/export/formats_test.cpp: file extensions of formats, and the files of an export.
 #include "sinew/files/formats.h"
 
 #include <gtest/gtest.h>

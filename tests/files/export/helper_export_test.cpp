@@ -1,5 +1,5 @@
-// tests/files/export/helper_export_test.cpp: exports with helper joints, played by another reader beside the live
-// surface.
+// tests/files/export/helper_export_test.cpp: exports with helper joints match the live surface in an independent
+// reader.
 #include <map>
 #include <set>
 
@@ -11,7 +11,7 @@
 namespace sinew::test {
 namespace {
 
-/// Channels of one clip that move a node, by what they move.
+/// Channels of one clip that move a node, by path.
 std::map<std::string, const tinygltf::AnimationChannel*> channelsOf(const tinygltf::Animation& clip, int node) {
   std::map<std::string, const tinygltf::AnimationChannel*> channels;
   for (const tinygltf::AnimationChannel& channel : clip.channels) {
@@ -20,7 +20,7 @@ std::map<std::string, const tinygltf::AnimationChannel*> channelsOf(const tinygl
   return channels;
 }
 
-/// Over all clips, percent of the height. docs/export.md prints what is reached; a change that loses it shows here.
+/// Limits over all clips, percent of the height, close to the figures in docs/export.md to detect regressions.
 struct Ceiling {
   double rms;
   double percentile999;
@@ -64,7 +64,7 @@ TEST_P(HelperExport, MatchesTheReportedErrorAndHalvesThatWithoutRefit) {
   EXPECT_TRUE(importGltf(file).ok());
 }
 
-/// What needs no character of every kind.
+/// Tests for which one kind of character is enough.
 class HelperExportQuick : public HelperExport {};
 
 TEST_P(HelperExportQuick, OriginalVerticesAreCloser) {
@@ -79,7 +79,7 @@ TEST_P(HelperExportQuick, OriginalVerticesAreCloser) {
 }
 
 TEST_P(HelperExportQuick, MoreJointsAreCloserAndNoneIsTheSkinnedExport) {
-  const std::vector clips{scene_.character->clips.back().name};  // The first may hold no motion.
+  const std::vector clips{scene_.character->clips.back().name};  // The first clip may hold no motion.
   const auto none =
       scene_.writeQuickly(folder_.path() / "0.glb", {.joints = ExportJoints::kHelpers, .clips = clips, .helpers = 0});
   const auto skinned = scene_.writeQuickly(folder_.path() / "skinned.glb", {.clips = clips});
@@ -93,7 +93,7 @@ TEST_P(HelperExportQuick, MoreJointsAreCloserAndNoneIsTheSkinnedExport) {
     ASSERT_TRUE(report.ok());
     EXPECT_LE(report->joints, skinned->joints + helpers);
     EXPECT_EQ(report->lineJoints + report->rigidHelpers, helpers);
-    EXPECT_LT(report->fitted.rms, last + 1e-3) << helpers;  // Percent: what is left may be next to nothing.
+    EXPECT_LT(report->fitted.rms, last + 1e-3) << helpers;  // Percent: the remaining error may be tiny.
     last = report->fitted.rms;
   }
 }
@@ -151,7 +151,7 @@ INSTANTIATE_TEST_SUITE_P(Large, HelperExport,
 INSTANTIATE_TEST_SUITE_P(Large, HelperExportQuick, ::testing::Values("horse-flex", "Fox.glb", "robot.glb"),
                          nameOfScene);
 
-/// More vertices than joints are fitted to: some stand for all.
+/// More vertices than joints are fitted to, so that samples stand for all.
 TEST(HelperExportOfManyVertices, IsAsCloseAsWithFewVertices) {
   const TemporaryFolder folder;
   ExportScene scene = bundledScene("humanoid-flex");

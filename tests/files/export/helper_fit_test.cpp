@@ -1,4 +1,4 @@
-// tests/files/export/helper_fit_test.cpp: hidden joints are found again; helpers never make things worse.
+// tests/files/export/helper_fit_test.cpp: hidden joints are recovered; helpers never increase the error.
 #include "core/files/fit/helper_fit.h"
 
 #include <random>
@@ -12,7 +12,7 @@ namespace {
 
 constexpr int kSide = 24;  ///< Vertices along each side of a square sheet.
 
-/// One bone that only turns, and a sheet on it in which patches go their own ways.
+/// One bone that only rotates, and a sheet on it with independently moving patches.
 struct Sheet {
   Skeleton skeleton;
   std::vector<glm::vec3> rest;
@@ -119,7 +119,7 @@ TEST(HelperFit, RestsIfAPoseFlattensTheBone) {
   }
 }
 
-/// Uneven and small, but not flat.
+/// Uneven and small scale, but not flat.
 TEST(HelperFit, ThinBonesCanCarryHelpers) {
   Pose pose;
   pose.boneInWorld = {glm::scale(glm::mat4(1.0f), glm::vec3(1e-3f, 1.0f, 1.0f)),
@@ -172,7 +172,7 @@ TEST(HelperFit, WeightsAreValid) {
   }
 }
 
-/// Where a helper rests, what follows it is where its bone takes it.
+/// Where a helper is at rest, its vertices follow their bone.
 TEST(HelperFit, ExcludedPosesAreUnchanged) {
   const Sheet sheet = movingSheet(kMiddles, true);
   const HelperResult result = fitHelpers(sheet.task(), sheet.start, 3, StageProgress({}));

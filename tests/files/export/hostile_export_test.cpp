@@ -1,4 +1,4 @@
-// tests/files/export/hostile_export_test.cpp: characters that an export must refuse, with the words it says so in.
+// tests/files/export/hostile_export_test.cpp: characters that an export must refuse, and the error messages.
 #include <cmath>
 
 #include <nlohmann/json.hpp>
@@ -63,7 +63,7 @@ class HostileExport : public ::testing::Test {
   Post post_ = makePost();
 };
 
-/// Six joints a vertex, of which four remain, and a lever of a million units.
+/// Six joints for a vertex, of which four remain, with a lever of a million units.
 TEST_F(HostileExport, MeshFarFromItsBonesIsRefusedByItsError) {
   for (std::size_t v = 0; v < post_.positions.size(); v += 3) post_.positions[v] += 1e6f;
   withPositions();
@@ -131,7 +131,7 @@ TEST_F(HostileExport, LongClipsAreRefusedIfFitted) {
   EXPECT_TRUE(baked("cache.pc2", 0.1, 1e-12).ok()) << "two frames are two frames";
 }
 
-/// One view of both clips' keys, as many programs write them.
+/// One view with the keys of both clips, as many programs write them.
 TEST_F(HostileExport, BytesOfOtherClipsAreRemovedFromASharedView) {
   constexpr std::size_t kKeys = 50'000;
   std::vector<float> floats;

@@ -1,4 +1,4 @@
-// tests/files/export/kept_parts_test.cpp: what an export keeps of files that hold more than one plain mesh.
+// tests/files/export/kept_parts_test.cpp: content kept when exporting files with several meshes.
 #include <cmath>
 #include <limits>
 #include <map>
@@ -18,7 +18,7 @@ using nlohmann::ordered_json;
 
 class KeptParts : public ::testing::Test {
  protected:
-  /// Writes the post as it is bent now, opens it, exports it without muscles.
+  /// Writes the modified post, opens it, exports it without muscles.
   SkinnedExportReport exported(const SkinnedExportSettings& settings, int depth = 1, const char* name = "out.glb") {
     EXPECT_TRUE(writeFileAtomically(source_, post_.file.glb()).ok());
     const auto character = importGltf(source_);
@@ -39,7 +39,7 @@ class KeptParts : public ::testing::Test {
     return ordered_json::parse(file.substr(20, size));
   }
 
-  /// Without muscles and at depth 1 the exported file moves as the source does.
+  /// Without muscles and at depth 1 the exported file moves like its source.
   void expectPlaysAsTheSource(const char* name = "out.glb") const {
     const GltfOracle before(source_);
     const GltfOracle after(folder_.path() / name);
@@ -61,7 +61,7 @@ class KeptParts : public ::testing::Test {
 
 const SkinnedExportSettings kOriginal{.mesh = ExportMesh::kOriginal};
 
-/// A board without a skin: below the knee, and once more on its own, elsewhere and mirrored.
+/// Adds a board without a skin: below the knee, and a second one elsewhere, mirrored.
 void addBoards(Post& post) {
   ordered_json board;
   board["attributes"]["POSITION"] =

@@ -1,5 +1,5 @@
-// tests/files/export/line_data_test.cpp: the numbers for runtimes, beside the bind pose they describe.
-// tests/export/runtime_test.py poses by them.
+// tests/files/export/line_data_test.cpp: line data for runtimes, next to its bind pose. tests/export/runtime_test.py
+// poses with it.
 #include "core/files/export/line_data.h"
 
 #include <algorithm>
@@ -29,7 +29,7 @@ glm::dvec3 vectorOf(const ordered_json& list, std::size_t from = 0) {
   return {list.at(from).get<double>(), list.at(from + 1).get<double>(), list.at(from + 2).get<double>()};
 }
 
-/// The post with a muscle between its two bones, whose skin has extras.
+/// The post with a muscle between its two bones; its skin has extras.
 class LineData : public ::testing::Test {
  protected:
   ordered_json exported(const ordered_json& extras, SkinnedExportSettings settings = {}) {
@@ -83,7 +83,7 @@ TEST_F(LineData, PlacesTheJointRelativeToTheOrigin) {
     EXPECT_EQ(line["insertion"]["node"], 2);
     EXPECT_EQ(line["via"]["node"], 1);
     ASSERT_FALSE(line["joints"].empty());
-    // The hip's space is the world, in the bind pose.
+    // The hip's space is the world's in the bind pose.
     const ordered_json& frame = line["origin"]["frame"];
     const glm::dmat3 axes(vectorOf(frame), vectorOf(frame, 3), vectorOf(frame, 6));
     const glm::dvec3 origin = vectorOf(line["origin"]["point"]);

@@ -1,4 +1,5 @@
-// tests/files/export/line_joints_test.cpp: a line's joint does what the line does to the bind pose, in every pose.
+// tests/files/export/line_joints_test.cpp: in every pose a line's joint applies the line's deformation relative to the
+// bind pose.
 #include "core/files/fit/line_joints.h"
 
 #include <gtest/gtest.h>
@@ -24,7 +25,7 @@ std::vector<Pose> posesOf(const std::shared_ptr<const Character>& character, flo
   return poses;
 }
 
-/// The deformation of a line against that of the bind pose, by docs/muscles.md.
+/// Deformation of a line relative to the bind pose, by docs/muscles.md.
 glm::dmat4 motionOf(const Rig& rig, const Character& character, const Pose& pose, int line) {
   const RigPoser poser(rig, character);
   const std::vector<PosedLine> now = poser.pose(pose).lines;
@@ -36,7 +37,7 @@ class BundledLineJoints : public ::testing::TestWithParam<const char*> {
  protected:
   void SetUp() override {
     scene_ = test::bundledScene(GetParam());
-    // Bellies that are thick in the bind pose already.
+    // Bellies that are already thick in the bind pose.
     for (std::size_t i = 0; i < scene_.rig.lines.size(); i += 3) scene_.rig.lines[i].settings.base = 0.4f;
   }
   test::ExportScene scene_;
@@ -105,7 +106,7 @@ TEST_P(BundledLineJoints, KeepTheBindPose) {
 INSTANTIATE_TEST_SUITE_P(Rigs, BundledLineJoints, ::testing::Values("humanoid-flex", "horse-flex"),
                          [](const auto& rig) { return std::string(rig.param) == "horse-flex" ? "horse" : "humanoid"; });
 
-/// Bones that scale unevenly would shear what hangs on them.
+/// Bones with uneven scale would shear their children.
 TEST(LineJoints, UseAParentWithUniformScale) {
   const test::ExportScene scene = test::bundledScene("humanoid-flex");
   const Character& character = *scene.character;

@@ -1,4 +1,4 @@
-// tests/files/export/morph_export_test.cpp: morph targets of exports, played by an independent reader.
+// tests/files/export/morph_export_test.cpp: exported morph targets, played by an independent reader.
 #include <gtest/gtest.h>
 
 #include "core/rig/animated_edit.h"
@@ -23,7 +23,7 @@ ExportScene sceneOf(const std::filesystem::path& file, std::uint64_t seed) {
   return scene;
 }
 
-/// A shape that grows as a bone bends, and another that is on by a half.
+/// A shape that grows as a bone bends, and another one at constant weight one half.
 void drive(ExportScene& scene, const std::string& bone) {
   DriverInput input;
   input.bone = bone;
@@ -57,7 +57,7 @@ TEST_F(MorphExport, RefinedMeshMatchesTheReportedError) {
   }
 }
 
-/// Without muscles in the way a target is what it is in the file, at any weight.
+/// Without muscles a target equals the file's, at any weight.
 TEST_F(MorphExport, TargetsEqualTheFileWithoutMuscles) {
   scene_.rig.primitives.clear();
   scene_.rig.smoothing.depth = 1;

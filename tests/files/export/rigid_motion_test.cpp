@@ -1,5 +1,5 @@
-// tests/files/export/rigid_motion_test.cpp: a known motion is found again, noise or not; translation, rotation, scale
-// from matrices.
+// tests/files/export/rigid_motion_test.cpp: a known motion is recovered, with and without noise; matrices are
+// decomposed into translation, rotation and scale.
 #include "core/files/fit/helper_motion.h"
 
 #include <random>

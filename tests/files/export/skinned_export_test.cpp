@@ -1,4 +1,4 @@
-// tests/files/export/skinned_export_test.cpp: what is exported, seen by other readers, beside the live surface.
+// tests/files/export/skinned_export_test.cpp: skinned exports match the live surface in independent readers.
 #include "sinew/files/skinned_export.h"
 
 #include <map>
@@ -31,7 +31,7 @@ class SkinnedExport : public ::testing::TestWithParam<const char*> {
   TemporaryFolder folder_;
 };
 
-/// Over all clips, root mean square, percent of the height; of vertices that gather where muscles move.
+/// Over all clips, root mean square, percent of the height; for vertices that gather where muscles move.
 const std::map<std::string, double> kMostOff{
     {"humanoid", 0.224}, {"humanoid-flex", 0.240}, {"horse", 0.250}, {"horse-flex", 0.340}};
 
@@ -233,7 +233,7 @@ TEST_P(SkinnedExport, OutputDoesNotDependOnThreads) {
             readWholeFile(folder_.path() / "b.glb", 1 << 28).value());
 }
 
-/// The file on the disk is no longer what the character was imported from: said, not exported, whatever differs.
+/// The file on disk differs from the imported one: the export is refused, whatever differs.
 TEST(SkinnedExportGuard, RefusesAFileChangedSinceImport) {
   const TemporaryFolder folder;
   const auto out = folder.path() / "out.glb";

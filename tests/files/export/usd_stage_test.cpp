@@ -1,4 +1,4 @@
-// tests/files/export/usd_stage_test.cpp: points over time, names, and what a stage refuses.
+// tests/files/export/usd_stage_test.cpp: time samples of points, names, and invalid stages.
 #include "core/files/usd/stage.h"
 
 #include <charconv>
@@ -15,7 +15,7 @@
 namespace sinew::test {
 namespace {
 
-/// The numbers of a line, whatever stands between them.
+/// The numbers in a line, whatever separates them.
 std::vector<float> numbersIn(std::string_view line) {
   std::vector<float> numbers;
   for (std::size_t i = 0; i < line.size();) {
@@ -171,7 +171,7 @@ TEST(UsdText, NamesAreUniqueIdentifiers) {
 TEST(UsdJoints, FramesAreWholeFramesAndTheEnd) {
   const auto frames = [](float duration) { return usd::framesOf({.name = {}, .duration = duration, .channels = {}}); };
   EXPECT_EQ(frames(0.0f), (std::vector<double>{0.0}));
-  EXPECT_EQ(frames(0.1f).size(), 4U);  // 0.1 as a float is a little more than three frames.
+  EXPECT_EQ(frames(0.1f).size(), 4U);  // 0.1 as a float is slightly more than three frames.
   EXPECT_EQ(frames(0.125f), (std::vector<double>{0.0, 1.0, 2.0, 3.0, 3.75}));
 }
 

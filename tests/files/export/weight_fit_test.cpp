@@ -1,5 +1,5 @@
-// tests/files/export/weight_fit_test.cpp: weights that made a movement are found again; the fit never makes things
-// worse.
+// tests/files/export/weight_fit_test.cpp: weights that produced a motion are recovered; the fit never increases the
+// error.
 #include "core/files/fit/weight_fit.h"
 
 #include <random>
@@ -81,7 +81,7 @@ TEST(WeightFit, RecoversTheWeightsOfAMovement) {
 TEST(WeightFit, NeverIncreasesAVertexsError) {
   std::mt19937 random(2);
   const Movement movement = randomMovement(random);
-  // Beginning with the best weights there are but for noise, and with a pull from neighbors that differ.
+  // Starts with optimal weights up to noise, and with a pull from neighbors that differ.
   std::vector<std::array<int, 3>> triangles;
   for (int v = 0; v + 2 < 40; ++v) triangles.push_back({v, v + 1, v + 2});
   for (const float bulge : {0.0f, 0.01f, 0.3f}) {
