@@ -1,4 +1,5 @@
-// tests/bodies/belly_trial_test.cpp: a trial says of one muscle what check() says of its rig, wherever it begins.
+// tests/bodies/belly_trial_test.cpp: a trial of one muscle gives the same result as check() of its rig, wherever it
+// starts.
 #include "core/bodies/belly_motion.h"
 
 #include <gtest/gtest.h>
@@ -38,7 +39,7 @@ TEST_F(BellyTrials, DoNotDependOnTheFirstPose) {
     std::size_t first = random() % motions.poses().size();
     const float enough = kMendedMargin;
     EXPECT_EQ(trial.trouble(enough, &first) > enough, whole > enough);
-    // That pose alone is enough, and no more than the whole.
+    // That pose alone is enough, and gives no more than all poses.
     const float again = trial.trouble(enough, &first);
     EXPECT_LE(again, whole);
     EXPECT_EQ(again > enough, whole > enough);

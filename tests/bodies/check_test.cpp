@@ -1,4 +1,4 @@
-// tests/bodies/check_test.cpp: faults that were put into rigs are found, each by its kind; good rigs have none.
+// tests/bodies/check_test.cpp: faults put into rigs are found and classified; good rigs have none.
 #include "core/bodies/check.h"
 
 #include <gtest/gtest.h>
@@ -72,7 +72,7 @@ struct RigFaults : testing::Test {
 };
 
 TEST_F(RigFaults, PivotOnADistantBoneIsFound) {
-  // The belly thickens away from the bone: its underside comes out with it.
+  // The belly thickens away from the bone, so that its underside comes out.
   line.settings.pivot = 1.0f;
   line.settings.flex = {3.0f, 0.0f};
   line.settings.volume = 3.0f;
@@ -113,7 +113,7 @@ TEST_F(RigFaults, OverlongLineIsFound) {
   EXPECT_TRUE(has(findings, FindingKind::kTooLong, muscle)) << listOf(scene, findings);
 }
 
-/// Where the whole character moves as one, nothing moves against its skin.
+/// If the whole character moves rigidly, nothing moves relative to its skin.
 TEST(BellyMotion, IsZeroUnderRigidMotion) {
   const CharacterPtr character = makeLimb();
   const Rig rig = randomRig(*character, {.primitives = 8}, 3);
@@ -141,7 +141,7 @@ TEST(BellyMotion, IsZeroUnderRigidMotion) {
   EXPECT_GT(followed, 4);
 }
 
-/// The measure itself: a belly that is lifted out of its skin by a known part of its height.
+/// The measure itself: a belly lifted out of its skin by a known fraction of its height.
 TEST(BellyMotion, MeasuresALiftedBelly) {
   const CharacterPtr character = makeLimb();
   Rig rig = randomRig(*character, {.primitives = 1}, 3);
@@ -160,7 +160,7 @@ TEST(BellyMotion, MeasuresALiftedBelly) {
   for (const SkinSpot& spot : belly->spots()) frames.push_back(frameAt(*character, spot, bind));
   const glm::vec3 out = frames[0]->normal();
   posed.muscles[0].body.carrier = glm::translate(glm::mat4(1.0f), 0.05f * out) * posed.muscles[0].body.carrier;
-  // The limb's skin stands nearly square to the belly: 0.05 of a height of about 0.1.
+  // The limb's skin is nearly perpendicular to the belly: 0.05 of a height of about 0.1.
   EXPECT_NEAR(belly->motion(posed.muscles[0], frames).out, 0.5f, 0.1f);
 }
 

@@ -1,4 +1,4 @@
-// tests/bodies/fit_preset_test.cpp: sets of muscles on every body at hand.
+// tests/bodies/fit_preset_test.cpp: muscle sets on every available body.
 #include "core/bodies/fit_preset.h"
 
 #include <algorithm>
@@ -35,9 +35,9 @@ Preset preset(const char* name) {
 }
 
 struct Body {
-  const char* file;  ///< Of assets, or of the real characters.
+  const char* file;  ///< In assets, or a real character.
   const char* set;
-  int least;  ///< So many muscles of the set find their place.
+  int least;  ///< Number of the set's muscles that find a place.
 };
 
 std::ostream& operator<<(std::ostream& out, const Body& body) { return out << body.file; }
@@ -108,7 +108,7 @@ TEST_P(FitPreset, TwinsAreExactMirrorImagesInTheirOwnGroups) {
   EXPECT_TRUE(rig.links.empty());
 }
 
-/// A muscle moves the skin of its own part and its neighbours alone.
+/// A muscle moves only the skin of its own part and its neighbors.
 TEST_P(FitPreset, MusclesStayOnTheirLimb) {
   const Rig rig = fitted();
   const BodyFrame frame = makeBodyFrame(*character_, bodySlots(*character_, plan_));
@@ -136,7 +136,7 @@ TEST_P(FitPreset, MusclesStayOnTheirLimb) {
 
 struct Rise {
   double most = 0.0;
-  double share99 = 0.0;  ///< Of all that rises.
+  double share99 = 0.0;  ///< 99th percentile of all vertices that rise.
   int unresolved = 0;
 };
 
@@ -170,7 +170,7 @@ TEST_P(FitPreset, MusclesAreVisibleAndModerate) {
   EXPECT_EQ(rise.unresolved, 0);
   EXPECT_GT(rise.share99, 0.005);
   EXPECT_LT(rise.share99, 0.04);
-  EXPECT_LT(rise.most, 0.06);  // Where layers under others rise onto those.
+  EXPECT_LT(rise.most, 0.06);  // Where lower layers push upper ones.
   PresetTuning heavy;
   heavy.mass = 1.6f;
   heavy.definition = 0.55f;
@@ -208,7 +208,7 @@ TEST(FitPresetRefusal, RefusesABodyOfAnotherKind) {
   EXPECT_NE(fit.error().reason.find("quadruped"), std::string::npos) << fit.error().reason;
 }
 
-/// Lines of a set know how short they get: full contraction is learned.
+/// Lines of a set know their shortest length: full contraction is learned.
 TEST(FitPresetLines, LearnTheirLengths) {
   const auto imported = importGltf(fs::path(SINEW_SOURCE_DIR) / "assets" / "humanoid.glb");
   ASSERT_TRUE(imported.ok());

@@ -1,5 +1,5 @@
-// tests/bodies/mend_drawn_test.cpp: drawn muscles that are laid along one bone: where they lie, and that check() finds
-// nothing of them.
+// tests/bodies/mend_drawn_test.cpp: drawn muscles laid along one bone: their position, and that check() reports nothing
+// about them.
 #include "core/bodies/mend.h"
 
 #include <gtest/gtest.h>
@@ -84,7 +84,7 @@ TEST_P(RelaidBellies, ShorterBellyLiesBetweenItsTendonsUnderSkinOfItsBone) {
       const auto length = static_cast<float>(rest.length);
       EXPECT_NEAR(2.0f * half, (1.0f - 0.1f - 0.45f) * length, 1e-4f * length);
       EXPECT_GT(std::abs(glm::dot(glm::normalize(glm::dvec3(shape[1])), rest.direction)), 0.999);
-      // Where it lies along the line.
+      // Position along the line.
       const glm::vec3 own = relaid.ownEnd(bone);
       const glm::vec3 towards = glm::vec3(rest.direction) * (bone == BellyBone::kOrigin ? 1.0f : -1.0f);
       EXPECT_GT(glm::dot(glm::vec3(shape[3]) - own, towards), 0.0f);

@@ -1,4 +1,4 @@
-// tests/bodies/mend_rig_test.cpp: muscles that no line mends: where they ride, how deep they lie, what skin they move.
+// tests/bodies/mend_rig_test.cpp: muscles that no line mends: their bone, depth and territory.
 #include "core/bodies/mend.h"
 
 #include <gtest/gtest.h>
@@ -25,7 +25,7 @@ struct MendRig : testing::Test {
   const Motions motions{character};
   const Rig good = loadRig(assets / "humanoid.rig.json").value();
 
-  /// A muscle and its twin ride another bone, where they lie.
+  /// Puts a muscle and its twin on another bone, in place.
   [[nodiscard]] Rig riding(const char* muscle, const char* bone) const {
     const int index = findPrimitive(good, muscle);
     Rig rig = good;
@@ -64,7 +64,7 @@ TEST_F(MendRig, MuscleOnTheWrongBoneMovesToTheRightOne) {
     EXPECT_TRUE(validate(mended->rig).ok());
     const int index = findPrimitive(good, muscle);
     EXPECT_EQ(at(mended->rig.primitives, index).bone, right);
-    // It lies where it lay.
+    // It stays in place.
     EXPECT_LT(glm::distance(placeOf(at(mended->rig.primitives, index), glm::vec3(0.0f)),
                             placeOf(at(bad.primitives, index), glm::vec3(0.0f))),
               1e-3f * character->height);
@@ -83,7 +83,7 @@ TEST_F(MendRig, WorksWithoutAMirrorPlan) {
 }
 
 TEST_F(MendRig, DeepenedMuscleKeepsItsTop) {
-  // Somewhat too thin for how far its skin goes: a bundled muscle made as thin as it takes to be found.
+  // Slightly too thin for how far its skin moves: a bundled muscle thinned until it is found.
   const int index = findPrimitive(good, "latissimus L");
   Rig thin = good;
   while (check(thin, motions).empty()) {
@@ -122,7 +122,7 @@ TEST_F(MendRig, SkinOfAnotherLimbIsRemovedFromTheTerritory) {
     return std::ranges::count(findings, FindingKind::kReachesAcross, &Finding::kind);
   };
   ASSERT_GT(across(wide), 0);
-  // One bone of a muscle is named at a time.
+  // One bone of a muscle is reported at a time.
   Rig rig = wide;
   for (int round = 0; round < 3; ++round) rig = withMendedRig(rig, 0, motions, &plan).value().rig;
   EXPECT_EQ(across(rig), 0);

@@ -1,4 +1,4 @@
-// tests/bodies/muscle_at_test.cpp: a muscle of a set laid where a hand points.
+// tests/bodies/muscle_at_test.cpp: a muscle of a set laid at the pointer.
 #include "core/bodies/muscle_set.h"
 
 #include <cmath>

@@ -1,4 +1,5 @@
-// tests/bodies/muscle_set_test.cpp: what a set adds stays in the flesh in every clip, or is left out with the reason.
+// tests/bodies/muscle_set_test.cpp: muscles added by a set stay in the flesh in every clip, or are left out with a
+// reason.
 #include "core/bodies/muscle_set.h"
 
 #include <algorithm>
@@ -24,9 +25,9 @@ namespace fs = std::filesystem;
 const fs::path kAssets = fs::path(SINEW_SOURCE_DIR) / "assets";
 
 struct Body {
-  const char* file;  ///< Of assets, or of the real characters.
+  const char* file;  ///< In assets, or a real character.
   const char* set;
-  std::size_t mostLeftOut;  ///< Muscles a side; of low bodies made of parts most have no flesh.
+  std::size_t mostLeftOut;  ///< Muscles per side; on low bodies made of parts most have no flesh.
 };
 std::ostream& operator<<(std::ostream& out, const Body& body) { return out << body.file; }
 

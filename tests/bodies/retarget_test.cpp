@@ -1,4 +1,4 @@
-// tests/bodies/retarget_test.cpp: muscles of one body on another, there and back.
+// tests/bodies/retarget_test.cpp: muscles of one body on another, and back.
 #include "core/bodies/retarget.h"
 
 #include <algorithm>
@@ -61,7 +61,7 @@ Retargeted onto(const Rig& rig, const RetargetedBody& from, const RetargetedBody
   return done.ok() ? done.value() : Retargeted{};
 }
 
-/// The same body in another size and place, its bones called otherwise: retargeting must see the differences alone.
+/// The same body with another size, place and bone names.
 std::shared_ptr<const Character> enlarged(const Character& character, float factor) {
   Character copy = character;
   for (glm::vec3& position : copy.mesh.positions) position *= factor;
@@ -90,7 +90,7 @@ glm::vec3 centerInBind(const Primitive& primitive, const Skeleton& skeleton) {
 
 class Retarget : public ::testing::TestWithParam<const char*> {};
 
-/// Rigs as they ship: on muscle lines, wrapped, keyed.
+/// Bundled rigs: with muscle lines, wrapping, with keys.
 TEST_P(Retarget, SameBodyChangesNothing) {
   const Rig rig = rigOf(GetParam());
   const RetargetedBody body = bundled(fs::path(rig.character).filename().string());
@@ -122,7 +122,7 @@ TEST_P(Retarget, SameBodyChangesNothing) {
   EXPECT_EQ(done.rig.links, rig.links);
 }
 
-/// Three times as large, everything is three times as large.
+/// On a body three times as large, everything is three times as large.
 TEST_P(Retarget, LargerBodyScalesEverything) {
   const Rig rig = rigOf(GetParam());
   const RetargetedBody body = bundled(fs::path(rig.character).filename().string());
@@ -144,7 +144,7 @@ INSTANTIATE_TEST_SUITE_P(Bundled, Retarget,
                          ::testing::Values("humanoid.rig.json", "humanoid-flex.rig.json", "humanoid-wrapped.rig.json",
                                            "horse.rig.json", "horse-flex.rig.json"));
 
-/// What a muscle of a limb may ride.
+/// Checks the bones that a limb's muscles may ride.
 void expectSameParts(const Rig& before, const RetargetedBody& from, const Rig& after, const RetargetedBody& to) {
   const BodyFrame ours = makeBodyFrame(*from.character, bodySlots(*from.character, from.plan));
   const BodyFrame theirs = makeBodyFrame(*to.character, bodySlots(*to.character, to.plan));

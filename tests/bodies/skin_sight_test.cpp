@@ -1,4 +1,4 @@
-// tests/bodies/skin_sight_test.cpp: what lies open is in sight, what is covered is not.
+// tests/bodies/skin_sight_test.cpp: exposed places are visible, covered ones are not.
 #include "core/bodies/cloth_check.h"
 
 #include <array>
@@ -9,7 +9,7 @@
 namespace sinew {
 namespace {
 
-/// Boxes that face outwards, about the origin. @param open  the first one has no top
+/// Boxes that face outwards, around the origin. @param open  the first one has no top
 TriangleTree boxes(std::initializer_list<float> sizes, bool open) {
   std::vector<TriangleCorners> triangles;
   std::vector<int> numbers;

@@ -1,4 +1,4 @@
-// tests/bodies/skin_track_test.cpp: the nearest skin that faces outwards, against a look at every triangle.
+// tests/bodies/skin_track_test.cpp: nearest skin that faces outwards, compared with a search of all triangles.
 #include "core/bodies/skin_track.h"
 
 #include <gtest/gtest.h>

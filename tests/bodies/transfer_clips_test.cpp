@@ -1,4 +1,4 @@
-// tests/bodies/transfer_clips_test.cpp: clips of one body on another.
+// tests/bodies/transfer_clips_test.cpp: clips of one body played on another.
 #include "core/bodies/transfer_clips.h"
 
 #include <algorithm>
@@ -26,7 +26,7 @@ Character bodyOf(std::size_t style, Stance stance, Expected& slots) {
   return test::characterOf(test::namedBodies().at(style), stance, slots);
 }
 
-/// Every joint turns about its own axis, and the named one moves too.
+/// Every joint rotates about its own axis, and the named one also moves.
 AnimationClip swaying(const Skeleton& skeleton, int moved, float size) {
   std::mt19937 random(5);
   std::uniform_real_distribution<float> any(-1.0f, 1.0f);
@@ -50,7 +50,7 @@ AnimationClip swaying(const Skeleton& skeleton, int moved, float size) {
   return clip;
 }
 
-/// Twice as large, all names behind a prefix.
+/// Twice as large, all names with a prefix.
 Character scaledAndRenamed(Character character, float scale, const std::string& prefix) {
   Skeleton& skeleton = character.skeleton;
   for (Node& node : skeleton.nodes) node.rest.translation *= scale;
@@ -76,7 +76,7 @@ bool isFinitePose(const Pose& pose) {
 TEST(TransferClips, SameSkeletonKeepsEveryBit) {
   Expected slots;
   Character from = bodyOf(0, Stance::kArmsLevel, slots);
-  // Turned as files have it: the floats of a rotation are never quite of length 1.
+  // As in files, where rotations are never exactly of unit length.
   std::mt19937 random(3);
   std::uniform_real_distribution<float> any(-1.0f, 1.0f);
   const auto anyTurn = [&] { return glm::normalize(glm::quat(any(random), any(random), any(random), any(random))); };
@@ -86,7 +86,7 @@ TEST(TransferClips, SameSkeletonKeepsEveryBit) {
   const Character to = from;
   from.clips = {swaying(from.skeleton, 0, 1.0f)};
   from.clips.front().channels.front().interpolation = Interpolation::kStep;
-  // What no other skeleton would be given: a bone that stretches.
+  // Not transferred to other skeletons: a bone that stretches.
   const int last = from.skeleton.bones.back().node;
   from.clips.front().channels.push_back(
       {last, ChannelPath::kTranslation, Interpolation::kLinear, {0.0f, 1.0f}, {glm::vec4(0.0f), glm::vec4(0.1f)}});
@@ -137,7 +137,7 @@ TEST(TransferClips, ScaledAndRenamedCopyPlaysTheSame) {
   }
 }
 
-/// A body with level arms plays a clip of one whose arms hang: the limbs point the same way at every moment.
+/// A body with level arms plays a clip of one whose arms hang: at all times the limbs have the same directions.
 TEST(TransferClips, ArmsOfAnotherStanceFollowTheClip) {
   for (const auto& [ours, theirs] : {std::pair{0U, 0U}, std::pair{0U, 1U}, std::pair{1U, 0U}}) {
     Expected fromSlots;
@@ -246,7 +246,7 @@ TEST(TransferClips, ShapesMatchByName) {
   EXPECT_EQ(made.clips.front().morphChannels.front().values, (std::vector<float>{0.25f, 0.0f, 0.25f, 1.0f}));
 }
 
-/// Any tree, flat and mirrored bind poses, any turns: a pose of numbers, never longer than the clip.
+/// Random trees, flat and mirrored bind poses, random rotations: poses are finite, and no longer than the clip.
 TEST(TransferClips, RandomSkeletonsGiveFinitePoses) {
   std::mt19937 random(11);
   std::uniform_real_distribution<float> any(-1.0f, 1.0f);

@@ -1,4 +1,4 @@
-// tests/character/bindings_test.cpp: the bones that a vertex follows.
+// tests/character/bindings_test.cpp: bones that influence a vertex.
 #include "core/character/bindings.h"
 
 #include <gtest/gtest.h>

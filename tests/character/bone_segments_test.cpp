@@ -1,4 +1,4 @@
-// tests/character/bone_segments_test.cpp: closest points of segments, and which segments bones have.
+// tests/character/bone_segments_test.cpp: closest points of segments, and segments of bones.
 #include "core/character/bone_segments.h"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// tests/character/first_clip_test.cpp: which clip is chosen, by what names say.
+// tests/character/first_clip_test.cpp: the clip selected by default, judged by its name.
 
 #include "core/character/clip_names.h"
 
@@ -43,12 +43,12 @@ TEST(FirstClip, PrefersWalkThenIdleThenRun) {
       {{"mixamo.com", "RunForward", "idle2"}, "idle2"},
       {{"swordattack", "dead", "slowwalk"}, "slowwalk"},
       {{"IDLE", "WALK"}, "WALK"},
-      // A movement on the way is better than one while something else happens.
+      // Locomotion is preferred, but not combined with another action.
       {{"WalkAttack", "WalkDeath", "Idle"}, "Idle"},
       {{"Walk_Left", "Walk_Right", "Walk"}, "Walk"},
       {{"CrouchWalk", "WalkCycle"}, "WalkCycle"},
       {{"Walk_02", "Walk_01"}, "Walk_02"},
-      // Words that only begin alike.
+      // Words with the same beginning only.
       {{"Rune", "Runway", "Diet", "Deadlift"}, "Rune"},
       {{"Die", "Diet"}, "Diet"},
       {{"", "Walk"}, "Walk"},
@@ -58,7 +58,7 @@ TEST(FirstClip, PrefersWalkThenIdleThenRun) {
   EXPECT_EQ(firstClip({}), -1);
 }
 
-// The order in the file decides between equals alone: it cannot bring a worse kind to the front.
+// The order in the file decides between equals only: it cannot promote a worse kind.
 TEST(FirstClip, DoesNotDependOnTheOrder) {
   std::vector<std::string> names{"Attack", "Death", "Idle", "Jump", "Run", "Walk"};
   do {

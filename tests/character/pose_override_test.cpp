@@ -1,4 +1,4 @@
-// tests/character/pose_override_test.cpp: turned joints: nothing else moves, what hangs on them moves rigidly.
+// tests/character/pose_override_test.cpp: rotated joints: their descendants move rigidly, nothing else moves.
 #include "core/character/pose_override.h"
 
 #include <cmath>
@@ -41,7 +41,7 @@ glm::mat4 randomMatrix(Chance& chance, Scale scale) {
   return m;
 }
 
-/// A random tree of bones, each with a matrix of its own relative to its parent; bind pose and a moment differ.
+/// A random tree of bones, each with its own matrix relative to its parent; bind pose and current pose differ.
 struct Scene {
   Skeleton skeleton;
   Pose moment;
@@ -57,7 +57,7 @@ Scene randomScene(Chance& chance, Scale scale) {
     const auto at = [&](const glm::mat4& local, const glm::mat4& parent) { return parent * local; };
     const auto p = static_cast<std::size_t>(std::max(bone.parent, 0));
     const glm::mat4 none(1.0f);
-    // Scale on a few bones alone: products of many would flatten what hangs on them.
+    // Only a few bones are scaled: products of many would flatten their descendants.
     const Scale own = i % 3 == 0 ? scale : Scale::kNone;
     bone.bindInWorld = at(randomMatrix(chance, own), i == 0 ? none : scene.skeleton.bones[p].bindInWorld);
     scene.moment.boneInWorld.push_back(at(randomMatrix(chance, own), i == 0 ? none : scene.moment.boneInWorld[p]));
@@ -169,7 +169,7 @@ TEST(PoseOverrides, IdentityRotationChangesNothing) {
   overrides.set(6, glm::quat(1, 0, 0, 0));
   EXPECT_TRUE(overrides.isEmpty());
   EXPECT_EQ(posed(scene.skeleton, scene.moment, overrides).boneInWorld, scene.moment.boneInWorld);
-  overrides.set(100, chance.rotation());  // A longer skeleton's.
+  overrides.set(100, chance.rotation());  // From a longer skeleton.
   EXPECT_EQ(posed(scene.skeleton, scene.moment, overrides).boneInWorld, scene.moment.boneInWorld);
 }
 
@@ -239,7 +239,7 @@ TEST_P(RotatedJoints, ChangingTheBaseKeepsTheCurrentPose) {
   }
 }
 
-/// A trunk with an arm on either side, mirrored across x = 0; frames of the right arm turned anyhow.
+/// A trunk with an arm on either side, mirrored across x = 0; frames of the right arm rotated randomly.
 Skeleton twoArms(Chance& chance) {
   Skeleton skeleton;
   const auto add = [&](const char* name, int parent, const glm::vec3& origin) {

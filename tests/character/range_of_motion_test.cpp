@@ -1,4 +1,5 @@
-// tests/character/range_of_motion_test.cpp: the clip made from a skeleton: whole, within limits, from rest to rest.
+// tests/character/range_of_motion_test.cpp: the clip generated from a skeleton: complete, within limits, starts and
+// ends at rest.
 #include "core/character/range_of_motion.h"
 
 #include <cmath>
@@ -38,7 +39,7 @@ RangeOfMotionHints hintsFor(const Character& character) {
   return {plan.twinOf, glm::vec3(plan.plane.normal), skinned(character), {}, {}};
 }
 
-/// Rotation of a bone to its parent, as turns see it, relative to the bind pose: radians.
+/// Rotation of a bone relative to its parent and the bind pose, radians.
 float bentBy(const Skeleton& skeleton, const Pose& pose, std::size_t bone) {
   const Bone& b = skeleton.bones[bone];
   const auto relative = [&](const glm::mat4& own, const glm::mat4& parent) {
@@ -139,7 +140,7 @@ TEST(RangeOfMotion, LoneRootHasNone) {
   EXPECT_TRUE(rangeOfMotion(Skeleton{}).channels.empty());
 }
 
-// A person in a T-pose that faces +Z or, turned round, -Z; frames turned anyhow.
+// A person in a T-pose that faces +Z or, rotated, -Z; with random frames.
 struct Joint {
   const char* name;
   int parent;
@@ -183,7 +184,7 @@ Skeleton person(float facing) {
 
 int boneNamed(const Skeleton& skeleton, const char* name) { return skeleton.findBone(name).value(); }
 
-/// Where a point carried by a bone is, at every frame of the clip, relative to where it is bound.
+/// Visits the position of a point carried by a bone at every frame of the clip, relative to its bind position.
 template <class Visit>
 void follow(const Skeleton& skeleton, const AnimationClip& clip, const char* bone, Visit visit) {
   const auto i = static_cast<std::size_t>(boneNamed(skeleton, bone));
@@ -194,7 +195,7 @@ void follow(const Skeleton& skeleton, const AnimationClip& clip, const char* bon
   }
 }
 
-/// The steps in which one joint moves.
+/// Steps in which one joint moves.
 std::vector<MovementStep> stepsOf(const Skeleton& skeleton, const char* bone) {
   std::vector<MovementStep> found;
   for (const MovementStep& step : rangeOfMotionSteps(skeleton)) {
@@ -263,7 +264,7 @@ TEST(RangeOfMotion, LeftAndRightMoveTogetherAsMirrorImages) {
     const auto r = static_cast<std::size_t>(boneNamed(skeleton, right));
     float moved = 0.0f;
     follow(skeleton, clip, left, [&](const glm::vec3& by, const Pose& pose, std::size_t) {
-      // The spine and the head bend sideways by themselves.
+      // The spine and the head bend sideways on their own.
       if (bentBy(skeleton, pose, 1) > 1e-3f || bentBy(skeleton, pose, 2) > 1e-3f) return;
       const glm::vec3 a(pose.boneInWorld[l][3]);
       const glm::vec3 b(pose.boneInWorld[r][3]);

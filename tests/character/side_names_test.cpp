@@ -1,4 +1,4 @@
-// tests/character/side_names_test.cpp: sides in names, as riggers write them.
+// tests/character/side_names_test.cpp: side markers in names, as riggers write them.
 
 #include "core/character/bone_names.h"
 
@@ -57,7 +57,7 @@ TEST(SideNames, SeveralMarkersAreAmbiguous) {
   EXPECT_FALSE(mirroredName("L_arm_R"));
   EXPECT_EQ(sideMarkers("L_arm_R").size(), 2u);
   EXPECT_FALSE(sideNamed("L_arm_R"));
-  // A whole word outweighs letters.
+  // A whole word takes precedence over letters.
   EXPECT_EQ(mirroredName("LeftHand_r"), "RightHand_r");
 }
 

@@ -1,4 +1,4 @@
-// tests/character/skinning_test.cpp: skinned characters against an independent double-precision skinning of the raw
+// tests/character/skinning_test.cpp: skinned characters match an independent double-precision skinning of the raw
 // files.
 
 #include "core/character/skinning.h"
@@ -28,7 +28,7 @@ TEST_P(RealCharacter, SkinningMatchesTheFile) {
   test::expectSkinsLikeTheFile(*file);
 }
 
-/// In the bind pose every vertex stays where the control mesh has it.
+/// In the bind pose every vertex stays at its place in the control mesh.
 TEST_P(RealCharacter, BindPoseKeepsTheMesh) {
   const auto file = test::characterFile(GetParam());
   if (!file) SINEW_SKIP_WITHOUT_CHARACTERS();
@@ -53,7 +53,7 @@ TEST(Skinning, BentPostMatchesTheFile) {
   test::expectSkinsLikeTheFile(folder.write("post.glb", test::makePost().file.glb()));
 }
 
-/// Worked out by hand: the knee turns its ring by 90 degrees about x, so that up becomes forward.
+/// Computed by hand: the knee rotates its ring by 90 degrees about x, so that up becomes forward.
 TEST(Skinning, BentPostMatchesAHandCalculation) {
   const test::TemporaryFolder folder;
   const auto imported = importGltf(folder.write("post.glb", test::makePost().file.glb()));
@@ -71,7 +71,8 @@ TEST(Skinning, BentPostMatchesAHandCalculation) {
   }
 }
 
-/// Wedges of faces that turn with one bone keep their faces' normals; what is not creased is its vertex's, bit for bit.
+/// Wedges of faces that rotate with one bone keep their faces' normals; uncreased ones equal their vertex's, bit for
+/// bit.
 TEST(Skinning, CreasedWedgesRotateWithTheirVertices) {
   const auto character = test::makeCube();
   const ControlMesh sharp = creased(character->mesh, 30.0f);

@@ -1,4 +1,4 @@
-// tests/geometry/creases_test.cpp: fans and their normals, against shapes known by hand and a slow search.
+// tests/geometry/creases_test.cpp: fans and their normals, on known shapes and compared with a slow search.
 
 #include "core/geometry/creases.h"
 
@@ -21,7 +21,7 @@ namespace {
 
 std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
-/// Vertices given, all on one bone and with one texture coordinate.
+/// Given vertices, all on one bone and with one texture coordinate.
 ControlMesh meshOf(const std::vector<glm::vec3>& points, const std::vector<std::array<std::uint32_t, 3>>& triangles) {
   TriangleSoup soup;
   soup.positions = points;
@@ -51,7 +51,7 @@ ControlMesh prism(std::uint32_t sides) {
   return meshOf(points, triangles);
 }
 
-/// Sheet of n x n quads over the square, heights and places shaken.
+/// Sheet of n x n quads over the square, with random heights and positions.
 ControlMesh shakenSheet(int n, float height, std::uint32_t seed) {
   std::mt19937 random(seed);
   std::uniform_real_distribution<float> shake(-1.0f, 1.0f);
@@ -80,7 +80,7 @@ glm::dvec3 faceNormal(const ControlMesh& mesh, std::size_t triangle) {
   return glm::normalize(glm::cross(glm::dvec3(mesh.positions[at(b)]) - p, glm::dvec3(mesh.positions[at(c)]) - p));
 }
 
-/// What a corner is shaded with.
+/// Shading normal of a corner.
 glm::vec3 cornerNormal(const ControlMesh& mesh, std::size_t triangle, std::size_t corner) {
   const Wedge& wedge = mesh.wedges[at(mesh.triangles[triangle].wedges[corner])];
   return wedge.creased ? wedge.normal : mesh.normals[at(wedge.vertex)];
@@ -151,7 +151,7 @@ TEST(Creases, RoundMeshesAreUnchanged) {
 }
 
 TEST(Creases, CreaseEndingInTheMeshDoesNotSplitItsEnd) {
-  // A fold from the left border to the middle; to the right of it the sheet is one smooth fan.
+  // A fold from the left border to the middle; right of it the sheet is one smooth fan.
   const ControlMesh fold =
       meshOf({{0, 0, 0}, {-1, 0, 0}, {-0.3f, -1, -1}, {-0.3f, 1, -1}, {1, -1, -0.3f}, {1, 1, -0.3f}},
              {{0, 1, 2}, {0, 3, 1}, {0, 2, 4}, {0, 4, 5}, {0, 5, 3}});
@@ -206,7 +206,7 @@ TEST(Creases, SeamsAndCreasesSplitTogether) {
   EXPECT_EQ(next, static_cast<int>(sharp.wedges.size()));
 }
 
-/// Corners of each vertex joined by trying every pair of faces, again and again until nothing changes.
+/// Joins corners of each vertex by trying all pairs of faces until nothing changes.
 std::map<std::array<std::size_t, 2>, std::size_t> slowFans(const ControlMesh& mesh, double degrees) {
   std::map<std::array<std::size_t, 2>, std::size_t> fan;  // (triangle, vertex) -> smallest triangle of its fan
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {

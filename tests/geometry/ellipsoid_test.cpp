@@ -1,4 +1,4 @@
-// tests/geometry/ellipsoid_test.cpp: the potential's promises and the unit-ball map.
+// tests/geometry/ellipsoid_test.cpp: properties of the potential and the unit-ball map.
 #include "sinew/geometry/ellipsoid.h"
 
 #include <random>
@@ -95,7 +95,7 @@ TEST(UnitBallMap, SphereStaysASphereUnderRotationAndUniformScale) {
     ball.rotation = glm::normalize(glm::quat(unit(random), unit(random), unit(random), 1.1f));
     ball.radii = glm::vec3(0.3f + 0.2f * unit(random));
     Placement nearly = ball;
-    nearly.radii.y *= 1.0001f;  // an ellipsoid, by as little as makes one
+    nearly.radii.y *= 1.0001f;  // barely an ellipsoid
     const glm::vec3 axis = glm::normalize(glm::vec3(unit(random), unit(random), 1.2f));
     glm::mat4 bone = glm::translate(glm::mat4(1.0f), 5.0f * glm::vec3(unit(random), unit(random), unit(random)));
     bone = glm::scale(glm::rotate(bone, 3.0f * unit(random), axis), glm::vec3(1.0f + 0.9f * unit(random)));

@@ -1,4 +1,4 @@
-// tests/geometry/instruction_set_test.cpp: which instructions are chosen, and machines that lack them.
+// tests/geometry/instruction_set_test.cpp: choice of the instruction set, and machines that lack some.
 #include "core/geometry/instruction_set.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// tests/geometry/nearest_name_test.cpp: which name a misspelled word finds, and when none.
+// tests/geometry/nearest_name_test.cpp: suggestions for a misspelled word, or none.
 #include "core/geometry/nearest_name.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// tests/geometry/parallel_list_test.cpp: what several threads list is what one loop would.
+// tests/geometry/parallel_list_test.cpp: a list built by several threads equals a single loop's.
 #include "core/geometry/parallel.h"
 
 #include <random>

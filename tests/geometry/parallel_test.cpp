@@ -1,4 +1,4 @@
-// tests/geometry/parallel_test.cpp: every index once, whatever the threads; what is thrown comes back.
+// tests/geometry/parallel_test.cpp: every index is visited once for any number of threads; exceptions are rethrown.
 
 #include "core/geometry/parallel.h"
 
@@ -19,7 +19,7 @@ TEST(Parallel, EveryIndexIsVisitedOnce) {
       std::vector<int> seen(count, 0);
       std::atomic<bool> tooShort = false;
       forRanges(count, 16, [&](std::size_t begin, std::size_t end) {
-        if (end - begin < 8 && count > 16) tooShort = true;  // oneTBB halves ranges that are longer than that.
+        if (end - begin < 8 && count > 16) tooShort = true;  // oneTBB splits ranges longer than that.
         for (std::size_t i = begin; i < end; ++i) ++seen[i];
       });
       EXPECT_TRUE(std::ranges::all_of(seen, [](int times) { return times == 1; })) << most << ' ' << count;

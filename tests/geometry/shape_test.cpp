@@ -1,4 +1,4 @@
-// tests/geometry/shape_test.cpp: shapes against the formulas of docs/design.md, their bounds, and their images.
+// tests/geometry/shape_test.cpp: shapes match the formulas of docs/design.md, with their bounds and images.
 #include "sinew/geometry/shape.h"
 
 #include <cstdio>
@@ -36,7 +36,7 @@ glm::mat4 randomBone(Random& random) {
   return glm::scale(bone, {random.uniform(0.5f, 2.0f), random.uniform(0.5f, 2.0f), random.uniform(0.5f, 2.0f)});
 }
 
-/// In the primitive's space divided by its radii.
+/// A point in the muscle's space divided by its radii.
 glm::vec3 inRadii(const Placement& placement, const glm::mat4& bone, const glm::vec3& world) {
   return glm::vec3(glm::inverse(glm::dmat4(shapeInWorld(placement, 1.0f, bone))) * glm::dvec4(world, 1.0));
 }
@@ -90,7 +90,7 @@ TEST(Shape, VisibleRadiiAreExact) {
     EXPECT_NEAR(oracle::widest(shape, 1.0), 1.0, 3e-5) << shape.core << ' ' << shape.belly;
     EXPECT_NEAR(oracle::rho(shape, {0, 1, 0}), 1.0, 1e-12);
     EXPECT_NEAR(oracle::rho(shape, {0, -1, 0}), 1.0, 1e-12);
-    // With no core the thickest place is at y = belly.
+    // Without a core the thickest place is at y = belly.
     shape.core = 0.0f;
     shape.belly = std::clamp(shape.belly, -0.5f, 0.5f);
     shape.bend = {};

@@ -1,4 +1,4 @@
-// tests/geometry/weld_pieces_test.cpp: pieces that compression has rounded apart are one skin again.
+// tests/geometry/weld_pieces_test.cpp: pieces rounded apart by compression are joined to one skin.
 
 #include <gtest/gtest.h>
 
@@ -14,7 +14,7 @@ namespace {
 
 constexpr float kPieceTolerance = 1e-6f;
 
-/// A torus in two pieces, each with places and weights rounded to steps of its own.
+/// A torus in two pieces, positions and weights of each rounded to its own steps.
 TriangleSoup inRoundedPieces(const TriangleSoup& whole, std::uint32_t trianglesInFirst, float step, float weightStep) {
   TriangleSoup soup;
   soup.pieces.assign(2, {0.87f * step, 2.5f * weightStep});

@@ -1,4 +1,4 @@
-// tests/geometry/weld_test.cpp: welding split meshes back together.
+// tests/geometry/weld_test.cpp: welding of split meshes.
 
 #include "core/geometry/weld.h"
 
@@ -21,8 +21,7 @@ namespace {
 
 constexpr float kTolerance = 1e-6f;
 
-/// The same surface with corners split at random into vertices of their own, in random order, moved by `jitter` at
-/// most.
+/// The same surface with corners randomly split into separate vertices, in random order, displaced by at most `jitter`.
 TriangleSoup splitAtRandom(const TriangleSoup& soup, unsigned seed, float jitter) {
   std::mt19937 random(seed);
   std::uniform_real_distribution<float> offset(-jitter, jitter);
@@ -62,7 +61,7 @@ TEST(Weld, AnySplittingGivesTheSameGeometry) {
   EXPECT_EQ(expected.positions.size(), 17u * 9u);
   for (unsigned seed = 1; seed <= 40; ++seed) {
     const ControlMesh mesh = weld(splitAtRandom(whole, seed, 0.0f), kTolerance);
-    // Vertices are numbered by first use in triangle order, so the splitting leaves no trace at all.
+    // Vertices are numbered by first use in triangle order, so that splitting leaves no trace.
     EXPECT_EQ(mesh.positions, expected.positions) << seed;
     ASSERT_EQ(mesh.triangles.size(), expected.triangles.size());
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
@@ -78,7 +77,7 @@ TEST(Weld, AnySplittingGivesTheSameGeometry) {
 TEST(Weld, NoiseBelowTheToleranceStaysClosed) {
   const TriangleSoup whole = torus(23, 12);
   for (unsigned seed = 1; seed <= 40; ++seed) {
-    // Offsets of up to 0.25 an axis: any two copies lie within 0.87 tolerances.
+    // Offsets of up to 0.25 along each axis: any two copies lie within 0.87 tolerances.
     const ControlMesh mesh = weld(splitAtRandom(whole, seed, 0.25f * 1e-4f), 1e-4f);
     const Topology topology = topologyOf(mesh);
     EXPECT_TRUE(topology.closed()) << seed;
@@ -202,8 +201,7 @@ TEST(Weld, EmptySoupGivesAnEmptyMesh) {
   EXPECT_TRUE(mesh.positions.empty());
 }
 
-/// A hundred thousand vertices in one place, alike or each bound in its own way: a quadratic welder would not come
-/// back.
+/// A hundred thousand vertices in one place, equal or each with its own binding: a quadratic welder would take forever.
 TEST(Weld, ManyCoincidentVerticesAreFast) {
   for (const bool alike : {true, false}) {
     TriangleSoup soup;
@@ -221,8 +219,8 @@ TEST(Weld, ManyCoincidentVerticesAreFast) {
   }
 }
 
-/// Three sheets of different bones along one edge: no edge of the bound mesh has more than one triangle, the shape
-/// does.
+/// Three sheets of different bones along one edge: no edge of the bound mesh has more than one triangle, but one of the
+/// shape does.
 TEST(JoinedByPosition, JoinsPartsOfDifferentBones) {
   TriangleSoup soup;
   for (int sheet = 0; sheet < 3; ++sheet) {
@@ -248,7 +246,7 @@ TEST(JoinedByPosition, WeldedMeshIsUnchanged) {
   EXPECT_EQ(joined.triangles.size(), mesh.triangles.size());
 }
 
-// Two triangles on one edge, each with vertices of its own: how many wedges depends on the colors there alone.
+// Two triangles on one edge, with separate vertices: the number of wedges depends only on the colors there.
 TEST(Weld, ColorsSplitOnlyWedges) {
   TriangleSoup soup;
   for (const glm::vec3& p : {glm::vec3(0, 0, 0), glm::vec3(1, 0, 0), glm::vec3(0, 1, 0), glm::vec3(1, 0, 0),

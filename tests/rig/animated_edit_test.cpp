@@ -1,4 +1,4 @@
-// tests/rig/animated_edit_test.cpp: keys, drivers and channels edited; what refers to what.
+// tests/rig/animated_edit_test.cpp: edits of keys, drivers and channels, and the references between them.
 
 #include "core/rig/animated_edit.h"
 

@@ -92,7 +92,7 @@ TEST_F(AnimatedTwins, MirroringTwiceGivesTheOriginal) {
     Rig drawn = rig;
     test::addAnimation(random, {"leg L", "shin L"}, {"cross"}, drawn);
     Primitive first = drawn.primitives[0];
-    // Steps are rewritten, and products have an image only about 0.
+    // Steps are rewritten, and products have a mirror image only about 0.
     std::erase_if(first.animated, [](const AnimatedNumber& number) {
       return std::ranges::any_of(number.drivers, [](const Driver& driver) {
         return driver.curve.kind == CurveKind::kStep || driver.mode == DriverMode::kMultiply;

@@ -1,4 +1,4 @@
-// tests/rig/blending_graph_test.cpp: cliques against brute force over all subsets.
+// tests/rig/blending_graph_test.cpp: cliques match brute force over all subsets.
 #include "core/rig/blending_graph.h"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// tests/rig/clip_keys_test.cpp: keys follow clips that are called otherwise.
+// tests/rig/clip_keys_test.cpp: keys follow renamed clips.
 #include "core/rig/clip_keys.h"
 
 #include <random>
@@ -59,13 +59,13 @@ TEST(ClipKeys, OfAMissingClipAreReplaced) {
   EXPECT_EQ(renamed.lines[0].animated[0].keys[0], track("Walk", 1.0f));
   ASSERT_EQ(renamed.channels.size(), 1u);
   EXPECT_EQ(renamed.channels[0].track, track("Walk", 1.0f));
-  // A channel is not lost with its last track: drivers read it.
+  // A channel stays when its last track is removed, since drivers read it.
   const Rig stale = withClipsRenamed(rigKeyedIn({"Walk"}), {{"Walk 2", "Walk"}});
   EXPECT_TRUE(stale.lines[0].animated.empty());
   EXPECT_EQ(stale.channels.size(), 1u);
 }
 
-/// Whatever permutation of names: as many tracks, and each clip once in every list.
+/// For any permutation of names: as many tracks, and each clip once in every list.
 TEST(ClipKeys, NeverNameAClipTwice) {
   std::mt19937 random(5);
   for (int trial = 0; trial < 50; ++trial) {

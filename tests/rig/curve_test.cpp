@@ -1,4 +1,4 @@
-// tests/rig/curve_test.cpp: curves of keys and drivers: through their points, never beyond them.
+// tests/rig/curve_test.cpp: curves of keys and drivers pass through their points without overshoot.
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-// tests/rig/driven_morphs_test.cpp: what file, clip, keys and drivers make of a target's weight, and the surface.
+// tests/rig/driven_morphs_test.cpp: morph target weights from file, clip, keys and drivers, and the resulting surface.
 #include <limits>
 
 #include <gtest/gtest.h>
@@ -53,7 +53,7 @@ TEST_F(DrivenMorphs, RigWeightsAddToTheClip) {
   }
 }
 
-/// A corrective: the more the knee bends, the more of the shape.
+/// A corrective: the further the knee bends, the larger the weight.
 TEST_F(DrivenMorphs, BendDrivesAShape) {
   DriverInput input;
   input.bone = "knee";
@@ -75,7 +75,7 @@ TEST_F(DrivenMorphs, KeysReplaceTheRigWeightAndAreClamped) {
   EXPECT_NEAR(weights(rig, pose)[0], pose.morphWeights[0] + kMostMorphWeight, 1e-5f);
 }
 
-/// The same weights give the same surface, wherever they come from; with adaptive detail the levels stay.
+/// Equal weights give the same surface, wherever they come from; with adaptive detail the levels stay.
 TEST_F(DrivenMorphs, SurfaceDependsOnlyOnTheSum) {
   for (const DetailKind detail : {DetailKind::kUniform, DetailKind::kAdaptive}) {
     rig_.smoothing.detail = detail;

@@ -1,5 +1,4 @@
-// tests/rig/driven_numbers_test.cpp: numbers that follow the pose: joined, within range, independent of what came
-// before.
+// tests/rig/driven_numbers_test.cpp: parameters that follow the pose: combined, within range, independent of history.
 
 #include <cmath>
 
@@ -111,7 +110,7 @@ TEST_F(DrivenParameters, LengthsUseTheUnanimatedLine) {
   driver.input.kind = DriverInputKind::kLength;
   driver.input.line = "flexor";
   drive(Parameter::kReach, driver);
-  // The line's own rest length is driven too: nobody reads another's result.
+  // The line's own rest length is driven too: no driver reads another's result.
   rig = setDriver(rig, {Parameter::kRest, 0}, byBend(DriverMode::kReplace, {{0.0f, 3.0f}})).value();
   for (const float degrees : {-60.0f, 30.0f, 80.0f}) {
     const Pose pose = bentBy(degrees);

@@ -72,7 +72,7 @@ TEST(RigIdentity, OverwrittenTwinKeepsItsIdentity) {
   IdentitySource source;
   source.identify(before, Rig{});
   Rig rig = before;
-  rig.primitives[0] = before.primitives[1];  // As a mirror image is made from the leader.
+  rig.primitives[0] = before.primitives[1];  // As mirroring creates an image from its leader.
   rig.primitives[0].name = before.primitives[0].name;
   source.identify(rig, before);
   EXPECT_EQ(idsOf(rig), idsOf(before));
@@ -96,7 +96,7 @@ TEST(RigIdentity, MuscleRecreatedInEveryDragFrameKeepsItsIdentity) {
   }
 }
 
-/// Whatever is edited: who is still there, by index and with what it holds, is still the same one.
+/// After any edits, remaining items keep their identity, by index and contents.
 TEST(RigIdentity, SurvivesRandomEdits) {
   std::mt19937 random(7);
   Rig rig = rigOf(4);

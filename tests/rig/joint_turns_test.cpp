@@ -1,4 +1,4 @@
-// tests/rig/joint_turns_test.cpp: bend, twist and nearness against turns that were put in.
+// tests/rig/joint_turns_test.cpp: bend, twist and nearness measured for given rotations.
 
 #include "core/rig/driver_input.h"
 
@@ -21,7 +21,7 @@ namespace {
 
 int boneNamed(const Character& character, const char* name) { return *character.skeleton.findBone(name); }
 
-/// One joint turned from the bind pose, in its own turn frame.
+/// One joint rotated from the bind pose, in its own frame for rotations.
 Pose turned(const Character& character, int bone, const glm::quat& turn) {
   PoseOverrides overrides;
   overrides.set(bone, turn);
@@ -79,12 +79,12 @@ TEST(JointRotations, NearnessMatchesTheClosedForm) {
   }
 }
 
-/// Largest change of any joint's measures over the range of motion, by steps of a tenth of a degree or less.
+/// Largest change of any joint's measures over the range of motion, in steps of at most a tenth of a degree.
 void expectContinuous(const Character& character) {
   const AnimationClip clip = rangeOfMotion(character.skeleton);
   const Skeleton& skeleton = character.skeleton;
   std::vector<Pose> poses;
-  // Dense stretches, a few frames each, over the whole clip: all of it takes minutes on a detailed skeleton.
+  // Dense intervals of a few frames each, spread over the clip: all of it takes minutes on a detailed skeleton.
   const float step = 0.0005f;
   for (float from = 0.0f; from < clip.duration; from += clip.duration / 60.0f) {
     Pose last = samplePose(skeleton, clip, from);

@@ -1,4 +1,4 @@
-// tests/rig/layers_test.cpp: parts that are guessed and chosen, and what pieces of the mesh make of it.
+// tests/rig/layers_test.cpp: guessed and selected layers of parts, and the resulting pieces of the mesh.
 #include "core/rig/mesh_layers.h"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// tests/rig/line_edit_test.cpp: lines come, change and go with what rides them.
+// tests/rig/line_edit_test.cpp: lines are added, edited and removed together with their muscles.
 
 #include "core/rig/line_edit.h"
 

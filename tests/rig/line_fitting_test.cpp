@@ -30,7 +30,7 @@ struct LineFitting : testing::Test {
   [[nodiscard]] LineLengths lengths() const {
     return lengthsOver(lineRest(rig.lines[0], *limb).value(), *limb, limb->clips);
   }
-  /// Independent of lengthsOver: at one time of the clip.
+  /// Stretch at one time of the clip, computed independently of lengthsOver.
   [[nodiscard]] float stretchAt(const Rig& of, float time) const {
     return RigPoser(of, *limb).pose(samplePose(limb->skeleton, limb->clips.front(), time)).lines.front().stretch;
   }
@@ -49,7 +49,7 @@ TEST_F(LineFitting, LongClipsAreSampledSparsely) {
     const LineLengths all = lengthsOver(lineRest(rig.lines[0], slow).value(), slow, slow.clips);
     EXPECT_GT(all.poses, 50'000);
     EXPECT_LE(all.poses, 60'002);
-    // Of more moments the shortest is shorter, if not by much.
+    // With more sample times the minimum is smaller, but not by much.
     EXPECT_LE(all.least, seen.least + 1e-4f);
     EXPECT_NEAR(all.least, seen.least, 0.03f);
     EXPECT_GE(all.most, seen.most - 1e-4f);
@@ -94,7 +94,7 @@ TEST_F(LineFitting, ViaPointKeepsTheLineOutOfTheJoint) {
   const Rig bent = withViaPoint(rig, 0, *limb).value();
   ASSERT_TRUE(bent.lines[0].via);
   EXPECT_EQ(bent.lines[0].via->bone, "root");
-  // In the bind pose the line passes the joint on this side, and no nearer than it did.
+  // In the bind pose the line passes the joint on this side, and no closer than before.
   const LineRest rest = lineRest(bent.lines[0], *limb).value();
   const glm::dvec3 joint(limb->skeleton.bones[1].bindInWorld[3]);
   EXPECT_GT(rest.via->inBind.z, joint.z);

@@ -1,5 +1,4 @@
-// tests/rig/line_pose_test.cpp: what a line makes of its belly: formulas against closed forms, and what may not
-// change.
+// tests/rig/line_pose_test.cpp: effect of a line on its belly: closed forms and invariants.
 
 #include "core/rig/line_pose.h"
 
@@ -20,7 +19,7 @@ constexpr double kPi = 3.14159265358979323846;
 constexpr int kUpper = 0;
 constexpr int kFore = 1;
 
-/// An upper arm of 30 that hangs down, a forearm below it; +z is the front. No skin: a line needs it only where its
+/// An upper arm of length 30 that hangs down, a forearm below it; +z is the front. No skin: a line needs it only if its
 /// anchors lie on the bone's axis.
 Character arm() {
   Character character;
@@ -38,7 +37,7 @@ Character arm() {
   return character;
 }
 
-/// MUSCLES.md A2's biceps: 3 along the humerus, 4 along the forearm, both 1.5 in front.
+/// The biceps of docs/muscles.md: 3 along the humerus, 4 along the forearm, both 1.5 in front.
 MuscleLine biceps() {
   MuscleLine line;
   line.name = "biceps";
@@ -73,7 +72,7 @@ class Random {
     m = glm::rotate(m, in(-kPi, kPi), direction());
     return glm::scale(m, glm::dvec3(in(leastScale, mostScale)));
   }
-  /// Any line that can be drawn on the arm.
+  /// A random line on the arm.
   MuscleLine line() {
     MuscleLine line = biceps();
     const auto point = [&] { return glm::vec3(in(-3, 3), in(-12, 0), in(0.5, 4)); };
@@ -81,7 +80,7 @@ class Random {
     line.insertion.point = point();
     if (in(0, 1) < 0.5) line.via = LineAnchor{"upper", point(), {}};
     LineSettings& s = line.settings;
-    s.rest = static_cast<float>(in(0.5, 1.0));  // Longer lines are slack in the bind pose, and so active.
+    s.rest = static_cast<float>(in(0.5, 1.0));  // Longer lines are slack in the bind pose, hence active.
     s.tendons = {in(0, 0.3), in(0, 0.3)};
     s.volume = static_cast<float>(in(0, 2));
     s.pivot = static_cast<float>(in(0, 1));
@@ -125,7 +124,7 @@ TEST(LinePose, FormulaGivesIdentityInTheBindPose) {
   }
 }
 
-/// The definition's table of a biceps over the elbow.
+/// The documented table of a biceps over the elbow.
 TEST(LinePose, BicepsMatchesTheDocumentedTable) {
   struct Row {
     double degrees, stretch, belly, girth, activation, height;
@@ -163,7 +162,8 @@ TEST(LinePose, VolumeIsPreservedIfRequested) {
       pose.boneInWorld[b] = glm::mat4(motion * glm::dmat4(pose.boneInWorld[b]));
     }
     const PosedLine at = posed(line, character, pose);
-    // Even wide limits bend girth a little where the belly is pressed flat; its least length keeps no volume at all.
+    // Even wide limits change the girth slightly where the belly is compressed; at minimum length the volume is not
+    // kept.
     if (at.bellyStretch < 0.5f || at.bellyStretch > 2.0f) continue;
     ++kept;
     const double sigma = std::sqrt(scale[0] * scale[1]);
@@ -298,7 +298,7 @@ TEST(LinePose, TwistFollowsTheChosenBone) {
   line.origin.point = {0.0f, -3.0f, 1.5f};
   Pose pose = bindPose(character.skeleton);
   const LineRest rest = lineRest(line, character).value();
-  // The forearm turns about the line itself: nothing but its roll changes.
+  // The forearm rotates about the line itself: only its roll changes.
   const glm::dmat4 about = glm::translate(glm::dmat4(1.0), rest.insertion.inBind);
   const glm::dmat4 roll = about * glm::rotate(glm::dmat4(1.0), 0.5 * kPi, rest.direction) * glm::inverse(about);
   pose.boneInWorld[kFore] = glm::mat4(roll * glm::dmat4(pose.boneInWorld[kFore]));
@@ -312,7 +312,7 @@ TEST(LinePose, TwistFollowsTheChosenBone) {
   EXPECT_NEAR(turnAt(1.0f), 90.0, 1e-3);
 }
 
-/// Behind the elbow a straight line passes through the joint as the arm bends; round a via point it does not.
+/// Behind the elbow a straight line passes through the joint as the arm bends; one around a via point does not.
 TEST(LinePose, ViaPointKeepsTheBellyOutOfTheJoint) {
   const Character character = arm();
   MuscleLine line;
@@ -379,7 +379,7 @@ TEST(NearestRotation, RecoversTheRotationOfScaledAndShearedMatrices) {
   for (int i = 0; i < 1000; ++i) {
     const glm::dmat3 turn(glm::rotate(glm::dmat4(1.0), random.in(-kPi, kPi), random.direction()));
     const glm::dmat3 axes(glm::rotate(glm::dmat4(1.0), random.in(-kPi, kPi), random.direction()));
-    // Polar decomposition: a rotation after a symmetric positive stretch is the rotation.
+    // Polar decomposition of a rotation after a symmetric positive stretch gives the rotation.
     const glm::dmat3 grow(random.in(0.2, 5.0), 0, 0, 0, random.in(0.2, 5.0), 0, 0, 0, random.in(0.2, 5.0));
     const glm::dmat3 found = nearestRotation(turn * axes * grow * glm::transpose(axes));
     for (int column = 0; column < 3; ++column) EXPECT_LT(glm::distance(found[column], turn[column]), 1e-9) << i;

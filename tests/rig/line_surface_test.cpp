@@ -37,7 +37,7 @@ struct LineSurface : testing::TestWithParam<SurfaceMode> {
     Rig rigid = rig;
     rigid.lines.clear();
     rigid.primitives[0].line.clear();
-    // The territory that a line's muscle has by default.
+    // Default territory of a line's muscle.
     rigid.primitives[0].territory = {"root", "middle", "end"};
     return rigid;
   }

@@ -1,4 +1,4 @@
-// tests/rig/line_twins_test.cpp: lines of both sides: made with their muscles, followed, turned over.
+// tests/rig/line_twins_test.cpp: lines of both sides: created with their muscles, kept in sync, mirrored.
 
 #include "core/rig/twins.h"
 
@@ -28,7 +28,7 @@ struct LineTwins : testing::Test {
     rig = keepTwins(rig, rig, edited.value(), plan);
   }
 
-  /// Both bellies are mirror images in a pose that is its own mirror image.
+  /// Both bellies are mirror images in a symmetric pose.
   void expectMirrored() {
     Pose pose = bindPose(character->skeleton);
     pose.flex = 0.7f;

@@ -1,4 +1,4 @@
-// tests/rig/merge_test.cpp: what is brought in refers to what came with it, whatever that is called now.
+// tests/rig/merge_test.cpp: merged items refer to the items they came with, whatever their names are now.
 
 #include "core/rig/merge.h"
 
@@ -32,7 +32,7 @@ Driver readsLength(const std::string& line) {
   return driver;
 }
 
-/// A pair of calves on a pair of lines, each driven by the length of its own.
+/// A pair of calves on a pair of lines, each driven by the length of its own line.
 struct RigMerge : testing::Test {
   std::shared_ptr<const Character> legs = test::makeTwoLegged();
   MirrorPlan plan = makeMirrorPlan(*legs);
@@ -98,7 +98,7 @@ TEST_F(RigMerge, MirroredMergeSwapsTheSide) {
 }
 
 TEST_F(RigMerge, EqualNamesInDifferentRigsAreUnrelated) {
-  // "calf 2" of the source is only read, and stays behind; what came becomes "calf 2" here.
+  // The source's "calf 2" is only read and stays there; the merged item becomes "calf 2" here.
   Rig source = addLine(addLine(Rig{}, lineNamed("calf")).value(), lineNamed("calf 2")).value();
   Primitive muscle = calves.primitives[0];
   muscle.mirror.clear();

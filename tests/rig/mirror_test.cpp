@@ -1,4 +1,4 @@
-// tests/rig/mirror_test.cpp: the plane, the pairs, and mirrored placements, on real and on nasty skeletons.
+// tests/rig/mirror_test.cpp: mirror plane, bone pairs, and mirrored placements on real and pathological skeletons.
 
 #include "core/rig/mirror.h"
 
@@ -22,8 +22,8 @@ namespace {
 
 using test::Random;
 
-/// How far an ellipsoid reaches along a unit direction, from the world's origin. Two convex bodies whose support
-/// functions differ by at most e lie within e of each other.
+/// Extent of an ellipsoid along a unit direction, from the world's origin. Two convex bodies whose support functions
+/// differ by at most e lie within e of each other.
 double support(const Placement& inBone, const glm::mat4& boneInWorld, const glm::dvec3& direction) {
   const glm::dmat4 bone(boneInWorld);
   const glm::dmat3 axes = glm::dmat3(bone) * glm::mat3_cast(glm::normalize(glm::dquat(inBone.rotation)));
@@ -55,7 +55,7 @@ Placement randomPlacement(Random& random, const glm::mat4& boneInWorld, float he
   return placement;
 }
 
-/// @param canonical  the placement comes back, not only the ellipsoid.
+/// @param canonical  the placement itself is reproduced, not only the ellipsoid
 void expectMirrored(const MirrorPlan& plan, Random& random, int bone, bool canonical = true) {
   const auto from = static_cast<std::size_t>(bone);
   const auto to = static_cast<std::size_t>(plan.twinOf[from]);
@@ -64,7 +64,7 @@ void expectMirrored(const MirrorPlan& plan, Random& random, int bone, bool canon
   const Placement image = imageOf(original, *plan.mirrors[from]);
   for (int i = 0; i < 20; ++i) {
     const glm::dvec3 d = randomDirection(random);
-    // Reflecting a body reflects its support: h'(d) = h(S d) + what the plane's offset adds.
+    // Reflecting a body reflects its support: h'(d) = h(S d) + a term for the plane's offset.
     const glm::dvec3 turned = d - 2.0 * glm::dot(d, plan.plane.normal) * plan.plane.normal;
     const double expected = support(original, bind, turned) + 2.0 * plan.plane.offset * glm::dot(d, plan.plane.normal);
     EXPECT_NEAR(support(image, plan.skeleton.bones[to].bindInWorld, d), expected,
@@ -150,7 +150,7 @@ TEST(Mirror, BundledLizardIsFullyPaired) {
   expectSoundPlan(plan);
 }
 
-// Nasty skeletons ---------------------------------------------------------------------------------------------------
+// Pathological skeletons -------------------------------------------------------------------------------------------
 
 struct Joint {
   const char* name;
@@ -158,7 +158,7 @@ struct Joint {
   glm::vec3 at;
 };
 
-/// Bones with frames turned at random, as exporters leave them.
+/// Bones with randomly rotated frames, as exporters write them.
 Skeleton skeletonOf(const std::vector<Joint>& joints, bool turned = true) {
   Random random(3);
   Skeleton skeleton;
@@ -206,7 +206,7 @@ TEST(Mirror, PairsIrregularNames) {
 }
 
 TEST(Mirror, PairsUnnamedBonesByPositionAndHierarchy) {
-  // Two bones at one place on each side: only the tree says which is whose.
+  // Two bones in the same place on each side: only the tree distinguishes them.
   const std::vector<Joint> joints = {
       {"joint 0", -1, {0, 0, 0}}, {"joint 1", 0, {1, 0, 0}}, {"joint 2", 0, {-1, 0, 0}},
       {"joint 3", 2, {-2, 0, 0}}, {"joint 4", 1, {2, 0, 0}}, {"joint 5", 4, {2, 0, 0}},
@@ -253,7 +253,7 @@ TEST(Mirror, FlattenedBoneHasNoCounterpart) {
   EXPECT_FALSE(twinBone(plan, "tail"));
 }
 
-/// Placements equal in every bit.
+/// Bitwise equal placements.
 bool sameBits(const Placement& a, const Placement& b) { return std::memcmp(&a, &b, sizeof(Placement)) == 0; }
 
 Placement mirroredPlacement(const Placement& inBone, const glm::mat4& bone, const glm::mat4& twin,
@@ -263,7 +263,7 @@ Placement mirroredPlacement(const Placement& inBone, const glm::mat4& bone, cons
 
 TEST(Mirror, AxisMirroredFramesRoundTripBitForBit) {
   Random random(5);
-  // Frames of twins as tools make them: both upright, or the twin's turned over along some of its axes, or all three.
+  // Frames of twins as tools create them: both upright, or the twin's flipped along some or all of its axes.
   for (const glm::vec3 signs : {glm::vec3(1, 1, 1), glm::vec3(-1, 1, -1), glm::vec3(1, -1, -1), glm::vec3(-1, -1, 1)}) {
     const glm::mat4 bone = glm::translate(glm::mat4(1.0f), {0.25f, 1.0f, 0.125f});
     glm::mat4 twin = glm::translate(glm::mat4(1.0f), {-0.25f, 1.0f, 0.125f});
@@ -276,7 +276,7 @@ TEST(Mirror, AxisMirroredFramesRoundTripBitForBit) {
       EXPECT_EQ(image.radii, original.radii);
       EXPECT_TRUE(sameBits(mirroredPlacement(image, twin, bone, plane), original));
     }
-    // What nobody turned does not come back turned.
+    // An unrotated placement comes back unrotated.
     const Placement straight{{0.1f, 0.2f, 0.3f}, glm::quat(1, 0, 0, 0), {0.1f, 0.2f, 0.3f}};
     EXPECT_GT(mirroredPlacement(straight, bone, twin, plane).rotation.w, 0.99f);
   }
@@ -307,7 +307,7 @@ TEST(Mirror, SnapsToThePlaneAndDetectsWhatLiesInIt) {
   ASSERT_TRUE(snapped);
   belly.placement = *snapped;
   EXPECT_TRUE(liesInPlane(plan, belly, 1e-5f));
-  // A shape that is not symmetric is no image of itself, until it is snapped.
+  // An asymmetric shape is not its own image until it is snapped.
   for (const Shape& shape : {Shape{0.3f, 0.2f, {}}, Shape{0.0f, 0.0f, {0.5f, 0.0f}}, Shape{0.4f, 0.1f, {0.2f, 0.5f}}}) {
     Primitive shaped = belly;
     shaped.placement.shape = shape;

@@ -61,7 +61,7 @@ TEST(Morphs, KeepIdleKeepsEveryEntry) {
   EXPECT_EQ(namesIn(rig), (std::vector<std::string>{"smile", "idle"}));
 }
 
-/// Idle entries are of the character, which may have more names than a rig may use.
+/// Idle entries come from the character, which may have more names than a rig may use.
 TEST(Morphs, IdleEntriesAreNotCounted) {
   Rig rig = emptyRig();
   for (int i = 0; i < 1024; ++i) rig = setMorphWeight(std::move(rig), "shape " + std::to_string(i), 1.0f).value();

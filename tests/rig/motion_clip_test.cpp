@@ -1,4 +1,4 @@
-// tests/rig/motion_clip_test.cpp: the range of motion joins the clips, once, and never in place of a file's own.
+// tests/rig/motion_clip_test.cpp: the range of motion is added to the clips once, and never replaces a file's own clip.
 
 #include "core/rig/motion_clip.h"
 
@@ -56,7 +56,7 @@ TEST(MotionClip, IsNotCreatedWithoutJointsToRotate) {
   EXPECT_FALSE(skin[1]);
 }
 
-/// How a point is moved by a step at its far end.
+/// Displacement of a point at the end of a movement step.
 glm::vec3 wayOf(const Skeleton& skeleton, const MovementStep& step, int bone) {
   PoseOverrides turns;
   for (const JointMovement& m : step) turns.set(m.bone, glm::angleAxis(m.to, m.axis));
@@ -64,7 +64,7 @@ glm::vec3 wayOf(const Skeleton& skeleton, const MovementStep& step, int bone) {
   return glm::vec3(posed(skeleton, bindPose(skeleton), turns).boneInWorld[i][3] - skeleton.bones[i].bindInWorld[3]);
 }
 
-/// Names in Japanese, names that say nothing, names of every program: the same body moves in the same way.
+/// Japanese names, meaningless names, names of every program: the same body makes the same movements.
 TEST(MotionClip, JointsMoveByRoleWhateverTheirNames) {
   const std::map<std::string, std::size_t> swings{
       {"hips", 0},       {"spine", 3},      {"neck", 3},   {"head", 3},   {"upperArm.L", 3}, {"upperArm.R", 3},

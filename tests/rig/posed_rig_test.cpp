@@ -1,4 +1,4 @@
-// tests/rig/posed_rig_test.cpp: a rig in a pose: what its muscles ride, and how each line answers.
+// tests/rig/posed_rig_test.cpp: a rig in a pose: bones of its muscles, and the state of each line.
 #include "core/rig/posed_rig.h"
 
 #include <gtest/gtest.h>

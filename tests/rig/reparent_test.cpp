@@ -1,4 +1,4 @@
-// tests/rig/reparent_test.cpp: a primitive that changes bones stays where it is.
+// tests/rig/reparent_test.cpp: a muscle moved to another bone stays in place.
 
 #include "core/rig/line_edit.h"
 
@@ -32,7 +32,7 @@ Placement randomPlacement(std::mt19937& random) {
           {radius(random), radius(random), radius(random)}};
 }
 
-/// Largest difference of the two ellipsoids' quadrics, which do not care how axes are named or flipped.
+/// Largest difference of the two ellipsoids' quadrics, which do not depend on order or sign of axes.
 float difference(const glm::mat4& a, const glm::mat4& b) {
   const glm::mat3 qa = glm::mat3(a) * glm::transpose(glm::mat3(a));
   const glm::mat3 qb = glm::mat3(b) * glm::transpose(glm::mat3(b));

@@ -1,4 +1,4 @@
-// tests/rig/rig_edit_several_test.cpp: several primitives changed at once: all of them, nothing else, or nothing.
+// tests/rig/rig_edit_several_test.cpp: changing several muscles at once: all of them, nothing else, or nothing.
 
 #include "core/rig/rig_edit_several.h"
 

@@ -1,4 +1,4 @@
-// tests/rig/rig_edit_test.cpp: edits leave their input alone and give valid rigs.
+// tests/rig/rig_edit_test.cpp: edits leave their input unchanged and give valid rigs.
 #include "sinew/rig/rig_edit.h"
 
 #include <limits>
@@ -40,7 +40,7 @@ Rig sample() {
 
 int index(test::Random& random, std::size_t size) { return random.below(static_cast<int>(size)); }
 
-/// One random edit with arguments that are sometimes good and sometimes not. Nothing: it was refused.
+/// One random edit whose arguments may be invalid. None: it was refused.
 std::optional<Rig> randomEdit(test::Random& random, const Rig& rig) {
   const auto value = [](Result<Rig> result) { return result ? std::optional(result.value()) : std::nullopt; };
   const auto some = [&] { return random.chance(0.1f) ? kNan : random.uniform(-1.0f, 4.0f); };
@@ -196,7 +196,7 @@ TEST(RigEdit, OnlyEmptyGroupsAreRemovedWithTheirLinks) {
 
 TEST(RigEdit, LinksAreSetAndClearedOnce) {
   Rig rig = sample();
-  rig.links.push_back({"torso", "legs"});  // Files may say it twice.
+  rig.links.push_back({"torso", "legs"});  // Files may contain it twice.
   EXPECT_TRUE(setLink(rig, 1, 0, false)->links.empty());
   EXPECT_EQ(setLink(rig, 1, 0, true)->links.size(), 2u);
   const auto unlinked = setLink(sample(), 0, 1, false);
@@ -222,7 +222,7 @@ TEST(RigEdit, SettingsAreValidated) {
 }
 
 TEST(RigEdit, TooManyCliquesAreRefused) {
-  // 12 triples of groups, linked but within the triple: 3^12 cliques.
+  // 12 triples of groups, linked except within a triple: 3^12 cliques.
   Rig rig;
   for (int i = 0; i < 36; ++i) rig.groups.push_back({"g" + std::to_string(i), {}});
   const auto linkAll = [&](bool wholeThing) {

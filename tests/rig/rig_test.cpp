@@ -1,4 +1,4 @@
-// tests/rig/rig_test.cpp: equality, look-ups and names.
+// tests/rig/rig_test.cpp: equality, lookups and names.
 #include "sinew/rig/rig.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,5 @@
-// tests/rig/tendons_test.cpp: tendons leave their belly, pass the via point softly and end at the anchors.
+// tests/rig/tendons_test.cpp: tendons leave their belly tangentially, pass the via point smoothly and end at the
+// anchors.
 #include "core/rig/line_rest.h"
 
 #include <random>

@@ -1,4 +1,4 @@
-// tests/rig/trial_rig_test.cpp: muscles set by rule: valid, repeatable, under the skin and over it.
+// tests/rig/trial_rig_test.cpp: generated trial muscles: valid, repeatable, under the skin and above it.
 #include "core/rig/trial_rig.h"
 
 #include <set>

@@ -1,4 +1,4 @@
-// tests/rig/twins_test.cpp: linked twins follow, exactly, until let go.
+// tests/rig/twins_test.cpp: linked twins mirror each other exactly until unlinked.
 
 #include "core/rig/twins.h"
 
@@ -41,7 +41,7 @@ struct Scene {
   }
 };
 
-/// Every linked pair is what mirroring the one says of the other, to a few units in the last place.
+/// Every linked pair consists of mirror images, up to a few units in the last place.
 void expectExact(const Rig& rig, const MirrorPlan& plan) {
   for (std::size_t i = 0; i < rig.primitives.size(); ++i) {
     const int twin = twinOf(rig, static_cast<int>(i));
@@ -94,7 +94,7 @@ TEST(Twins, PairWithoutASideInItsNameIsNamedByPosition) {
       belly.name = "belly";
       belly.bone = "spine";
       belly.placement = {{x, 0.1f, 0.2f}, glm::quat(1, 0, 0, 0), {0.2f, 0.3f, 0.1f}};
-      // A name that is taken on one side: both go on to the next number.
+      // A name taken on one side: both move on to the next number.
       Primitive taken = belly;
       taken.name = "belly R";
       scene.edit(addPrimitive(scene.rig, taken));
@@ -110,7 +110,7 @@ TEST(Twins, PairWithoutASideInItsNameIsNamedByPosition) {
       const std::string& other = scene.rig.primitives[static_cast<std::size_t>(first) + 1].name;
       EXPECT_EQ(mirroredName(one), other);
       EXPECT_TRUE(one.starts_with("belly ")) << one;
-      // The legs say which side is left.
+      // The leg determines which side is left.
       for (const int index : {first, first + 1}) {
         const Primitive& muscle = scene.rig.primitives[static_cast<std::size_t>(index)];
         const auto placeOf = [&](const std::string& bone, const glm::vec3& point) {
@@ -174,7 +174,7 @@ TEST(Twins, ShapesAreMirrored) {
   EXPECT_EQ(twin.core, 0.5f);
   EXPECT_EQ(std::abs(twin.belly), 0.2f);
   EXPECT_EQ(glm::abs(twin.bend), glm::vec2(0.3f, 0.4f));
-  // A reflection turns an odd number of axes round, as the image is kept right-handed.
+  // A reflection flips an odd number of axes, since the image is kept right-handed.
   const float turned = twin.belly / 0.2f * (twin.bend.x / 0.3f) * (twin.bend.y / -0.4f);
   EXPECT_LT(turned, 0.0f);
   shaped(1, {0.1f, -0.1f, {0.0f, 1.0f}});
@@ -308,7 +308,7 @@ TEST(Twins, NamesFollowIfTheSideIsClear) {
   EXPECT_EQ(scene.rig.primitives[1].name, "big R");
 }
 
-/// One random edit; nothing: refused.
+/// One random edit; none: it was refused.
 std::optional<Rig> randomEdit(Random& random, const Rig& rig, const Character& character, const MirrorPlan& plan) {
   const auto value = [](Result<Rig> result) { return result ? std::optional(result.value()) : std::nullopt; };
   const auto below = [&](std::size_t n) { return random.below(static_cast<int>(n)); };

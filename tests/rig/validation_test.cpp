@@ -1,4 +1,4 @@
-// tests/rig/validation_test.cpp: what no file can hold but code can. Files' cases: tests/files/rig_json_test.cpp.
+// tests/rig/validation_test.cpp: invalid rigs that only code can produce. For files see tests/files/rig_json_test.cpp.
 #include "core/rig/validation.h"
 
 #include <limits>
@@ -53,7 +53,7 @@ TEST(Validation, ShapeRangesAreChecked) {
   }
 }
 
-/// The interface shows no JSON paths: a muscle is called by its name.
+/// The interface shows no JSON paths: a muscle is referred to by name.
 TEST(Validation, ErrorsNameTheirSubjectInPlainLanguage) {
   Rig rig;
   rig.groups = {{"arms", {}}, {"legs", {}}};
@@ -115,7 +115,7 @@ TEST(Validation, CreaseAnglesMustLieBetween0And180) {
 TEST(Validation, NamesMustBeUtf8) {
   for (const char* good : {"a", "é", "大腿", "\U0001F4AA", "\x01", "\x7f"})
     EXPECT_TRUE(validateName(good, "").ok()) << good;
-  // Lone and missing continuations, overlong forms, a surrogate, past the last code point.
+  // Lone and missing continuation bytes, overlong forms, a surrogate, beyond the last code point.
   for (const char* bad : {"", "\x80", "a\xff", "\xc3", "\xc0\x80", "\xe0\x80\x80", "\xed\xa0\x80", "\xf0\x80\x80\x80",
                           "\xf4\x90\x80\x80", "\xf8\x88\x80\x80\x80", "\xe5\xa4"}) {
     EXPECT_FALSE(validateName(bad, "").ok()) << bad;

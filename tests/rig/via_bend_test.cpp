@@ -1,4 +1,4 @@
-// tests/rig/via_bend_test.cpp: muscles bend with the line that goes round a via point.
+// tests/rig/via_bend_test.cpp: muscles bend with a line around a via point.
 #include <cmath>
 #include <random>
 
@@ -13,7 +13,7 @@
 namespace sinew::test {
 namespace {
 
-/// A line along y, with a belly 8 long.
+/// A line along y, with a belly of length 8.
 LineRest rest() {
   LineRest rest;
   rest.settings.tendons = {0.1f, 0.1f};
@@ -32,7 +32,7 @@ glm::mat4 someCarrier() {
   return carrier;
 }
 
-/// Place of the axis at y in radii, world.
+/// Position of the axis at y in radii, world.
 glm::vec3 axisAt(const BentMuscle& muscle, float y) {
   const glm::vec2 bend = (1.0f - y * y) * muscle.placement.shape.bend;
   return glm::vec3(shapeInWorld(muscle.placement, 1.0f, muscle.carrier) * glm::vec4(bend.x, y, bend.y, 1.0f));
@@ -61,7 +61,7 @@ TEST(ViaBend, BendIsQuadraticInTheFractionAndZeroAcrossTheLine) {
   float before = 1.0f;
   for (float angle = 0.0f; angle < 1.57f; angle += 0.01f) {
     Placement placement = placed({0.5f, 4.0f, 0.5f}, glm::angleAxis(angle, glm::vec3(0.0f, 0.0f, 1.0f)));
-    placement.shape.belly = 0.05f;  // Has a first axis.
+    placement.shape.belly = 0.05f;  // Has a distinguished axis.
     const float share = viaBend(rest(), placement, glm::mat4(1.0f)).share;
     EXPECT_LE(share, before + 1e-6f);
     EXPECT_LT(before - share, 0.05f) << angle;

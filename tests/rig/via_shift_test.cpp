@@ -1,4 +1,4 @@
-// tests/rig/via_shift_test.cpp: how far a via point moves a belly's middle, wherever along the belly it lies.
+// tests/rig/via_shift_test.cpp: shift of a belly's middle by a via point anywhere along it.
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -15,18 +15,18 @@ const glm::dvec3 kBeside = glm::normalize(glm::cross(kAlong, glm::dvec3(0.3, 0.1
 constexpr double kTendon = 2.0;
 constexpr double kBelly = 10.0;
 
-/// Shift by a via point at y, -1 and 1 being the belly's ends.
+/// Shift by a via point at y; the belly's ends are -1 and 1.
 glm::dvec3 shiftAt(double y, double beside) {
   const glm::dvec3 via = kOrigin + (kTendon + 0.5 * kBelly * (1.0 + y)) * kAlong + beside * kBeside;
   return viaShift(kOrigin, kAlong, via, kTendon, kBelly);
 }
 
-/// What `beside` is multiplied by.
+/// Factor applied to `beside`.
 double factorAt(double y) { return glm::dot(shiftAt(y, 1.0), kBeside); }
 
 TEST(ViaShift, PutsAParabolaThroughAViaPointOverTheBelly) {
   for (double y = -0.59; y <= 0.59; y += 0.01) {
-    // A parabola from end to end that is `shift` high in the middle.
+    // A parabola from end to end with height `shift` in the middle.
     const double atVia = factorAt(y) * (1.0 - y * y);
     EXPECT_NEAR(atVia, 1.0, 1e-14) << y;
   }

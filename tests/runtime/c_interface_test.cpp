@@ -1,4 +1,5 @@
-// tests/runtime/c_interface_test.cpp: what C sees: the same bits, codes with a reason, nothing that harms.
+// tests/runtime/c_interface_test.cpp: the C interface: the same bits, error codes with a reason, invalid calls are
+// harmless.
 #include <cstring>
 #include <limits>
 
@@ -21,7 +22,7 @@ void use_tasks_of_c(int* count);
 namespace sinew::test {
 namespace {
 
-/// A smoother made through the interface, and what it needs.
+/// A smoother created through the interface, and its inputs.
 class CInterface : public testing::Test {
  protected:
   void SetUp() override {

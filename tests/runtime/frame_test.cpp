@@ -90,7 +90,7 @@ TEST(GameFrame, RefusedPoseKeepsTheLastSurfaceAndGivesAReason) {
   EXPECT_TRUE(smoother.smooth(good, surface));
 }
 
-/// A game's tasks, each on a thread of its own, the last first.
+/// A game's tasks, each on its own thread, started in reverse order.
 struct Threads {
   std::atomic<int> calls{0};
   std::atomic<int> tasks{0};
@@ -105,7 +105,7 @@ struct Threads {
   }
 };
 
-/// While it lives the tasks run on these threads.
+/// While alive, tasks run on these threads.
 class OnThreads {
  public:
   explicit OnThreads(Threads& threads, int count) { setTaskSystem({&Threads::run, &threads, count}); }
@@ -171,7 +171,7 @@ TEST(BoneLocals, GiveThePoseAtRestAndInEveryClip) {
   const auto rest = poseFromLocals(skeleton, {});
   ASSERT_TRUE(rest.ok());
   EXPECT_EQ(rest->boneInWorld, restPose(skeleton).boneInWorld);
-  // Turned about its own axis by hand, a bone takes all that hangs on it along: against multiplying all descendants.
+  // Rotating a bone about its own axis takes its descendants along: compared with multiplying all of them.
   std::vector<glm::quat> turns;
   for (const Bone& bone : skeleton.bones) {
     turns.push_back(skeleton.nodes[static_cast<std::size_t>(bone.node)].rest.rotation);

@@ -1,4 +1,4 @@
-// tests/runtime/game_file_test.cpp: what is written comes back with the same surface; what is damaged is refused.
+// tests/runtime/game_file_test.cpp: a written file gives the same surface when read; damaged files are refused.
 #include <cstring>
 
 #include <gtest/gtest.h>
@@ -16,7 +16,7 @@ namespace {
 
 using Bytes = std::vector<std::byte>;
 
-/// With the sum that its bytes have, so that what lies behind the sum is tried.
+/// Adds a valid checksum, so that the checks after it are exercised.
 Bytes withSum(Bytes bytes) {
   gamefile::Head head;
   if (bytes.size() < sizeof head) return bytes;

@@ -19,7 +19,7 @@ struct Scene {
   Surface surface;
 };
 
-/// In the middle of its first clip. @param crease  degrees
+/// Surface in the middle of its first clip. @param crease  degrees
 Scene smoothed(const std::string& name, float crease = 180.0f) {
   const TrialScene scene = bundledTrialScene(name);
   Rig rig = scene.rig;
@@ -102,7 +102,7 @@ TEST(VertexBuffer, HasTextureCoordinatesOfDrawnVertices) {
 
 TEST(VertexBuffer, IndicesAreGroupedByMaterial) {
   Scene scene = smoothed("demo");
-  Character several = *scene.character;  // Three materials in turn.
+  Character several = *scene.character;  // Three materials, alternating.
   for (std::size_t t = 0; t < several.mesh.triangles.size(); ++t) {
     several.mesh.triangles[t].material = static_cast<int>(t % 3) * 2;
   }
