@@ -23,10 +23,10 @@ class Demo(unittest.TestCase):
         self.glb = Glb(ASSETS / "demo.glb")
         self.rig = json.loads((ASSETS / "demo.rig.json").read_text())
 
-    def test_it_is_what_the_script_makes(self):
+    def test_script_reproduces_the_files(self):
         made_again.check(self, ASSETS / "make_demo.py", "demo.glb", ("demo.rig.json",))
 
-    def test_closed_manifold_without_flat_triangles(self):
+    def test_mesh_is_a_closed_manifold_without_flat_triangles(self):
         primitive = self.glb.json["meshes"][0]["primitives"][0]
         positions = self.glb.rows(primitive["attributes"]["POSITION"])
         index = [i for (i,) in self.glb.rows(primitive["indices"])]
@@ -36,7 +36,7 @@ class Demo(unittest.TestCase):
         euler = len(vertices) - len(triangles) * 3 // 2 + len(triangles)
         self.assertEqual(2, euler, "one closed piece without handles")
 
-    def test_weights_are_at_most_four_and_sum_to_one(self):
+    def test_vertices_have_at_most_four_weights_that_sum_to_one(self):
         attributes = self.glb.json["meshes"][0]["primitives"][0]["attributes"]
         self.assertNotIn("WEIGHTS_1", attributes)
         for weights in self.glb.rows(attributes["WEIGHTS_0"]):
@@ -79,7 +79,7 @@ class Demo(unittest.TestCase):
             lowest = min(to_world(f, key, (0.0, -0.075, z))[1] for f in feet for z in (-0.04, 0.13))
             self.assertLess(abs(lowest), 0.01, "key %d" % key)
 
-    def test_every_muscle_finds_its_bone_group_and_twin(self):
+    def test_muscles_have_bone_group_and_twin(self):
         bones = {self.glb.json["nodes"][j]["name"] for j in self.glb.json["skins"][0]["joints"]}
         names = {p["name"]: p for p in self.rig["primitives"]}
         groups = {g["name"] for g in self.rig["groups"]}
@@ -93,7 +93,7 @@ class Demo(unittest.TestCase):
                 self.assertEqual(p["radii"], twin["radii"])
                 self.assertEqual([-p["center"][0]] + p["center"][1:], twin["center"])
 
-    def test_the_program_smooths_it_into_a_closed_surface(self):
+    def test_smoothed_surface_is_closed(self):
         if not PROGRAM:
             self.skipTest("left out: the program is not built")
         with tempfile.TemporaryDirectory() as folder:

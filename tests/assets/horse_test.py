@@ -37,24 +37,24 @@ class Horse(unittest.TestCase):
         cls.glb = Glb(ASSETS / "horse.glb")
         cls.rigs = {name: json.loads((ASSETS / name).read_text()) for name in RIGS}
 
-    def test_it_is_what_the_script_makes(self):
+    def test_script_reproduces_the_files(self):
         made_again.check(self, ASSETS / "make_horse.py", "horse.glb", tuple(RIGS))
 
-    def test_412_triangles_closed_in_one_piece_none_flat(self):
+    def test_mesh_is_one_closed_piece_of_412_triangles_none_flat(self):
         triangles = self.glb.triangles()
         self.assertEqual(412, len(triangles))
         self.assertEqual([], open_edges(triangles))
         self.assertEqual(2, euler(triangles), "one closed piece without handles")
         self.assertGreater(min(area(t) for t in triangles), 1e-5)
 
-    def test_it_stands_on_the_ground_mirrored_and_as_tall_as_a_horse(self):
+    def test_body_is_symmetric_stands_on_the_ground_and_has_the_height_of_a_horse(self):
         corners = {p for t in self.glb.triangles() for p in t}
         self.assertEqual(0.0, min(y for _, y, _ in corners))
         withers = max(y for x, y, z in corners if x == 0.0 and abs(z - 0.27) < 0.1)
         self.assertAlmostEqual(1.6, withers, delta=0.03)
         self.assertEqual(corners, {(-x + 0.0, y, z) for x, y, z in corners})
 
-    def test_weights_are_at_most_four_and_sum_to_one(self):
+    def test_vertices_have_at_most_four_weights_that_sum_to_one(self):
         attributes = self.glb.json["meshes"][0]["primitives"][0]["attributes"]
         self.assertNotIn("WEIGHTS_1", attributes)
         for weights in self.glb.rows(attributes["WEIGHTS_0"]):
@@ -73,7 +73,7 @@ class Horse(unittest.TestCase):
                     nearest = min(sum(a * b for a, b in zip(p, q)) for p, q in zip(values, values[1:]))
                     self.assertGreater(nearest, 0.97, "half a turn's sine: no key is far from the next")
 
-    def test_24_muscles_find_bone_group_and_twin(self):
+    def test_24_muscles_have_bone_group_and_twin(self):
         bones = {self.glb.json["nodes"][j]["name"] for j in self.glb.json["skins"][0]["joints"]}
         for name, mode in RIGS.items():
             rig = self.rigs[name]
@@ -101,7 +101,7 @@ class Horse(unittest.TestCase):
         swapped = {".L": ".R", ".R": ".L"}
         self.assertEqual(p["bone"][:-2] + swapped.get(p["bone"][-2:], p["bone"][-2:]), twin["bone"])
 
-    def test_flexing_is_the_same_horse_with_muscles_that_span_joints_on_lines(self):
+    def test_flexing_rig_differs_only_by_lines_across_joints(self):
         rigid, flexing = (self.rigs[name]["primitives"] for name in ("horse.rig.json", "horse-flex.rig.json"))
         rest = {"line", "territory"}
         self.assertEqual([{k: v for k, v in p.items() if k not in rest} for p in rigid],
@@ -138,7 +138,7 @@ class Horse(unittest.TestCase):
         triangles = [tuple(int(c.split("/")[0]) for c in line[1:]) for line in lines if line and line[0] == "f"]
         return triangles, json.loads(report.read_text())
 
-    def test_the_program_smooths_its_rigs_into_closed_surfaces(self):
+    def test_smoothed_surfaces_are_closed(self):
         if not PROGRAM:
             self.skipTest("left out: the program is not built")
         poses = {2: ("--clip", "Walk", "--time", "0.3"), 3: (), 4: ("--clip", "Gallop", "--time", "0.1"),

@@ -69,29 +69,29 @@ class Humanoid(unittest.TestCase):
                         cut.append(p)
         return tuple(max(p[k] for p in cut) - min(p[k] for p in cut) for k in (0, 2))
 
-    def test_it_is_what_the_script_makes(self):
+    def test_script_reproduces_the_files(self):
         made_again.check(self, ASSETS / "make_humanoid.py", "humanoid.glb", FILES[1:])
 
-    def test_592_triangles_none_flat(self):
+    def test_mesh_has_592_triangles_none_flat(self):
         self.assertEqual(592, len(self.triangles))
         for t in self.triangles:
             longest = max(math.dist(t[k], t[k - 1]) for k in range(3))
             self.assertGreater(2.0 * area(*t) / longest, 0.003, "a triangle 3 mm high at least: %s" % (t,))
 
-    def test_one_closed_body(self):
+    def test_mesh_is_one_closed_piece(self):
         self.assertEqual([], open_edges(self.triangles))
         self.assertEqual(2, len(self.vertices) - len(self.triangles) * 3 // 2 + len(self.triangles))
         volume = sum(a[0] * (b[1] * c[2] - b[2] * c[1]) - a[1] * (b[0] * c[2] - b[2] * c[0]) +
                      a[2] * (b[0] * c[1] - b[1] * c[0]) for a, b, c in self.triangles) / 6.0
         self.assertTrue(0.055 < volume < 0.085, "cubic metres, faces outwards: %g" % volume)
 
-    def test_left_and_right_are_the_same(self):
+    def test_mesh_and_weights_are_symmetric(self):
         bound = self.bound()
         for (x, y, z), weights in bound.items():
             twin = bound[(-x if x else x, y, z)]
             self.assertEqual(weights, {mirrored(bone): w for bone, w in twin.items()})
 
-    def test_weights_are_at_most_four_and_sum_to_one(self):
+    def test_vertices_have_at_most_four_weights_that_sum_to_one(self):
         self.assertNotIn("WEIGHTS_1", self.attributes)
         for weights in self.attributes["WEIGHTS_0"]:
             self.assertAlmostEqual(1.0, sum(weights), places=6)
@@ -99,7 +99,7 @@ class Humanoid(unittest.TestCase):
         moved = {bone for weights in self.bound().values() for bone in weights}
         self.assertEqual({self.glb.json["nodes"][j]["name"] for j in self.glb.json["skins"][0]["joints"]}, moved)
 
-    def test_neighbors_do_not_follow_wholly_different_bones(self):
+    def test_neighboring_vertices_share_weights(self):
         """Along every edge at least a fifth of the weight is shared, or the bones are parent and child."""
         nodes, bound = self.glb.json["nodes"], self.bound()
         parent = {nodes[c]["name"]: n["name"] for n in nodes for c in n.get("children", [])}
@@ -109,7 +109,7 @@ class Humanoid(unittest.TestCase):
                 kin = any(parent.get(p) == q or parent.get(q) == p for p in bound[a] for q in bound[b])
                 self.assertTrue(shared > 0.2 or kin, (a, b))
 
-    def test_proportions_of_an_athlete(self):
+    def test_proportions_are_those_of_an_athlete(self):
         height = max(p[1] for p in self.vertices)
         self.assertAlmostEqual(1.80, height, places=2)
         self.assertAlmostEqual(0.0, min(p[1] for p in self.vertices), places=3)
@@ -124,14 +124,14 @@ class Humanoid(unittest.TestCase):
         thigh, knee, calf, ankle = (self.girth(y, 0.0, 0.3)[1] for y in (0.75, 0.495, 0.39, 0.13))
         self.assertTrue(thigh > knee > ankle and calf > 1.15 * ankle, (thigh, knee, calf, ankle))
 
-    def test_texture_places_lie_in_the_texture(self):
+    def test_texture_coordinates_lie_in_the_texture(self):
         for u, v in self.attributes["TEXCOORD_0"]:
             self.assertTrue(0.0 < u < 1.0 and 0.0 < v < 1.0)
 
-    def test_it_is_small_enough_to_bundle(self):
+    def test_file_is_small_enough_to_bundle(self):
         self.assertLess((ASSETS / FILES[0]).stat().st_size, 700_000)
 
-    def test_the_program_smooths_it_into_a_closed_surface(self):
+    def test_smoothed_surface_is_closed(self):
         if not PROGRAM:
             self.skipTest("left out: the program is not built")
         with tempfile.TemporaryDirectory() as folder:

@@ -67,12 +67,12 @@ class Motion(unittest.TestCase):
     def setUpClass(cls):
         cls.clips = {name: Clip(name) for name in ("Walk", "Dance", "Flex")}
 
-    def test_three_clips_of_their_length(self):
+    def test_file_has_three_clips_of_the_expected_length(self):
         self.assertEqual(["Walk", "Dance", "Flex"], [a["name"] for a in self.clips["Walk"].json["animations"]])
         for name, low, high in (("Walk", 1.0, 1.2), ("Dance", 8.0, 10.0), ("Flex", 3.0, 5.0)):
             self.assertTrue(low <= self.clips[name].times[-1] <= high, name)
 
-    def test_loops_without_a_seam(self):
+    def test_clips_loop_without_jumps(self):
         """The last key is the first; and the step over it is no larger than the steps beside it allow."""
         for name, clip in self.clips.items():
             for track, values in clip.tracks.items():
@@ -123,7 +123,7 @@ class Motion(unittest.TestCase):
         self.assertGreater(max(angle(q) for q in clip.turned("hips")), 15.0)
         self.assertGreater(max(angle(q) for q in clip.turned("chest")), 10.0)
 
-    def test_flex_curls_both_arms_at_the_shoulders_height(self):
+    def test_flex_curls_both_arms_at_shoulder_height(self):
         clip = self.clips["Flex"]
         for side in (".L", ".R"):
             bends = [angle(q) for q in clip.turned("forearm" + side)]

@@ -44,7 +44,7 @@ def mirrored(bone):
 
 
 class Files(unittest.TestCase):
-    def test_as_many_muscles_as_the_paper_counts(self):
+    def test_muscle_counts_match_the_paper(self):
         for body, name, rig in each_rig():
             with self.subTest(name):
                 muscles = [p["name"] for p in rig["primitives"]]
@@ -53,7 +53,7 @@ class Files(unittest.TestCase):
                 self.assertEqual({"ellipsoid"}, {p["kind"] for p in rig["primitives"]})
                 self.assertEqual(KINDS[kind_of(body, name)], rig["surface"]["mode"])
 
-    def test_every_bone_group_and_link_exists(self):
+    def test_bones_groups_and_links_exist(self):
         for body, name, rig in each_rig():
             file = glb_reader.Glb(ASSETS / rig["character"]).json
             bones = {file["nodes"][j]["name"] for j in file["skins"][0]["joints"]}
@@ -81,7 +81,7 @@ class Files(unittest.TestCase):
                         self.assertEqual(p[same], twin[same])
                     self.assertEqual([mirrored(b) for b in p.get("territory", [])], twin.get("territory", []))
 
-    def test_most_of_the_humanoids_muscles_are_on_its_torso(self):
+    def test_most_humanoid_muscles_are_on_the_torso(self):
         """And what would melt into it is in no group that is linked to the torso's."""
         for name in ("humanoid.rig.json", "humanoid-wrapped.rig.json"):
             rig = json.loads((ASSETS / name).read_text())
@@ -110,7 +110,7 @@ class Surfaces(unittest.TestCase):
         faces = [tuple(int(c.split("/")[0]) - 1 for c in line[1:]) for line in lines if line and line[0] == "f"]
         return places, faces, told
 
-    def test_inspect_tells_the_papers_counts_and_a_closed_surface(self):
+    def test_inspect_reports_the_papers_counts_and_a_closed_surface(self):
         for body, name, _ in each_rig():
             told = json.loads(self.run_program("inspect", ASSETS / name, "--json"))
             with self.subTest(name):
@@ -122,7 +122,7 @@ class Surfaces(unittest.TestCase):
         self.assertEqual(MUSCLES[body], told["primitives"])
         self.assertEqual([], told["unattached"])
 
-    def test_as_many_triangles_as_the_papers_table(self):
+    def test_refined_triangle_counts_match_the_papers_table(self):
         for body, name, _ in each_rig():
             for depth, count in REFINED[body].items():
                 with self.subTest(name, depth=depth):
@@ -132,7 +132,7 @@ class Surfaces(unittest.TestCase):
                     self.assertEqual(TRIANGLES[body], told["control_triangles"])
                     self.assertEqual(MUSCLES[body], told["primitives"], "all attached")
 
-    def test_whole_at_several_times_of_every_clip(self):
+    def test_surface_is_valid_at_several_times_of_every_clip(self):
         for body, name, rig in each_rig():
             file = glb_reader.Glb(ASSETS / rig["character"]).json
             for clip in CLIPS[body]:

@@ -22,13 +22,13 @@ class Scenes(unittest.TestCase):
         self.glb = {name: Glb(ASSETS / (name + ".glb")) for name in SCENES}
         self.rig = {name: json.loads((ASSETS / (name + ".rig.json")).read_text()) for name in SCENES}
 
-    def test_the_script_writes_the_same_bytes(self):
+    def test_script_reproduces_the_files(self):
         with tempfile.TemporaryDirectory() as folder:
             subprocess.run([sys.executable, ASSETS / "make_scenes.py", folder], check=True)
             for name in [scene + ending for scene in SCENES for ending in (".glb", ".rig.json")]:
                 self.assertEqual((ASSETS / name).read_bytes(), (pathlib.Path(folder) / name).read_bytes(), name)
 
-    def test_closed_in_one_piece_and_small(self):
+    def test_meshes_are_small_and_one_closed_piece(self):
         for name, glb in self.glb.items():
             primitive = glb.json["meshes"][0]["primitives"][0]
             index = [i for (i,) in glb.rows(primitive["indices"])]
@@ -48,7 +48,7 @@ class Scenes(unittest.TestCase):
                 values = glb.rows(sampler["output"])
                 self.assertEqual(values[0], values[-1], name)
 
-    def test_every_primitive_finds_bone_and_group(self):
+    def test_muscles_have_bone_and_group(self):
         for name, rig in self.rig.items():
             bones = {node["name"] for node in self.glb[name].json["nodes"]}
             groups = {group["name"] for group in rig["groups"]}
@@ -56,7 +56,7 @@ class Scenes(unittest.TestCase):
                 self.assertIn(p["bone"], bones)
                 self.assertIn(p["group"], groups)
 
-    def test_the_wrapped_body_is_wrapped(self):
+    def test_wrapped_body_has_muscles_on_all_bones_but_head_hands_and_feet(self):
         rig = self.rig["wrapped"]
         self.assertEqual("replace", rig["surface"]["mode"])
         self.assertEqual("Walk", self.glb["wrapped"].json["animations"][0]["name"])
@@ -64,7 +64,7 @@ class Scenes(unittest.TestCase):
         bones = {node["name"] for node in self.glb["wrapped"].json["nodes"]} - {"wrapped"}
         self.assertEqual(bones - bare, {p["bone"] for p in rig["primitives"]})
 
-    def test_the_tangle_is_one(self):
+    def test_tangle_has_carves_and_a_linked_clique(self):
         rig = self.rig["tangle"]
         self.assertEqual("swell", rig["surface"]["mode"])
         self.assertEqual(40, len(rig["primitives"]))

@@ -1,4 +1,6 @@
-// tests/bodies/belly_trial_test.cpp: a trial says of one muscle what check() says of its rig, wherever it begins.
+// tests/bodies/belly_trial_test.cpp: a trial of one muscle gives the same result as check() of its rig, wherever it
+// starts.
+
 #include "core/bodies/check.h"
 
 #include <gtest/gtest.h>
@@ -10,13 +12,13 @@
 namespace sinew::test {
 namespace {
 
-struct Trials : testing::Test {
+struct BellyTrials : testing::Test {
   const std::shared_ptr<const Character> character = bundledCharacter("humanoid.glb");
   const Motions motions{character};
   const std::vector<BellyChoice> drawn = drawnMuscles(*character, 2, 3);
 };
 
-TEST_F(Trials, SayWhatTheCheckSays) {
+TEST_F(BellyTrials, AgreeWithTheCheck) {
   int clean = 0;
   for (const BellyChoice& choice : drawn) {
     const BellyTrial trial(choice, SurfaceSettings{}, motions);
@@ -29,7 +31,7 @@ TEST_F(Trials, SayWhatTheCheckSays) {
   EXPECT_LT(clean, static_cast<int>(drawn.size())) << "else this says nothing";
 }
 
-TEST_F(Trials, SayTheSameFromWhateverPoseTheyBegin) {
+TEST_F(BellyTrials, DoNotDependOnTheFirstPose) {
   std::mt19937 random(9);
   for (const BellyChoice& choice : drawn) {
     const BellyTrial trial(choice, SurfaceSettings{}, motions);
@@ -37,7 +39,7 @@ TEST_F(Trials, SayTheSameFromWhateverPoseTheyBegin) {
     std::size_t first = random() % motions.poses().size();
     const float enough = kMendedMargin;
     EXPECT_EQ(trial.trouble(enough, &first) > enough, whole > enough);
-    // That pose alone is enough, and no more than the whole.
+    // That pose alone is enough, and gives no more than all poses.
     const float again = trial.trouble(enough, &first);
     EXPECT_LE(again, whole);
     EXPECT_EQ(again > enough, whole > enough);
@@ -45,7 +47,7 @@ TEST_F(Trials, SayTheSameFromWhateverPoseTheyBegin) {
   }
 }
 
-TEST_F(Trials, LinesLearnFromPosesWhatTheyLearnFromClips) {
+TEST_F(BellyTrials, LinesLearnTheSameFromPosesAsFromClips) {
   const Character& moving = motions.character();
   int shortened = 0;
   for (const BellyChoice& choice : drawn) {

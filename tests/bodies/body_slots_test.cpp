@@ -1,4 +1,4 @@
-// tests/bodies/body_slots_test.cpp: parts of bodies, in the names of many programs and without any.
+// tests/bodies/body_slots_test.cpp: body parts, recognized from the names of many programs and without names.
 #include "core/character/body_slots.h"
 
 #include <algorithm>
@@ -40,7 +40,7 @@ Names found(const Character& character) {
   return namesOf(character.skeleton, findBodySlots(character.skeleton, hints));
 }
 
-/// Where two tables differ, a line each; empty: nowhere.
+/// Differences of two tables, one per line; empty: none.
 std::string differences(const Names& found, const Names& expected) {
   std::string text;
   const auto list = [&](const Names& all, const Names& other, const char* what) {
@@ -54,14 +54,14 @@ std::string differences(const Names& found, const Names& expected) {
   return text;
 }
 
-/// A radius that is cut out of the bone of the humerus is not in the tables.
+/// A radius split from the bone of the humerus is not in the tables.
 void addCutForearm(const test::NamedBody& body, Names& expected) {
   if (!body.quadruped || expected.contains("frontLower.L")) return;
   for (const char* side : {".L", ".R"})
     expected[std::string("frontLower") + side] = expected[std::string("frontUpper") + side];
 }
 
-TEST(BodySlots, EveryStyleOfNamesHasAllItsPartsAndNoWrongOnes) {
+TEST(BodySlots, FindsAllPartsInEveryNamingStyle) {
   for (const test::NamedBody& body : test::namedBodies()) {
     for (const Stance stance : {Stance::kArmsLevel, Stance::kArmsDown}) {
       Names expected;
@@ -107,14 +107,14 @@ Character moved(Character character, const glm::mat4& by, float scale) {
   return character;
 }
 
-TEST(BodySlots, DoNotDependOnOrderSizePlaceOrWhereTheBodyFaces) {
+TEST(BodySlots, DoNotDependOnOrderScaleOrOrientation) {
   for (const test::NamedBody& body : test::namedBodies()) {
     Names expected;
     const Character character = characterOf(body, Stance::kArmsLevel, expected);
     addCutForearm(body, expected);
     EXPECT_EQ(differences(found(reordered(character)), expected), "") << body.style;
     EXPECT_EQ(differences(found(moved(character, glm::mat4(1.0f), 100.0f)), expected), "") << body.style;
-    const bool unnamed = body.style.starts_with("Unnamed");  // Their mirror plane is one of the axes'.
+    const bool unnamed = body.style.starts_with("Unnamed");  // Their mirror plane is an axis plane.
     for (const float degrees : {90.0f, 180.0f, unnamed ? 270.0f : 37.0f}) {
       const glm::mat4 turn = glm::rotate(glm::mat4(1.0f), glm::radians(degrees), glm::vec3(0, 1, 0));
       EXPECT_EQ(differences(found(moved(character, turn, 1.0f)), expected), "") << body.style << ", " << degrees;
@@ -134,7 +134,7 @@ TEST(BodySlots, DoNotDependOnThePrefixOfNames) {
   }
 }
 
-TEST(BodySlots, OfRandomTreesAreBonesOfTheTreeEachOnceAtMost) {
+TEST(BodySlots, RandomTreesGiveEachBoneAtMostOnce) {
   test::Random random(7);
   constexpr const char* kNames[] = {"Bone",  "LeftArm", "RightArm", "thigh.L", "thigh.R", "Head",
                                     "spine", "l",       "hand_r",   "",        "頭",      "tail"};
@@ -296,7 +296,7 @@ const std::vector<Real>& realBodies() {
   return kAll;
 }
 
-TEST(BodySlots, OfRealCharacters) {
+TEST(BodySlots, MatchRealCharacters) {
   for (const Real& real : realBodies()) {
     const auto character = test::realCharacter(real.file);
     if (!character) SINEW_SKIP_WITHOUT_CHARACTERS();
@@ -305,7 +305,7 @@ TEST(BodySlots, OfRealCharacters) {
   }
 }
 
-TEST(BodySlots, ARigCorrectsThem) {
+TEST(BodySlots, CanBeCorrectedByTheRig) {
   Names expected;
   const Character character = characterOf(test::namedBodies().front(), Stance::kArmsLevel, expected);
   const std::vector<SlotCorrection> corrections{

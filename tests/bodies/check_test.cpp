@@ -1,4 +1,5 @@
-// tests/bodies/check_test.cpp: faults that were put into rigs are found, each by its kind; good rigs have none.
+// tests/bodies/check_test.cpp: faults put into rigs are found and classified; good rigs have none.
+
 #include "core/bodies/check.h"
 
 #include <gtest/gtest.h>
@@ -58,7 +59,7 @@ INSTANTIATE_TEST_SUITE_P(Check, BundledRigs, testing::Values("humanoid", "humano
                            return name;
                          });
 
-struct Faults : testing::Test {
+struct RigFaults : testing::Test {
   Scene scene = bundled("humanoid-flex");
   int muscle = findPrimitive(scene.rig, "biceps L");
   MuscleLine& line = scene.rig.lines[static_cast<std::size_t>(findLine(scene.rig, "biceps L"))];
@@ -70,8 +71,8 @@ struct Faults : testing::Test {
   }
 };
 
-TEST_F(Faults, APivotOnABoneThatIsFarAway) {
-  // The belly thickens away from the bone: its underside comes out with it.
+TEST_F(RigFaults, PivotOnADistantBoneIsFound) {
+  // The belly thickens away from the bone, so that its underside comes out.
   line.settings.pivot = 1.0f;
   line.settings.flex = {3.0f, 0.0f};
   line.settings.volume = 3.0f;
@@ -82,13 +83,13 @@ TEST_F(Faults, APivotOnABoneThatIsFarAway) {
       << listOf(scene, findingsOf(scene));
 }
 
-TEST_F(Faults, ABall) {
+TEST_F(RigFaults, BallShapedBellyIsFound) {
   line.settings.tendons = {0.4f, 0.35f};
   line.settings.flex = {2.0f, 2.0f};
   EXPECT_TRUE(has(findingsOf(scene), FindingKind::kBall, muscle)) << listOf(scene, findingsOf(scene));
 }
 
-TEST_F(Faults, AViaPointAtTheWrongEnd) {
+TEST_F(RigFaults, ViaPointAtTheWrongEndIsFound) {
   line.via = LineAnchor{"hand.L", glm::vec3(0.0f), {}};
   EXPECT_TRUE(has(findingsOf(scene), FindingKind::kSlidesOff, muscle) ||
               has(findingsOf(scene), FindingKind::kComesOut, muscle) ||
@@ -96,7 +97,7 @@ TEST_F(Faults, AViaPointAtTheWrongEnd) {
       << listOf(scene, findingsOf(scene));
 }
 
-TEST_F(Faults, ATerritoryAcrossALimb) {
+TEST_F(RigFaults, TerritoryAcrossLimbsIsFound) {
   const int chest = findPrimitive(scene.rig, "latissimus L");
   Primitive& wide = scene.rig.primitives[static_cast<std::size_t>(chest)];
   wide.territory = std::vector<std::string>{wide.bone, "forearm.L", "hand.L"};
@@ -105,15 +106,15 @@ TEST_F(Faults, ATerritoryAcrossALimb) {
   EXPECT_TRUE(has(findings, FindingKind::kReachesAcross, chest)) << listOf(scene, findings);
 }
 
-TEST_F(Faults, ALineThatGetsTooLong) {
+TEST_F(RigFaults, OverlongLineIsFound) {
   line.insertion = {"hand.L", glm::vec3(0.0f), {}};
   line.settings.rest = 0.4f;
   const std::vector<Finding> findings = findingsOf(scene);
   EXPECT_TRUE(has(findings, FindingKind::kTooLong, muscle)) << listOf(scene, findings);
 }
 
-/// Where the whole character moves as one, nothing moves against its skin.
-TEST(FollowedBelly, IsStillWhereAllBonesMoveAsOne) {
+/// If the whole character moves rigidly, nothing moves relative to its skin.
+TEST(BellyMotion, IsZeroUnderRigidMotion) {
   const CharacterPtr character = makeLimb();
   const Rig rig = randomRig(*character, {.primitives = 8}, 3);
   const RigPoser poser(rig, *character);
@@ -140,8 +141,8 @@ TEST(FollowedBelly, IsStillWhereAllBonesMoveAsOne) {
   EXPECT_GT(followed, 4);
 }
 
-/// The measure itself: a belly that is lifted out of its skin by a known part of its height.
-TEST(FollowedBelly, MeasuresHowFarABellyIsLifted) {
+/// The measure itself: a belly lifted out of its skin by a known fraction of its height.
+TEST(BellyMotion, MeasuresALiftedBelly) {
   const CharacterPtr character = makeLimb();
   Rig rig = randomRig(*character, {.primitives = 1}, 3);
   Primitive& muscle = rig.primitives[0];
@@ -159,11 +160,11 @@ TEST(FollowedBelly, MeasuresHowFarABellyIsLifted) {
   for (const SkinSpot& spot : belly->spots()) frames.push_back(frameAt(*character, spot, bind));
   const glm::vec3 out = frames[0]->normal();
   posed.muscles[0].body.carrier = glm::translate(glm::mat4(1.0f), 0.05f * out) * posed.muscles[0].body.carrier;
-  // The limb's skin stands nearly square to the belly: 0.05 of a height of about 0.1.
+  // The limb's skin is nearly perpendicular to the belly: 0.05 of a height of about 0.1.
   EXPECT_NEAR(belly->motion(posed.muscles[0], frames).out, 0.5f, 0.1f);
 }
 
-TEST(Check, ClipsOfAgesAreSampledThinly) {
+TEST(RigCheck, LongClipsAreSampledSparsely) {
   auto slow = std::make_shared<Character>(*importGltf(std::string(SINEW_SOURCE_DIR) + "/assets/demo.glb").value());
   for (const float seconds : {1e6f, 1e15f}) {
     slow->clips.front().duration = seconds;
@@ -173,7 +174,7 @@ TEST(Check, ClipsOfAgesAreSampledThinly) {
   }
 }
 
-TEST(Check, IsTheSameWithAnyNumberOfThreads) {
+TEST(RigCheck, DoesNotDependOnThreads) {
   const Scene scene = bundled("horse");
   std::vector<std::vector<Finding>> all;
   for (const int threads : {1, 2, 3}) {

@@ -1,4 +1,4 @@
-// tests/bodies/drawn_muscles.h: muscles between random places of a character's skin, over one joint.
+// tests/bodies/drawn_muscles.h: muscles between random places of a character's skin, across one joint.
 #pragma once
 
 #include <filesystem>
@@ -23,7 +23,7 @@ inline std::shared_ptr<const Character> bundledCharacter(const char* file) {
   return importGltf(std::filesystem::path(SINEW_SOURCE_DIR) / "assets" / file).value();
 }
 
-/// A point under random skin of a bone, half way to its axis.
+/// A point under random skin of a bone, halfway to its axis.
 inline std::optional<LineAnchor> randomAnchor(const Character& character, int bone, std::mt19937& random) {
   std::vector<int> own;
   for (int v = 0; v < static_cast<int>(character.mesh.positions.size()); ++v) {
@@ -34,8 +34,8 @@ inline std::optional<LineAnchor> randomAnchor(const Character& character, int bo
   return anchorOn(character.skeleton, bone, halfWayToAxis(at(character.skeleton.bones, bone), skin));
 }
 
-/// One from each bone's parent to the bone, `rounds` times; what has no direction is left out.
-/// @param joints  that it spans: 2, from the parent's parent
+/// One from each bone's parent to the bone, `rounds` times; those without a direction are omitted. @param joints
+/// number spanned: 2, from the parent's parent
 inline std::vector<BellyChoice> drawnMuscles(const Character& character, int rounds, unsigned seed, int joints = 1) {
   std::mt19937 random(seed);
   std::vector<BellyChoice> out;
@@ -69,7 +69,7 @@ inline std::vector<BellyChoice> drawnMuscles(const Character& character, int rou
   return out;
 }
 
-/// A rig of it alone.
+/// A rig with this muscle only.
 inline Rig rigOf(const BellyChoice& choice) {
   Rig rig;
   rig.primitives = {choice.primitive};

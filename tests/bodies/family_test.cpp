@@ -1,4 +1,5 @@
-// tests/bodies/family_test.cpp: people of one family play each other's clips; prints the figures of docs/characters.md.
+// tests/bodies/family_test.cpp: characters of one family play each other's clips; prints the figures of
+// docs/characters.md.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -29,11 +30,11 @@ bool isFinitePose(const Pose& pose) {
   return std::ranges::all_of(pose.boneInWorld, [](const glm::mat4& matrix) { return isFinite(matrix); });
 }
 
-/// The largest ways feet are from where the hips' scaled height puts them (fraction of H), and the largest twist of a
-/// limb about its own axis beside the clip's, degrees.
+/// Largest distance of feet from the place given by the hips' scaled height (fraction of H), and largest twist of a
+/// limb about its own axis relative to the clip's, degrees.
 struct FamilyFigures {
   double feet = 0.0;
-  double height = 0.0;  ///< The same, of their height alone, where legs' parts may have other shares.
+  double height = 0.0;  ///< The same for their height only, where proportions of legs may differ.
   double twist = 0.0;
 };
 
@@ -68,13 +69,13 @@ FamilyFigures measure(const Character& from, const Character& to, const std::vec
         const int theirKnee = theirs.boneOf(Slot::kLowerLeg, side);
         const int theirThigh = theirs.boneOf(Slot::kUpperLeg, side);
         const int theirFoot = footOf(from, side);
-        // A foot that is a target may be out of its leg's reach: what counts is where the leg ends.
+        // A foot that is a target may be out of its leg's reach: use the leg's end.
         const glm::dvec3 theirEnd(at(own.boneInWorld, theirKnee) *
                                   at(from.skeleton.bones, theirKnee).inverseBindInWorld * bind(from, theirFoot)[3]);
         const auto lengthOf = [&](const Character& character, int a, int b) {
           return glm::distance(glm::dvec3(bind(character, a)[3]), glm::dvec3(bind(character, b)[3]));
         };
-        // Where the clip's leg, of our lengths, from our hips, would put the foot: hips, then two ways.
+        // Place of the foot if the clip's leg had our lengths and started at our hips: the hips plus two vectors.
         const auto part = [&](int a, int b, int ta, const glm::dvec3& end) {
           return glm::normalize(end - jointIn(own, ta)) * lengthOf(to, a, b);
         };
@@ -88,7 +89,7 @@ FamilyFigures measure(const Character& from, const Character& to, const std::vec
         for (const std::pair<Slot, Slot>& joints :
              {std::pair{Slot::kUpperArm, Slot::kLowerArm}, std::pair{Slot::kLowerArm, Slot::kHand},
               std::pair{Slot::kUpperLeg, Slot::kLowerLeg}}) {
-          // A mark on the skin beside the limb, laid over the other body's limb by the least rotation.
+          // A mark on the skin next to the limb, transferred to the other body's limb by the smallest rotation.
           const auto wayOf = [&](const Character& character, const BodySlots& slots) {
             return glm::normalize(glm::dvec3(bind(character, slots.boneOf(joints.second, side))[3]) -
                                   glm::dvec3(bind(character, slots.boneOf(joints.first, side))[3]));

@@ -1,4 +1,4 @@
-// tests/bodies/fit_preset_test.cpp: sets of muscles on every body at hand.
+// tests/bodies/fit_preset_test.cpp: muscle sets on every available body.
 #include "core/bodies/fit_preset.h"
 
 #include <algorithm>
@@ -35,9 +35,9 @@ Preset preset(const char* name) {
 }
 
 struct Body {
-  const char* file;  ///< Of assets, or of the real characters.
+  const char* file;  ///< In assets, or a real character.
   const char* set;
-  int least;  ///< So many muscles of the set find their place.
+  int least;  ///< Number of the set's muscles that find a place.
 };
 
 std::ostream& operator<<(std::ostream& out, const Body& body) { return out << body.file; }
@@ -79,7 +79,7 @@ class FitPreset : public ::testing::TestWithParam<Body> {
   MirrorPlan plan_;
 };
 
-TEST_P(FitPreset, EveryBellyLiesInTheBody) {
+TEST_P(FitPreset, EveryBellyLiesInsideTheBody) {
   const Rig rig = fitted();
   ASSERT_TRUE(validate(rig).ok());
   EXPECT_TRUE(missingBones(rig, character_->skeleton).empty());
@@ -88,7 +88,7 @@ TEST_P(FitPreset, EveryBellyLiesInTheBody) {
   }
 }
 
-TEST_P(FitPreset, TwinsAreExactImagesInGroupsOfTheirOwn) {
+TEST_P(FitPreset, TwinsAreExactMirrorImagesInTheirOwnGroups) {
   const Rig rig = fitted();
   for (std::size_t i = 0; i < rig.primitives.size(); ++i) {
     const Primitive& own = rig.primitives[i];
@@ -108,8 +108,8 @@ TEST_P(FitPreset, TwinsAreExactImagesInGroupsOfTheirOwn) {
   EXPECT_TRUE(rig.links.empty());
 }
 
-/// A muscle moves the skin of its own part and its neighbours alone.
-TEST_P(FitPreset, NothingIsOnAWrongLimb) {
+/// A muscle moves only the skin of its own part and its neighbors.
+TEST_P(FitPreset, MusclesStayOnTheirLimb) {
   const Rig rig = fitted();
   const BodyFrame frame = makeBodyFrame(*character_, bodySlots(*character_, plan_));
   for (const Primitive& primitive : rig.primitives) {
@@ -136,7 +136,7 @@ TEST_P(FitPreset, NothingIsOnAWrongLimb) {
 
 struct Rise {
   double most = 0.0;
-  double share99 = 0.0;  ///< Of all that rises.
+  double share99 = 0.0;  ///< 99th percentile of all vertices that rise.
   int unresolved = 0;
 };
 
@@ -165,21 +165,21 @@ Rise riseOf(const std::shared_ptr<const Character>& character, Rig rig) {
           raised.report.unresolved};
 }
 
-TEST_P(FitPreset, MusclesShowAndDoNotSwell) {
+TEST_P(FitPreset, MusclesAreVisibleAndModerate) {
   const Rise rise = riseOf(character_, fitted());
   EXPECT_EQ(rise.unresolved, 0);
   EXPECT_GT(rise.share99, 0.005);
   EXPECT_LT(rise.share99, 0.04);
-  EXPECT_LT(rise.most, 0.06);  // Where layers under others rise onto those.
+  EXPECT_LT(rise.most, 0.06);  // Where lower layers push upper ones.
   PresetTuning heavy;
   heavy.mass = 1.6f;
   heavy.definition = 0.55f;
   EXPECT_GT(riseOf(character_, fitted(heavy)).share99, rise.share99);
 }
 
-TEST_P(FitPreset, GivesTheSameRigAgain) { EXPECT_EQ(fitted(), fitted()); }
+TEST_P(FitPreset, IsRepeatable) { EXPECT_EQ(fitted(), fitted()); }
 
-TEST_P(FitPreset, DefinitionLeavesNoneOut) {
+TEST_P(FitPreset, DefinitionOmitsNoMuscle) {
   const auto count = [&](float definition) { return fitted({1.0f, definition}).primitives.size(); };
   const std::size_t usual = fitted().primitives.size();
   // A body of parts has gaps between them, at some depths only.
@@ -200,7 +200,7 @@ INSTANTIATE_TEST_SUITE_P(Bodies, FitPreset,
                            return name;
                          });
 
-TEST(FitPresetRefuses, ABodyOfAnotherKind) {
+TEST(FitPresetRefusal, RefusesABodyOfAnotherKind) {
   const auto imported = importGltf(fs::path(SINEW_SOURCE_DIR) / "assets" / "horse.glb");
   ASSERT_TRUE(imported.ok());
   const auto fit = fitPreset({}, preset("athlete"), {}, *imported.value(), makeMirrorPlan(*imported.value()));
@@ -208,7 +208,7 @@ TEST(FitPresetRefuses, ABodyOfAnotherKind) {
   EXPECT_NE(fit.error().reason.find("quadruped"), std::string::npos) << fit.error().reason;
 }
 
-/// Lines of a set know how short they get: full contraction is learned.
+/// Lines of a set know their shortest length: full contraction is learned.
 TEST(FitPresetLines, LearnTheirLengths) {
   const auto imported = importGltf(fs::path(SINEW_SOURCE_DIR) / "assets" / "humanoid.glb");
   ASSERT_TRUE(imported.ok());

@@ -11,7 +11,7 @@
 namespace sinew {
 namespace {
 
-TEST(SameBones, AreThoseOfTheSamePathsBoundAlike) {
+TEST(SameBones, HaveEqualPathsAndBindPoses) {
   std::map<std::string, std::string> slots;
   const Character body = test::characterOf(test::namedBodies().front(), test::Stance::kArmsLevel, slots);
   const Skeleton& bones = body.skeleton;

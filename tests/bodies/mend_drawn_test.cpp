@@ -1,5 +1,5 @@
-// tests/bodies/mend_drawn_test.cpp: drawn muscles that are laid along one bone: where they lie, and that check() finds
-// nothing of them.
+// tests/bodies/mend_drawn_test.cpp: drawn muscles laid along one bone: their position, and that check() reports nothing
+// about them.
 
 #include "core/bodies/mend.h"
 
@@ -30,7 +30,7 @@ float apart(const glm::mat4& a, const glm::mat4& b) {
   return most;
 }
 
-class Relaid : public testing::TestWithParam<const char*> {
+class RelaidBellies : public testing::TestWithParam<const char*> {
  protected:
   const std::shared_ptr<const Character> character =
       std::string(GetParam()) == "two legs" ? makeTwoLegged() : bundledCharacter(GetParam());
@@ -49,7 +49,7 @@ class Relaid : public testing::TestWithParam<const char*> {
   }
 };
 
-TEST_P(Relaid, AsDrawnTheMuscleStaysAndItsOtherEndGoesTowardsTheJoint) {
+TEST_P(RelaidBellies, DrawnMuscleStaysAndItsOtherEndMovesTowardsTheJoint) {
   forEach([&](const BellyChoice& choice, const RelaidBelly& relaid) {
     const LineRest before = lineRest(*choice.line, *character).value();
     const glm::dvec3 joint(jointBetween(before, *character));
@@ -72,7 +72,7 @@ TEST_P(Relaid, AsDrawnTheMuscleStaysAndItsOtherEndGoesTowardsTheJoint) {
   });
 }
 
-TEST_P(Relaid, AShorterBellyLiesBetweenItsTendonsAndOnSkinOfItsBone) {
+TEST_P(RelaidBellies, ShorterBellyLiesBetweenItsTendonsUnderSkinOfItsBone) {
   int made = 0;
   forEach([&](const BellyChoice& choice, const RelaidBelly& relaid) {
     for (const BellyBone bone : kBoth) {
@@ -85,7 +85,7 @@ TEST_P(Relaid, AShorterBellyLiesBetweenItsTendonsAndOnSkinOfItsBone) {
       const auto length = static_cast<float>(rest.length);
       EXPECT_NEAR(2.0f * half, (1.0f - 0.1f - 0.45f) * length, 1e-4f * length);
       EXPECT_GT(std::abs(glm::dot(glm::normalize(glm::dvec3(shape[1])), rest.direction)), 0.999);
-      // Where it lies along the line.
+      // Position along the line.
       const glm::vec3 own = relaid.ownEnd(bone);
       const glm::vec3 towards = glm::vec3(rest.direction) * (bone == BellyBone::kOrigin ? 1.0f : -1.0f);
       EXPECT_GT(glm::dot(glm::vec3(shape[3]) - own, towards), 0.0f);
@@ -100,7 +100,7 @@ TEST_P(Relaid, AShorterBellyLiesBetweenItsTendonsAndOnSkinOfItsBone) {
   EXPECT_GT(made, 0);
 }
 
-TEST_P(Relaid, UnderFirmSkinItLiesAlongTheSkinAndNoLonger) {
+TEST_P(RelaidBellies, BellyUnderFirmSkinFollowsTheSkinAndIsNoLonger) {
   int made = 0;
   forEach([&](const BellyChoice& choice, const RelaidBelly& relaid) {
     const float drawnHalf = glm::length(glm::vec3(shapeOf(choice.primitive, *character)[1]));
@@ -124,7 +124,7 @@ TEST_P(Relaid, UnderFirmSkinItLiesAlongTheSkinAndNoLonger) {
   EXPECT_GT(made, 0);
 }
 
-TEST_P(Relaid, ALargerOneKeepsItsTopAndItsLength) {
+TEST_P(RelaidBellies, LargerBellyKeepsItsTopAndLength) {
   forEach([&](const BellyChoice& choice, const RelaidBelly&) {
     const glm::mat4 before = shapeOf(choice.primitive, *character);
     const glm::mat4 after = shapeOf(larger(choice, 1.4f).primitive, *character);
@@ -135,7 +135,7 @@ TEST_P(Relaid, ALargerOneKeepsItsTopAndItsLength) {
   });
 }
 
-TEST_P(Relaid, WhatIsCleanIsCleanForTheCheck) {
+TEST_P(RelaidBellies, CleanMusclesPassTheCheck) {
   int found = 0;
   int lined = 0;
   int count = 0;
@@ -181,7 +181,7 @@ TEST_P(Relaid, WhatIsCleanIsCleanForTheCheck) {
   EXPECT_GE(3 * lined, 2 * count) << "most of them flex";
 }
 
-TEST_P(Relaid, OverTwoJointsAnEndMayGoToTheBoneBetween) {
+TEST_P(RelaidBellies, EndAcrossTwoJointsCanMoveToTheBoneBetween) {
   int lined = 0;
   int count = 0;
   int moved = 0;
@@ -209,7 +209,7 @@ TEST_P(Relaid, OverTwoJointsAnEndMayGoToTheBoneBetween) {
   EXPECT_GE(2 * lined, count);
 }
 
-INSTANTIATE_TEST_SUITE_P(Characters, Relaid, testing::Values("humanoid.glb", "horse.glb", "two legs"),
+INSTANTIATE_TEST_SUITE_P(Characters, RelaidBellies, testing::Values("humanoid.glb", "horse.glb", "two legs"),
                          [](const auto& tested) {
                            std::string name = tested.param;
                            std::ranges::replace_if(
@@ -217,7 +217,7 @@ INSTANTIATE_TEST_SUITE_P(Characters, Relaid, testing::Values("humanoid.glb", "ho
                            return name;
                          });
 
-TEST(OwnSkin, IsCarriedByItsBoneAndNearestIsNearest) {
+TEST(OwnSkin, BelongsToItsBoneAndFindsTheNearestPoint) {
   std::mt19937 random(2);
   std::uniform_real_distribution<float> anywhere(-1.0f, 2.0f);
   for (const auto& character : {makeLimb(), makeTwoLegged()}) {

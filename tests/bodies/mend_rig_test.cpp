@@ -1,4 +1,4 @@
-// tests/bodies/mend_rig_test.cpp: muscles that no line mends: where they ride, how deep they lie, what skin they move.
+// tests/bodies/mend_rig_test.cpp: muscles that no line mends: their bone, depth and territory.
 #include "core/bodies/mend.h"
 
 #include <gtest/gtest.h>
@@ -25,7 +25,7 @@ struct MendRig : testing::Test {
   const Motions motions{character};
   const Rig good = loadRig(assets / "humanoid.rig.json").value();
 
-  /// A muscle and its twin ride another bone, where they lie.
+  /// Puts a muscle and its twin on another bone, in place.
   [[nodiscard]] Rig riding(const char* muscle, const char* bone) const {
     const int index = findPrimitive(good, muscle);
     Rig rig = good;
@@ -45,7 +45,7 @@ struct MendRig : testing::Test {
   }
 };
 
-TEST_F(MendRig, WhatIsGoodStays) {
+TEST_F(MendRig, SoundRigIsUnchanged) {
   ASSERT_TRUE(check(good, motions).empty());
   const auto mended = withMendedRig(good, 0, motions, &plan);
   ASSERT_TRUE(mended.ok());
@@ -53,7 +53,7 @@ TEST_F(MendRig, WhatIsGoodStays) {
   EXPECT_TRUE(mended->said.empty());
 }
 
-TEST_F(MendRig, AMuscleOnTheWrongBoneRidesTheRightOne) {
+TEST_F(MendRig, MuscleOnTheWrongBoneMovesToTheRightOne) {
   for (const auto& [muscle, right, wrong] :
        {std::tuple{"biceps L", "upper_arm.L", "forearm.L"}, std::tuple{"quadriceps L", "thigh.L", "shin.L"}}) {
     const Rig bad = riding(muscle, wrong);
@@ -64,7 +64,7 @@ TEST_F(MendRig, AMuscleOnTheWrongBoneRidesTheRightOne) {
     EXPECT_TRUE(validate(mended->rig).ok());
     const int index = findPrimitive(good, muscle);
     EXPECT_EQ(at(mended->rig.primitives, index).bone, right);
-    // It lies where it lay.
+    // It stays in place.
     EXPECT_LT(glm::distance(placeOf(at(mended->rig.primitives, index), glm::vec3(0.0f)),
                             placeOf(at(bad.primitives, index), glm::vec3(0.0f))),
               1e-3f * character->height);
@@ -74,7 +74,7 @@ TEST_F(MendRig, AMuscleOnTheWrongBoneRidesTheRightOne) {
   }
 }
 
-TEST_F(MendRig, WithoutAPlanTheTwinStaysAsItIs) {
+TEST_F(MendRig, WorksWithoutAMirrorPlan) {
   const Rig bad = riding("biceps L", "forearm.L");
   const auto mended = withMendedRig(bad, 0, motions, nullptr);
   ASSERT_TRUE(mended.ok());
@@ -82,8 +82,8 @@ TEST_F(MendRig, WithoutAPlanTheTwinStaysAsItIs) {
   EXPECT_LT(check(mended->rig, motions).size(), check(bad, motions).size());
 }
 
-TEST_F(MendRig, DeeperIsDeeperByItsLowerSideAlone) {
-  // Somewhat too thin for how far its skin goes: a bundled muscle made as thin as it takes to be found.
+TEST_F(MendRig, DeepenedMuscleKeepsItsTop) {
+  // Slightly too thin for how far its skin moves: a bundled muscle thinned until it is found.
   const int index = findPrimitive(good, "latissimus L");
   Rig thin = good;
   while (check(thin, motions).empty()) {
@@ -110,7 +110,7 @@ TEST_F(MendRig, DeeperIsDeeperByItsLowerSideAlone) {
   EXPECT_GT(std::max(top, bottom), 0.1f * before.placement.radii.z);
 }
 
-TEST_F(MendRig, SkinOfAnotherLimbGoesFromTheTerritory) {
+TEST_F(MendRig, SkinOfAnotherLimbIsRemovedFromTheTerritory) {
   const int index = findPrimitive(good, "latissimus L");
   Rig wide = good;
   Primitive& own = at(wide.primitives, index);
@@ -122,14 +122,14 @@ TEST_F(MendRig, SkinOfAnotherLimbGoesFromTheTerritory) {
     return std::ranges::count(findings, FindingKind::kReachesAcross, &Finding::kind);
   };
   ASSERT_GT(across(wide), 0);
-  // One bone of a muscle is named at a time.
+  // One bone of a muscle is reported at a time.
   Rig rig = wide;
   for (int round = 0; round < 3; ++round) rig = withMendedRig(rig, 0, motions, &plan).value().rig;
   EXPECT_EQ(across(rig), 0);
   EXPECT_FALSE(at(rig.primitives, index).territory->empty());
 }
 
-TEST_F(MendRig, WhatWasThereBeforeIsLeftAlone) {
+TEST_F(MendRig, ExistingMusclesAreUnchanged) {
   const Rig bad = riding("biceps L", "forearm.L");
   const auto mended = withMendedRig(bad, bad.primitives.size(), motions, &plan);
   ASSERT_TRUE(mended.ok());

@@ -1,4 +1,4 @@
-// tests/bodies/muscle_at_test.cpp: a muscle of a set laid where a hand points.
+// tests/bodies/muscle_at_test.cpp: a muscle of a set laid at the pointer.
 #include "core/bodies/muscle_set.h"
 
 #include <cmath>
@@ -44,7 +44,7 @@ class MuscleAt : public ::testing::Test {
   [[nodiscard]] glm::vec3 skinAt(const Mark& mark) const { return body.flesh.measure(mark)->at(0.0f); }
 };
 
-TEST_F(MuscleAt, APlaceOnTheSkinIsItsMark) {
+TEST_F(MuscleAt, PointOnTheSkinGivesItsMark) {
   for (const Slot slot : {Slot::kUpperArm, Slot::kLowerArm, Slot::kUpperLeg, Slot::kLowerLeg, Slot::kSpine}) {
     const int bone = slot == Slot::kSpine ? body.frame.slots.trunk.front() : body.frame.slots.boneOf(slot);
     for (const float angle : {10.0f, 80.0f, 150.0f}) {
@@ -66,7 +66,7 @@ TEST_F(MuscleAt, APlaceOnTheSkinIsItsMark) {
   }
 }
 
-TEST_F(MuscleAt, NearItsOwnPlaceItIsLaidThere) {
+TEST_F(MuscleAt, StaysAtItsOwnMark) {
   for (const PresetMuscle& each : athlete.muscles) {
     const PresetMuscle same = muscleAt(each, each.belly, body);
     EXPECT_EQ(same.belly.u, each.belly.u) << each.name;
@@ -74,7 +74,7 @@ TEST_F(MuscleAt, NearItsOwnPlaceItIsLaidThere) {
   }
 }
 
-TEST_F(MuscleAt, ElsewhereOnItsPartItsLineGoesWithIt) {
+TEST_F(MuscleAt, MovesItsLineWithinItsPart) {
   const PresetMuscle& biceps = muscle("biceps");
   const PresetMuscle moved = muscleAt(biceps, {Slot::kUpperArm, 0.5f, 170.0f, 0.0f}, body);
   ASSERT_TRUE(moved.origin.has_value());
@@ -82,7 +82,7 @@ TEST_F(MuscleAt, ElsewhereOnItsPartItsLineGoesWithIt) {
   EXPECT_LT(glm::distance(laid(moved), skinAt({Slot::kUpperArm, 0.5f, 170.0f, 0.0f})), 0.05f * character->height);
 }
 
-TEST_F(MuscleAt, OnAnotherPartItIsABellyAloneWhereItWasDropped) {
+TEST_F(MuscleAt, IsABellyWithoutALineOnAnotherPart) {
   for (const char* name : {"biceps", "pectoral, lower", "gastrocnemius, outer"}) {
     for (const Mark& mark : {Mark{Slot::kUpperLeg, 0.4f, 30.0f, 0.0f}, Mark{Slot::kLowerArm, 0.3f, 100.0f, 0.0f}}) {
       const PresetMuscle moved = muscleAt(muscle(name), mark, body);

@@ -1,4 +1,5 @@
-// tests/bodies/muscle_set_test.cpp: what a set adds stays in the flesh in every clip, or is left out with the reason.
+// tests/bodies/muscle_set_test.cpp: muscles added by a set stay in the flesh in every clip, or are left out with a
+// reason.
 #include "core/bodies/muscle_set.h"
 
 #include <algorithm>
@@ -24,15 +25,15 @@ namespace fs = std::filesystem;
 const fs::path kAssets = fs::path(SINEW_SOURCE_DIR) / "assets";
 
 struct Body {
-  const char* file;  ///< Of assets, or of the real characters.
+  const char* file;  ///< In assets, or a real character.
   const char* set;
-  std::size_t mostLeftOut;  ///< Muscles a side; of low bodies made of parts most have no flesh.
+  std::size_t mostLeftOut;  ///< Muscles per side; on low bodies made of parts most have no flesh.
 };
 std::ostream& operator<<(std::ostream& out, const Body& body) { return out << body.file; }
 
-class MuscleSetOn : public ::testing::TestWithParam<Body> {};
+class MuscleSetOnBody : public ::testing::TestWithParam<Body> {};
 
-TEST_P(MuscleSetOn, NothingIsFoundOfIt) {
+TEST_P(MuscleSetOnBody, PassesTheCheck) {
   std::shared_ptr<const Character> found;
   if (fs::exists(kAssets / GetParam().file)) found = importGltf(kAssets / GetParam().file).value();
   else found = test::realCharacter(GetParam().file);
@@ -61,7 +62,7 @@ TEST_P(MuscleSetOn, NothingIsFoundOfIt) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Bodies, MuscleSetOn,
+INSTANTIATE_TEST_SUITE_P(Bodies, MuscleSetOnBody,
                          ::testing::Values(Body{"humanoid.glb", "athlete", 0}, Body{"demo.glb", "athlete", 0},
                                            Body{"horse.glb", "animal", 3}, Body{"man.glb", "athlete", 0},
                                            Body{"woman.glb", "athlete", 1}, Body{"fighter.glb", "athlete", 16},
@@ -71,7 +72,7 @@ INSTANTIATE_TEST_SUITE_P(Bodies, MuscleSetOn,
                                            Body{"greenman.glb", "athlete", 37}),
                          [](const auto& body) { return fs::path(body.param.file).stem().string(); });
 
-TEST(MuscleSet, LeavesTheDesignersMusclesAlone) {
+TEST(MuscleSet, KeepsExistingMuscles) {
   const Rig own = loadRig(kAssets / "horse.rig.json").value();
   const auto character = importGltf(kAssets / own.character).value();
   const Motions motions(character);

@@ -1,4 +1,5 @@
-// tests/bodies/preset_from_muscles_test.cpp: muscles as marks and back on the same body, and on others.
+// tests/bodies/preset_from_muscles_test.cpp: muscles converted to a preset and back on the same body, and on others.
+
 #include "core/bodies/muscle_set.h"
 
 #include <algorithm>
@@ -32,7 +33,7 @@ struct BodyOfPreset {
   MirrorPlan plan;
 };
 
-/// Empty: a real character that is not at hand.
+/// Empty: the real character is not available.
 BodyOfPreset body(const std::string& file) {
   std::shared_ptr<const Character> found;
   if (fs::exists(assetFile(file))) found = importGltf(assetFile(file)).value();
@@ -56,7 +57,7 @@ Placement inWorld(const Character& character, const Primitive& primitive) {
   return imageOf(primitive.placement, {glm::dmat3(bind), glm::dvec3(bind[3])});
 }
 
-/// Half the height of the box round it: of any ellipsoid the same, whatever its axes are called.
+/// Half the size of its bounding box: independent of the order of axes.
 glm::vec3 extentOf(const Placement& placement) {
   const glm::mat3 axes = glm::mat3_cast(placement.rotation);
   glm::vec3 sum(0.0f);
@@ -65,10 +66,10 @@ glm::vec3 extentOf(const Placement& placement) {
 }
 
 struct Off {
-  float center = 0.0f;  ///< Of H; the largest.
-  float extent = 0.0f;  ///< Likewise.
+  float center = 0.0f;  ///< Maximum, of H.
+  float extent = 0.0f;  ///< Maximum, of H.
 };
-/// How far muscles of the same name lie apart.
+/// Distances between muscles of the same name.
 Off offBetween(const Character& character, const Rig& one, const Rig& other) {
   Off off;
   for (const Primitive& own : one.primitives) {
@@ -91,10 +92,10 @@ struct Fitted {
   const char* set;
 };
 std::ostream& operator<<(std::ostream& out, const Fitted& each) { return out << each.file; }
-class OfASet : public ::testing::TestWithParam<Fitted> {};
+class PresetFromFittedSet : public ::testing::TestWithParam<Fitted> {};
 
-/// What fitting made is found again: the same names, pairs, groups and lines, at the same places.
-TEST_P(OfASet, IsTheSetAgain) {
+/// A fitted set is reproduced: the same names, pairs, groups and lines, at the same places.
+TEST_P(PresetFromFittedSet, ReproducesTheSet) {
   const BodyOfPreset own = body(GetParam().file);
   if (!own.character) SINEW_SKIP_WITHOUT_CHARACTERS();
   const FittedPreset first = fitPreset({}, shipped(GetParam().set), {}, *own.character, own.plan).value();
@@ -119,14 +120,14 @@ TEST_P(OfASet, IsTheSetAgain) {
   EXPECT_LT(off.extent, 0.005f);
 }
 
-INSTANTIATE_TEST_SUITE_P(PresetFromMuscles, OfASet,
+INSTANTIATE_TEST_SUITE_P(PresetFromMuscles, PresetFromFittedSet,
                          ::testing::Values(Fitted{"humanoid.glb", "athlete"}, Fitted{"horse.glb", "animal"},
                                            Fitted{"man.glb", "athlete"}, Fitted{"woman.glb", "athlete"},
                                            Fitted{"Husky.glb", "animal"}, Fitted{"Fox.glb", "animal"}),
                          [](const auto& each) { return fs::path(each.param.file).stem().string(); });
 
-/// Muscles that a designer laid by hand: pairs, and single ones across the middle.
-TEST(PresetFromMuscles, OfMusclesLaidByHand) {
+/// Muscles laid by hand: pairs, and single ones across the middle.
+TEST(PresetFromMuscles, ReproducesMusclesLaidByHand) {
   for (const char* name : {"humanoid-flex", "horse-flex"}) {
     Rig rig = loadRig(assetFile(std::string(name) + ".rig.json")).value();
     const BodyOfPreset own = body(rig.character);
@@ -151,8 +152,8 @@ TEST(PresetFromMuscles, OfMusclesLaidByHand) {
   }
 }
 
-/// Either side says the same.
-TEST(PresetFromMuscles, TheRightSideIsAsGoodAsTheLeft) {
+/// Both sides give the same preset.
+TEST(PresetFromMuscles, RightAndLeftSidesGiveTheSamePreset) {
   const BodyOfPreset own = body("humanoid.glb");
   const Rig rig = fitPreset({}, shipped("athlete"), {}, *own.character, own.plan).value().rig;
   std::vector<int> left;
@@ -188,7 +189,7 @@ TEST(PresetFromMuscles, FitsOtherBodies) {
   EXPECT_LE(fitted->leftOut.size(), made->preset.muscles.size() / 10);
 }
 
-TEST(PresetFromMuscles, WhatCannotBeInASetIsLeftOutWithItsReason) {
+TEST(PresetFromMuscles, UnsupportedMusclesAreOmittedWithAReason) {
   const BodyOfPreset own = body("humanoid.glb");
   Rig rig = fitPreset({}, shipped("athlete"), {}, *own.character, own.plan).value().rig;
   const std::size_t before = rig.primitives.size();
@@ -208,8 +209,8 @@ TEST(PresetFromMuscles, WhatCannotBeInASetIsLeftOutWithItsReason) {
   EXPECT_FALSE(presetFromMuscles(rig, none, *own.character, own.plan).ok());
 }
 
-/// What is written is read as it was.
-TEST(PresetFromMuscles, IsWrittenAndReadBack) {
+/// Reading gives what was written.
+TEST(PresetFromMuscles, RoundTripsThroughJson) {
   for (const char* name : {"humanoid-flex", "horse-flex", "humanoid-wrapped"}) {
     const Rig rig = loadRig(assetFile(std::string(name) + ".rig.json")).value();
     const BodyOfPreset own = body(rig.character);

@@ -1,5 +1,5 @@
-// tests/bodies/retarget_inside_test.cpp: the bundled rigs on every character at hand: bellies lie in the flesh of their
-// own part, and what has no place there is left out and listed.
+// tests/bodies/retarget_inside_test.cpp: bundled rigs on every available character: bellies lie in the flesh of their
+// own part, and muscles without a place there are left out and listed.
 #include <algorithm>
 #include <filesystem>
 #include <set>
@@ -34,7 +34,7 @@ struct BodyInside {
   MirrorPlan plan;
 };
 
-/// As the program opens it; null: it is not at hand.
+/// As opened by the program; null: not available.
 BodyInside bodyOf(const std::string& file) {
   std::shared_ptr<const Character> found;
   if (fs::exists(kRigAssets / file)) found = importGltf(kRigAssets / file).value();
@@ -65,7 +65,7 @@ Limb limbOf(Slot slot) {
   return Limb::kNone;
 }
 
-/// The part that the nearest vertex of the skin belongs to.
+/// The part to which the nearest vertex of the skin belongs.
 BodySlot partAround(const glm::dvec3& point, const Character& character, const BodyFrame& frame) {
   const auto distance = [&](const glm::vec3& vertex) { return glm::distance(glm::dvec3(vertex), point); };
   const auto& positions = character.mesh.positions;
@@ -80,7 +80,7 @@ struct SourceRig {
   BodyInside body;
 };
 
-/// All bundled rigs, and the bundled sets on the characters that they were made for.
+/// All bundled rigs, and the bundled sets on the characters they were made for.
 const std::vector<SourceRig>& sources() {
   static const std::vector<SourceRig> all = [] {
     std::vector<SourceRig> out;
@@ -104,9 +104,9 @@ Zone zoneOfBone(const BodyFrame& frame, const Character& character, const std::s
   return at(frame.zoneOfBone, character.skeleton.findBone(bone).value());
 }
 
-class RetargetTo : public ::testing::TestWithParam<const char*> {};
+class RetargetOntoBody : public ::testing::TestWithParam<const char*> {};
 
-TEST_P(RetargetTo, EveryBellyLiesInTheFleshOfItsPart) {
+TEST_P(RetargetOntoBody, EveryBellyLiesInsideItsPart) {
   const BodyInside to = bodyOf(GetParam());
   if (!to.character) SINEW_SKIP_WITHOUT_CHARACTERS();
   const Motions motions(to.character);
@@ -134,7 +134,8 @@ TEST_P(RetargetTo, EveryBellyLiesInTheFleshOfItsPart) {
           << was.name << " on " << is.bone << " (there " << windingOf(was, *from.character) << ")";
       const Zone before = zoneOfBone(ours, *from.character, was.bone);
       const Zone own = zoneOfBone(theirs, *to.character, is.bone);
-      // One bone may be two parts of a limb. What no line keeps in the flesh rides the bone of the skin over it.
+      // One bone may have two roles in a limb. A muscle that no line keeps in the flesh rides the bone of the skin
+      // above it.
       const int counterpart = before < 0 ? -1 : theirs.slots[at(allBodySlots(), before)].bone;
       const bool rides = std::ranges::any_of(done->mended, [&](const std::string& line) {
         return (line.starts_with(was.name + ':') || line.starts_with(was.mirror + ':')) &&
@@ -157,7 +158,7 @@ TEST_P(RetargetTo, EveryBellyLiesInTheFleshOfItsPart) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Bodies, RetargetTo,
+INSTANTIATE_TEST_SUITE_P(Bodies, RetargetOntoBody,
                          ::testing::Values("humanoid.glb", "horse.glb", "demo.glb", "tangle.glb", "wrapped.glb",
                                            "man.glb", "woman.glb", "fighter.glb", "cesium_man.gltf", "greenman.glb",
                                            "robot.glb", "RobotExpressive.glb", "Trex.glb", "Fox.glb", "Husky.glb",

@@ -1,4 +1,5 @@
-// tests/bodies/retarget_test.cpp: muscles of one body on another, there and back.
+// tests/bodies/retarget_test.cpp: muscles of one body on another, and back.
+
 #include "core/bodies/retarget.h"
 
 #include <algorithm>
@@ -61,7 +62,7 @@ Retargeted onto(const Rig& rig, const RetargetedBody& from, const RetargetedBody
   return done.ok() ? done.value() : Retargeted{};
 }
 
-/// The same body in another size and place, its bones called otherwise: retargeting must see the differences alone.
+/// The same body with another size, place and bone names.
 std::shared_ptr<const Character> enlarged(const Character& character, float factor) {
   Character copy = character;
   for (glm::vec3& position : copy.mesh.positions) position *= factor;
@@ -90,8 +91,8 @@ glm::vec3 centerInBind(const Primitive& primitive, const Skeleton& skeleton) {
 
 class Retarget : public ::testing::TestWithParam<const char*> {};
 
-/// Rigs as they ship: on muscle lines, wrapped, keyed.
-TEST_P(Retarget, OntoTheSameBodyChangesNothing) {
+/// Bundled rigs: with muscle lines, wrapping, with keys.
+TEST_P(Retarget, SameBodyChangesNothing) {
   const Rig rig = rigOf(GetParam());
   const RetargetedBody body = bundled(fs::path(rig.character).filename().string());
   const Retargeted done = onto(rig, body, body);
@@ -122,8 +123,8 @@ TEST_P(Retarget, OntoTheSameBodyChangesNothing) {
   EXPECT_EQ(done.rig.links, rig.links);
 }
 
-/// Three times as large, everything is three times as large.
-TEST_P(Retarget, OntoALargerBodyIsLarger) {
+/// On a body three times as large, everything is three times as large.
+TEST_P(Retarget, LargerBodyScalesEverything) {
   const Rig rig = rigOf(GetParam());
   const RetargetedBody body = bundled(fs::path(rig.character).filename().string());
   const RetargetedBody large = bodyOf(enlarged(*body.character, 3.0f));
@@ -144,7 +145,7 @@ INSTANTIATE_TEST_SUITE_P(Bundled, Retarget,
                          ::testing::Values("humanoid.rig.json", "humanoid-flex.rig.json", "humanoid-wrapped.rig.json",
                                            "horse.rig.json", "horse-flex.rig.json"));
 
-/// What a muscle of a limb may ride.
+/// Checks the bones that a limb's muscles may ride.
 void expectSameParts(const Rig& before, const RetargetedBody& from, const Rig& after, const RetargetedBody& to) {
   const BodyFrame ours = makeBodyFrame(*from.character, bodySlots(*from.character, from.plan));
   const BodyFrame theirs = makeBodyFrame(*to.character, bodySlots(*to.character, to.plan));
@@ -180,7 +181,7 @@ class RetargetPeople : public ::testing::TestWithParam<const char*> {
   RetargetedBody body_;
 };
 
-TEST_P(RetargetPeople, KeepsPartsTwinsAndTheWayBack) {
+TEST_P(RetargetPeople, KeepsPartsAndTwinsAndRoundTrips) {
   const Rig rig = rigOf("humanoid-flex.rig.json");
   const RetargetedBody man = bundled("humanoid.glb");
   const Retargeted there = onto(rig, man, body_);
@@ -203,7 +204,7 @@ TEST_P(RetargetPeople, KeepsPartsTwinsAndTheWayBack) {
 
 INSTANTIATE_TEST_SUITE_P(Real, RetargetPeople, ::testing::Values("man.glb", "woman.glb", "cesium_man.gltf"));
 
-TEST(RetargetKinds, NothingOfAPersonIsOnALimbOfAHorse) {
+TEST(RetargetKinds, PersonOntoHorseKeepsPartsAndReportsOmissions) {
   const RetargetedBody man = bundled("humanoid.glb");
   const RetargetedBody horse = bundled("horse.glb");
   const Rig rig = rigOf("humanoid-flex.rig.json");
@@ -214,7 +215,7 @@ TEST(RetargetKinds, NothingOfAPersonIsOnALimbOfAHorse) {
   EXPECT_EQ(done.rig.primitives.size() + done.leftOut.size(), rig.primitives.size());
 }
 
-TEST(RetargetKinds, MusclesAnywhereComeBack) {
+TEST(RetargetKinds, RandomMusclesRoundTrip) {
   const RetargetedBody man = bundled("humanoid.glb");
   const RetargetedBody large = bodyOf(enlarged(*man.character, 0.4f));
   std::mt19937 random(5);
@@ -248,7 +249,7 @@ TEST(RetargetKinds, MusclesAnywhereComeBack) {
   }
 }
 
-TEST(RetargetKinds, ABodyWithoutPartsIsRefusedUnlessNamesAgree) {
+TEST(RetargetKinds, BodyWithoutMatchingPartsIsRefused) {
   const RetargetedBody man = bundled("humanoid.glb");
   const RetargetedBody tangle = bundled("tangle.glb");
   const auto done =
@@ -257,7 +258,7 @@ TEST(RetargetKinds, ABodyWithoutPartsIsRefusedUnlessNamesAgree) {
   EXPECT_NE(done.error().reason.find("no muscle"), std::string::npos);
 }
 
-TEST(RetargetedShapes, DriversOfShapesAndOfTheSurfaceGoToTheOtherBones) {
+TEST(RetargetedShapes, ShapeAndSurfaceDriversUseTheNewBones) {
   const RetargetedBody from = bundled("humanoid.glb");
   auto renamed = std::make_shared<Character>(*from.character);
   for (Bone& bone : renamed->skeleton.bones) bone.name = "mixamorig:" + bone.name;

@@ -1,4 +1,4 @@
-// tests/bodies/skin_sight_test.cpp: what lies open is in sight, what is covered is not.
+// tests/bodies/skin_sight_test.cpp: exposed places are visible, covered ones are not.
 #include "core/bodies/cloth_check.h"
 
 #include <array>
@@ -9,7 +9,7 @@
 namespace sinew {
 namespace {
 
-/// Boxes that face outwards, about the origin. @param open  the first one has no top
+/// Boxes that face outwards, around the origin. @param open  the first one has no top
 TriangleTree boxes(std::initializer_list<float> sizes, bool open) {
   std::vector<TriangleCorners> triangles;
   std::vector<int> numbers;
@@ -33,7 +33,7 @@ TriangleTree boxes(std::initializer_list<float> sizes, bool open) {
   return {triangles, numbers};
 }
 
-TEST(SkinSight, WhatIsCoveredIsNotSeen) {
+TEST(SkinVisibility, CoveredPointsAreNotVisible) {
   const glm::vec3 top(0.1f, 1.0f, 0.2f);
   const glm::vec3 up(0.0f, 5.0f, 0.0f);
   const TriangleTree alone = boxes({1.0f}, false);

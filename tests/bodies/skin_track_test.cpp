@@ -1,4 +1,5 @@
-// tests/bodies/skin_track_test.cpp: the nearest skin that faces outwards, against a look at every triangle.
+// tests/bodies/skin_track_test.cpp: nearest skin that faces outwards, compared with a search of all triangles.
+
 #include "core/bodies/motions.h"
 
 #include <gtest/gtest.h>
@@ -35,7 +36,7 @@ float distanceBySearch(const ControlMesh& mesh, const glm::vec3& point, const gl
   return facing < std::numeric_limits<float>::max() ? facing : any;
 }
 
-TEST(SkinTrack, TheSpotOverAPointIsTheNearestThatFacesOutwards) {
+TEST(SkinTrack, NearestOutwardPointMatchesASearch) {
   std::mt19937 random(8);
   std::uniform_real_distribution<float> anywhere(-1.2f, 1.2f);
   for (const auto& character :
@@ -53,7 +54,7 @@ TEST(SkinTrack, TheSpotOverAPointIsTheNearestThatFacesOutwards) {
   }
 }
 
-TEST(SkinTrack, RunsHoldEveryTriangleOnceInsideTheirBoxes) {
+TEST(SkinTrack, RunsContainEveryTriangleOnceInsideTheirBoxes) {
   const auto character = bundledCharacter("horse.glb");
   const SkinRuns skin(character->mesh);
   int next = 0;

@@ -1,4 +1,5 @@
-// tests/bodies/transfer_clips_test.cpp: clips of one body on another.
+// tests/bodies/transfer_clips_test.cpp: clips of one body played on another.
+
 #include "core/bodies/transfer_clips.h"
 
 #include <algorithm>
@@ -26,7 +27,7 @@ Character bodyOf(std::size_t style, Stance stance, Expected& slots) {
   return test::characterOf(test::namedBodies().at(style), stance, slots);
 }
 
-/// Every joint turns about its own axis, and the named one moves too.
+/// Every joint rotates about its own axis, and the named one also moves.
 AnimationClip swaying(const Skeleton& skeleton, int moved, float size) {
   std::mt19937 random(5);
   std::uniform_real_distribution<float> any(-1.0f, 1.0f);
@@ -50,7 +51,7 @@ AnimationClip swaying(const Skeleton& skeleton, int moved, float size) {
   return clip;
 }
 
-/// Twice as large, all names behind a prefix.
+/// Twice as large, all names with a prefix.
 Character scaledAndRenamed(Character character, float scale, const std::string& prefix) {
   Skeleton& skeleton = character.skeleton;
   for (Node& node : skeleton.nodes) node.rest.translation *= scale;
@@ -73,10 +74,10 @@ bool isFinitePose(const Pose& pose) {
   return std::ranges::all_of(pose.boneInWorld, [](const glm::mat4& matrix) { return isFinite(matrix); });
 }
 
-TEST(TransferClips, TheSameSkeletonKeepsEveryBit) {
+TEST(TransferClips, SameSkeletonKeepsEveryBit) {
   Expected slots;
   Character from = bodyOf(0, Stance::kArmsLevel, slots);
-  // Turned as files have it: the floats of a rotation are never quite of length 1.
+  // As in files, where rotations are never exactly of unit length.
   std::mt19937 random(3);
   std::uniform_real_distribution<float> any(-1.0f, 1.0f);
   const auto anyTurn = [&] { return glm::normalize(glm::quat(any(random), any(random), any(random), any(random))); };
@@ -86,7 +87,7 @@ TEST(TransferClips, TheSameSkeletonKeepsEveryBit) {
   const Character to = from;
   from.clips = {swaying(from.skeleton, 0, 1.0f)};
   from.clips.front().channels.front().interpolation = Interpolation::kStep;
-  // What no other skeleton would be given: a bone that stretches.
+  // Not transferred to other skeletons: a bone that stretches.
   const int last = from.skeleton.bones.back().node;
   from.clips.front().channels.push_back(
       {last, ChannelPath::kTranslation, Interpolation::kLinear, {0.0f, 1.0f}, {glm::vec4(0.0f), glm::vec4(0.1f)}});
@@ -102,7 +103,7 @@ TEST(TransferClips, TheSameSkeletonKeepsEveryBit) {
   }
 }
 
-TEST(TransferClips, NamesThatAreTakenGetANumber) {
+TEST(TransferClips, TakenNamesGetANumber) {
   Expected slots;
   Character from = bodyOf(0, Stance::kArmsLevel, slots);
   from.clips = {swaying(from.skeleton, 0, 1.0f), swaying(from.skeleton, 0, 1.0f)};
@@ -112,7 +113,7 @@ TEST(TransferClips, NamesThatAreTakenGetANumber) {
   EXPECT_EQ(made.clips[1].name, "sway 3");
 }
 
-TEST(TransferClips, AScaledAndRenamedCopyPlaysAlike) {
+TEST(TransferClips, ScaledAndRenamedCopyPlaysTheSame) {
   for (const char* prefix : {"mixamorig:", "Armature|", "Bip01 ", "hero_"}) {
     Expected slots;
     Character from = bodyOf(0, Stance::kArmsLevel, slots);
@@ -137,8 +138,8 @@ TEST(TransferClips, AScaledAndRenamedCopyPlaysAlike) {
   }
 }
 
-/// A body with level arms plays a clip of one whose arms hang: the limbs point the same way at every moment.
-TEST(TransferClips, ArmsOfAnotherStanceGoWhereTheClipHasThem) {
+/// A body with level arms plays a clip of one whose arms hang: at all times the limbs have the same directions.
+TEST(TransferClips, ArmsOfAnotherStanceFollowTheClip) {
   for (const auto& [ours, theirs] : {std::pair{0U, 0U}, std::pair{0U, 1U}, std::pair{1U, 0U}}) {
     Expected fromSlots;
     Expected toSlots;
@@ -168,7 +169,7 @@ TEST(TransferClips, ArmsOfAnotherStanceGoWhereTheClipHasThem) {
   }
 }
 
-TEST(TransferClips, MatchesEveryStyleWithEveryOther) {
+TEST(TransferClips, MatchesEveryNamingStyleWithEveryOther) {
   const std::vector<NamedBody> bodies = test::namedBodies();
   for (std::size_t a = 0; a < bodies.size(); ++a) {
     for (std::size_t b = 0; b < bodies.size(); ++b) {
@@ -191,7 +192,7 @@ TEST(TransferClips, MatchesEveryStyleWithEveryOther) {
   }
 }
 
-TEST(TransferClips, SidesAreNeverExchanged) {
+TEST(TransferClips, SidesAreNeverSwapped) {
   Expected slots;
   Expected others;
   Character from = bodyOf(0, Stance::kArmsLevel, slots);
@@ -212,7 +213,7 @@ TEST(TransferClips, SidesAreNeverExchanged) {
   EXPECT_LT(moved("hand.R"), 1e-6);
 }
 
-TEST(TransferClips, WhatDoesNotMatchIsTold) {
+TEST(TransferClips, MismatchedSkeletonIsReported) {
   Expected slots;
   Character from = bodyOf(0, Stance::kArmsLevel, slots);
   from.clips = {swaying(from.skeleton, 0, 1.0f)};
@@ -229,7 +230,7 @@ TEST(TransferClips, WhatDoesNotMatchIsTold) {
       << made.notes.back();
 }
 
-TEST(TransferClips, ShapesGoByName) {
+TEST(TransferClips, ShapesMatchByName) {
   Expected slots;
   Character from = bodyOf(0, Stance::kArmsLevel, slots);
   Character to = from;
@@ -246,8 +247,8 @@ TEST(TransferClips, ShapesGoByName) {
   EXPECT_EQ(made.clips.front().morphChannels.front().values, (std::vector<float>{0.25f, 0.0f, 0.25f, 1.0f}));
 }
 
-/// Any tree, flat and mirrored bind poses, any turns: a pose of numbers, never longer than the clip.
-TEST(TransferClips, RandomSkeletonsGiveNumbers) {
+/// Random trees, flat and mirrored bind poses, random rotations: poses are finite, and no longer than the clip.
+TEST(TransferClips, RandomSkeletonsGiveFinitePoses) {
   std::mt19937 random(11);
   std::uniform_real_distribution<float> any(-1.0f, 1.0f);
   const auto make = [&] {

@@ -1,4 +1,4 @@
-// tests/character/bindings_test.cpp: the bones that a vertex follows.
+// tests/character/bindings_test.cpp: bones that influence a vertex.
 #include "core/character/bindings.h"
 
 #include <gtest/gtest.h>
@@ -17,7 +17,7 @@ Character threeVertices() {
   return character;
 }
 
-TEST(Bindings, AreThoseOfTheVertexInTheMeshsOrder) {
+TEST(VertexBindings, FollowTheOrderOfTheMesh) {
   const Character character = threeVertices();
   std::vector<std::pair<int, float>> seen;
   for (const WeightedBinding& follows : bindingsOf(character, 1)) {
@@ -29,7 +29,7 @@ TEST(Bindings, AreThoseOfTheVertexInTheMeshsOrder) {
   EXPECT_EQ(seen, expected);
 }
 
-TEST(Bindings, TheStrongestIsTheFirstOfEquals) {
+TEST(VertexBindings, StrongestIsTheFirstOfEqualWeights) {
   const Character character = threeVertices();
   EXPECT_EQ(strongestBone(character, 0), 2);
   EXPECT_EQ(strongestBone(character, 1), 0) << "bindings are compared, not their sum on a bone";

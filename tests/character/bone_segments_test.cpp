@@ -1,4 +1,4 @@
-// tests/character/bone_segments_test.cpp: closest points of segments, and which segments bones have.
+// tests/character/bone_segments_test.cpp: closest points of segments, and segments of bones.
 #include "core/character/bone_segments.h"
 
 #include <algorithm>
@@ -16,7 +16,7 @@ glm::vec3 anyPoint(test::Random& random) {
   return {random.uniform(-2.0f, 2.0f), random.uniform(-2.0f, 2.0f), random.uniform(-2.0f, 2.0f)};
 }
 
-TEST(Segment, NoPointOfItIsCloserThanTheClosest) {
+TEST(Segment, ClosestPointIsClosest) {
   test::Random random(3);
   int beyond = 0;
   for (int round = 0; round < 500; ++round) {
@@ -37,13 +37,13 @@ TEST(Segment, NoPointOfItIsCloserThanTheClosest) {
   EXPECT_GT(beyond, 100);
 }
 
-TEST(Segment, WithoutLengthIsItsPoint) {
+TEST(Segment, ZeroLengthSegmentIsAPoint) {
   const Segment point{{1, 2, 3}, {0, 0, 0}};
   EXPECT_EQ(point.parameter({9, 9, 9}), 0.0f);
   EXPECT_FLOAT_EQ(point.distance({1, 2, 5}), 2.0f);
 }
 
-TEST(BoneSegments, GoToEveryChildAndWithoutChildrenToTheTip) {
+TEST(BoneSegments, ConnectToChildrenOrElseToTheTip) {
   const auto body = test::makeTwoLegged();
   const Skeleton& skeleton = body->skeleton;
   const Pose pose = samplePose(skeleton, body->clips[0], 0.7f);

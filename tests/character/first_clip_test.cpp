@@ -1,4 +1,4 @@
-// tests/character/first_clip_test.cpp: which clip is chosen, by what names say.
+// tests/character/first_clip_test.cpp: the clip selected by default, judged by its name.
 
 #include "core/character/clip_names.h"
 
@@ -29,7 +29,7 @@ struct Row {
   std::string first;
 };
 
-TEST(FirstClip, IsAWalkElseAnIdleElseARunElseNoDeathAndNoAttack) {
+TEST(FirstClip, PrefersWalkThenIdleThenRun) {
   const Row rows[] = {
       {{"Survey", "Walk", "Run"}, "Walk"},
       {{"Death", "Run", "Idle", "Walk"}, "Walk"},
@@ -43,12 +43,12 @@ TEST(FirstClip, IsAWalkElseAnIdleElseARunElseNoDeathAndNoAttack) {
       {{"mixamo.com", "RunForward", "idle2"}, "idle2"},
       {{"swordattack", "dead", "slowwalk"}, "slowwalk"},
       {{"IDLE", "WALK"}, "WALK"},
-      // A movement on the way is better than one while something else happens.
+      // Locomotion is preferred, but not combined with another action.
       {{"WalkAttack", "WalkDeath", "Idle"}, "Idle"},
       {{"Walk_Left", "Walk_Right", "Walk"}, "Walk"},
       {{"CrouchWalk", "WalkCycle"}, "WalkCycle"},
       {{"Walk_02", "Walk_01"}, "Walk_02"},
-      // Words that only begin alike.
+      // Words with the same beginning only.
       {{"Rune", "Runway", "Diet", "Deadlift"}, "Rune"},
       {{"Die", "Diet"}, "Diet"},
       {{"", "Walk"}, "Walk"},
@@ -58,8 +58,8 @@ TEST(FirstClip, IsAWalkElseAnIdleElseARunElseNoDeathAndNoAttack) {
   EXPECT_EQ(firstClip({}), -1);
 }
 
-// The order in the file decides between equals alone: it cannot bring a worse kind to the front.
-TEST(FirstClip, TheKindDoesNotDependOnTheOrder) {
+// The order in the file decides between equals only: it cannot promote a worse kind.
+TEST(FirstClip, DoesNotDependOnTheOrder) {
   std::vector<std::string> names{"Attack", "Death", "Idle", "Jump", "Run", "Walk"};
   do {
     EXPECT_EQ(firstOf(names), "Walk");
@@ -67,7 +67,7 @@ TEST(FirstClip, TheKindDoesNotDependOnTheOrder) {
   } while (std::ranges::next_permutation(names).found);
 }
 
-TEST(FirstClip, AClipOfNoLengthCountsOnlyWhereNoneHasOne) {
+TEST(FirstClip, SkipsEmptyClipsIfPossible) {
   std::vector<AnimationClip> clips = clipsNamed({"Walk", "Jump"});
   clips[0].duration = 0.0f;
   EXPECT_EQ(firstClip(clips), 1);
@@ -75,7 +75,7 @@ TEST(FirstClip, AClipOfNoLengthCountsOnlyWhereNoneHasOne) {
   EXPECT_EQ(firstClip(clips), 0);
 }
 
-TEST(FirstClip, OfCharactersNobodyHereMade) {
+TEST(FirstClip, IsAWalkOnRealCharacters) {
   const std::pair<const char*, const char*> kRows[] = {{"Fox.glb", "Walk"}, {"robot.glb", "Walking"}};
   for (const auto& [file, wanted] : kRows) {
     const auto character = test::realCharacter(file);

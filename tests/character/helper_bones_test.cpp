@@ -1,4 +1,4 @@
-// tests/character/helper_bones_test.cpp: bones that move no skin.
+// tests/character/helper_bones_test.cpp: helper bones move no skin.
 
 #include "core/character/joint_roles.h"
 
@@ -31,7 +31,7 @@ Skeleton skeletonOf(const std::vector<int>& parents) {
   return skeleton;
 }
 
-// The definition, bone by bone: some bone on the way up from one with skin is this one.
+// Definition, bone by bone: a bone with skin has this one as an ancestor, or is it.
 bool isAboveSkin(const Skeleton& skeleton, const std::vector<bool>& skin, int bone) {
   for (std::size_t i = 0; i < skin.size(); ++i) {
     for (int b = static_cast<int>(i); skin[i] && b >= 0; b = skeleton.bones[static_cast<std::size_t>(b)].parent) {
@@ -41,7 +41,7 @@ bool isAboveSkin(const Skeleton& skeleton, const std::vector<bool>& skin, int bo
   return false;
 }
 
-TEST(HelperBones, AreThoseWithNoSkinOnThemOrBelow) {
+TEST(HelperBones, HaveNoSkinOnThemOrTheirDescendants) {
   std::mt19937 random(11);
   for (int round = 0; round < 500; ++round) {
     std::vector<int> parents{-1};
@@ -58,20 +58,20 @@ TEST(HelperBones, AreThoseWithNoSkinOnThemOrBelow) {
     for (std::size_t i = 0; i < count; ++i) {
       EXPECT_EQ(helpers[i], any && !isAboveSkin(skeleton, skin, static_cast<int>(i))) << round << ": " << i;
     }
-    // What moves skin hangs on what does: hiding helpers leaves no hole in the tree.
+    // The parent of a bone that is no helper is none either: hiding helpers leaves no hole in the tree.
     for (std::size_t i = 0; i < count; ++i) {
       EXPECT_FALSE(!helpers[i] && parents[i] >= 0 && helpers[static_cast<std::size_t>(parents[i])]);
     }
   }
 }
 
-TEST(HelperBones, AreNoneWhereSkinIsNotKnownOrFollowsNoBone) {
+TEST(HelperBones, DoNotExistWithoutSkinInformation) {
   const Skeleton skeleton = skeletonOf({-1, 0, 1});
   EXPECT_EQ(helperBones(skeleton, {}), std::vector<bool>(3, false));
   EXPECT_EQ(helperBones(skeleton, {false, false, false}), std::vector<bool>(3, false));
 }
 
-TEST(HelperBones, StayOutOfTheRangeOfMotion) {
+TEST(HelperBones, AreExcludedFromTheRangeOfMotion) {
   const Skeleton skeleton = skeletonOf({-1, 0, 1, 1, 3, 0});
   RangeOfMotionHints hints;
   hints.carriesSkin = {true, true, true, false, false, false};
@@ -84,8 +84,8 @@ TEST(HelperBones, StayOutOfTheRangeOfMotion) {
   for (const int bone : moved) EXPECT_FALSE(helpers[static_cast<std::size_t>(bone)]);
 }
 
-// What is called a helper moves no vertex: taken from the weights alone.
-TEST(HelperBones, OfCharactersNobodyHereMade) {
+// A helper moves no vertex, judged by the weights alone.
+TEST(HelperBones, MoveNoVertexOfRealCharacters) {
   for (const char* file : {"robot.glb", "Fox.glb", "greenman.glb"}) {
     const auto character = test::realCharacter(file);
     if (!character) GTEST_SKIP() << "left out: no " << file;

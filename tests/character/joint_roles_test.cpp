@@ -1,4 +1,4 @@
-// tests/character/joint_roles_test.cpp: what names make of joints.
+// tests/character/joint_roles_test.cpp: joint roles inferred from names.
 
 #include "core/character/joint_roles.h"
 
@@ -9,7 +9,7 @@
 namespace sinew {
 namespace {
 
-/// The role of a joint under the root.
+/// Role of a joint under the root.
 JointRole roleOf(const std::string& name) {
   Skeleton skeleton;
   skeleton.bones.resize(3);
@@ -23,8 +23,8 @@ JointRole roleOf(const std::string& name) {
   return jointRoles(skeleton)[1];
 }
 
-// A hip on one side begins a leg; the hip that is no side's is the pelvis.
-TEST(JointRoles, AHipIsALegsWhereItsNameSaysASide) {
+// A hip with a side starts a leg; one without a side is the pelvis.
+TEST(JointRoles, HipWithASideIsALegJoint) {
   for (const char* name :
        {"hip.L", "hip_R", "LeftHip", "right hip", "hip_fl", "hip_fr", "hip bl", "BR_hip", "hip_rt"}) {
     EXPECT_EQ(roleOf(name), JointRole::kHip) << name;

@@ -1,4 +1,4 @@
-// tests/character/planted_feet_test.cpp: the feet of the bundled characters stand where they were set down.
+// tests/character/planted_feet_test.cpp: planted feet of the bundled characters do not slide or sink.
 
 #include <algorithm>
 #include <cmath>
@@ -16,13 +16,13 @@
 namespace sinew {
 namespace {
 
-constexpr double kSamplesPerSecond = 240.0;  // Most lie between two keys.
-constexpr float kBand = 0.002f;              // H; a foot whose lowest point is no higher stands: no eye sees the gap.
+constexpr double kSamplesPerSecond = 240.0;  // Most fall between two keys.
+constexpr float kBand = 0.002f;              // H; a foot no higher than this is planted: the gap is invisible.
 constexpr float kMaxSlide = 0.010f;          // H
 constexpr float kMaxSink = 0.005f;           // H
-constexpr float kSole = 0.012f;              // H; bind pose, what may touch the ground.
+constexpr float kSole = 0.012f;              // H; bind pose, part of the foot that may touch the ground.
 
-/// Vertices that follow the foot or its toes more than anything else and lie lowest in the bind pose.
+/// The lowest vertices in the bind pose whose main influence is the foot or its toes.
 struct Foot {
   std::string name;
   std::vector<std::size_t> sole;
@@ -31,13 +31,13 @@ struct Foot {
 struct Walked {
   std::string file;
   std::string clip;
-  double minPlanted;  ///< Part of the clip every foot must stand at least.
+  double minPlanted;  ///< Least fraction of the clip during which every foot is planted.
   double maxPlanted;
-  double minSpeed;  ///< H a second.
+  double minSpeed;  ///< H per second.
   double maxSpeed;
 };
 
-/// What one foot did in one clip, sampled evenly round the loop: after the last sample comes the first. Lengths in H.
+/// Motion of one foot in one clip, sampled evenly around the loop: the first sample follows the last. Lengths in H.
 struct Track {
   std::vector<std::vector<glm::vec3>> soles;  ///< [samples][sole]
   std::vector<std::size_t> lowest;            ///< [samples] index into the sole.
@@ -46,7 +46,7 @@ struct Track {
   [[nodiscard]] std::size_t next(std::size_t sample) const { return sample + 1 < planted.size() ? sample + 1 : 0; }
 };
 
-/// The nearest bone at or above whose name speaks of a foot's or hoof's root; -1 if there is none.
+/// The nearest bone at or above whose name denotes a foot's or hoof's root; -1 if there is none.
 int footOf(const Skeleton& skeleton, int bone) {
   for (int b = bone; b >= 0; b = skeleton.bones[static_cast<std::size_t>(b)].parent) {
     const std::string name = lowerCase(skeleton.bones[static_cast<std::size_t>(b)].name);
@@ -91,7 +91,7 @@ std::vector<Track> play(const Character& character, const AnimationClip& clip, c
   return tracks;
 }
 
-/// How the lowest point of the sole moves over the ground from one sample to the next.
+/// Motion of the sole's lowest point over the ground between consecutive samples.
 glm::vec2 contactStep(const Track& track, std::size_t sample) {
   const std::size_t point = track.lowest[sample];
   const glm::vec3 step = track.soles[track.next(sample)][point] - track.soles[sample][point];
@@ -102,7 +102,7 @@ bool stands(const Track& track, std::size_t sample) {
   return track.planted[sample] && track.planted[track.next(sample)];
 }
 
-/// The ground's step from sample to sample, for all feet of a clip: the median of what standing points do, by axis.
+/// The ground's step between samples, for all feet of a clip: median step of planted points, by axis.
 glm::vec2 groundStep(const std::vector<Track>& tracks) {
   std::vector<float> x, z;
   for (const Track& track : tracks) {
@@ -122,15 +122,15 @@ glm::vec2 groundStep(const std::vector<Track>& tracks) {
 }
 
 struct Worst {
-  float slide = 0.0f;    ///< Largest distance between two places on the ground that one standing had.
+  float slide = 0.0f;    ///< Largest distance on the ground between two places of one planted phase.
   float sink = 0.0f;     ///< Deepest below the ground.
-  double planted = 0.0;  ///< Part of the samples.
+  double planted = 0.0;  ///< Fraction of the samples.
   int standings = 0;
-  float highest = 0.0f;  ///< Height of the lowest point: how clearly the foot leaves the ground.
+  float highest = 0.0f;  ///< Height of the lowest point: how clearly the foot lifts off.
 };
 
-/// Adds up how the touching point moves against the ground while the foot stands, also where heel hands over to toe. A
-/// standing that goes on across the clip's end is followed round it.
+/// Accumulates the motion of the contact point over the ground while the foot is planted, also when contact moves from
+/// heel to toe. A phase that spans the clip's end continues at its start.
 Worst follow(const Track& track, const glm::vec2& ground) {
   Worst worst;
   const std::size_t samples = track.planted.size();
@@ -153,7 +153,7 @@ Worst follow(const Track& track, const glm::vec2& ground) {
     }
     places.push_back(places.back() + contactStep(track, s) - ground);
     for (const glm::vec2& place : places) worst.slide = std::max(worst.slide, glm::distance(place, places.back()));
-    if (places.size() > samples) break;  // Stands all the time.
+    if (places.size() > samples) break;  // Always planted.
   }
   return worst;
 }
@@ -206,8 +206,8 @@ INSTANTIATE_TEST_SUITE_P(Clips, PlantedFeet,
                            return instance.param.file.substr(0, instance.param.file.find('.')) + instance.param.clip;
                          });
 
-/// The same measure on clips that were spoilt: the hips drift, or lie too deep.
-TEST(SpoiltFeet, AreSeenToSlideAndToSink) {
+/// The same measure on broken clips: the hips drift, or are too low.
+TEST(PlantedFeetMeasure, DetectsSlidingAndSinking) {
   const auto imported = importGltf(asset("humanoid.glb"));
   ASSERT_TRUE(imported.ok()) << imported.error().text();
   const Character& character = *imported.value();

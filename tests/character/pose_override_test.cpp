@@ -1,4 +1,5 @@
-// tests/character/pose_override_test.cpp: turned joints: nothing else moves, what hangs on them moves rigidly.
+// tests/character/pose_override_test.cpp: rotated joints: their descendants move rigidly, nothing else moves.
+
 #include "core/character/pose_override.h"
 
 #include <cmath>
@@ -41,7 +42,7 @@ glm::mat4 randomMatrix(Chance& chance, Scale scale) {
   return m;
 }
 
-/// A random tree of bones, each with a matrix of its own relative to its parent; bind pose and a moment differ.
+/// A random tree of bones, each with its own matrix relative to its parent; bind pose and current pose differ.
 struct Scene {
   Skeleton skeleton;
   Pose moment;
@@ -57,7 +58,7 @@ Scene randomScene(Chance& chance, Scale scale) {
     const auto at = [&](const glm::mat4& local, const glm::mat4& parent) { return parent * local; };
     const auto p = static_cast<std::size_t>(std::max(bone.parent, 0));
     const glm::mat4 none(1.0f);
-    // Scale on a few bones alone: products of many would flatten what hangs on them.
+    // Only a few bones are scaled: products of many would flatten their descendants.
     const Scale own = i % 3 == 0 ? scale : Scale::kNone;
     bone.bindInWorld = at(randomMatrix(chance, own), i == 0 ? none : scene.skeleton.bones[p].bindInWorld);
     scene.moment.boneInWorld.push_back(at(randomMatrix(chance, own), i == 0 ? none : scene.moment.boneInWorld[p]));
@@ -86,11 +87,11 @@ void expectNear(const glm::mat4& a, const glm::mat4& b, const std::string& what)
   EXPECT_LT(largest(glm::dmat4(a) - glm::dmat4(b)), 1e-4 * std::max(1.0, largest(glm::dmat4(b)))) << what;
 }
 
-class TurnedJoints : public testing::TestWithParam<Scale> {};
-INSTANTIATE_TEST_SUITE_P(Scales, TurnedJoints,
+class RotatedJoints : public testing::TestWithParam<Scale> {};
+INSTANTIATE_TEST_SUITE_P(Scales, RotatedJoints,
                          testing::Values(Scale::kNone, Scale::kEven, Scale::kUneven, Scale::kMirrored));
 
-TEST_P(TurnedJoints, MoveWhatHangsOnThemRigidlyAboutTheJointAndNothingElse) {
+TEST_P(RotatedJoints, MoveOnlyTheirDescendantsRigidly) {
   Chance chance(11);
   for (int trial = 0; trial < kTrials; ++trial) {
     const Scene scene = randomScene(chance, GetParam());
@@ -118,7 +119,7 @@ TEST_P(TurnedJoints, MoveWhatHangsOnThemRigidlyAboutTheJointAndNothingElse) {
   }
 }
 
-TEST(PoseOverrides, WithoutUnevenScaleATurnIsTheBonesLocalRotation) {
+TEST(PoseOverrides, RotationIsLocalUnderUniformScale) {
   for (const Scale scale : {Scale::kNone, Scale::kEven}) {
     Chance chance(12);
     for (int trial = 0; trial < kTrials; ++trial) {
@@ -134,7 +135,7 @@ TEST(PoseOverrides, WithoutUnevenScaleATurnIsTheBonesLocalRotation) {
   }
 }
 
-TEST(PoseOverrides, ParentsTurnBeforeChildren) {
+TEST(PoseOverrides, ParentsRotateBeforeChildren) {
   Chance chance(13);
   for (int trial = 0; trial < kTrials; ++trial) {
     const Scene scene = randomScene(chance, Scale::kUneven);
@@ -155,7 +156,7 @@ TEST(PoseOverrides, ParentsTurnBeforeChildren) {
   }
 }
 
-TEST(PoseOverrides, NoTurnIsTheSameBits) {
+TEST(PoseOverrides, IdentityRotationChangesNothing) {
   Chance chance(14);
   const Scene scene = randomScene(chance, Scale::kUneven);
   PoseOverrides overrides;
@@ -169,11 +170,11 @@ TEST(PoseOverrides, NoTurnIsTheSameBits) {
   overrides.set(6, glm::quat(1, 0, 0, 0));
   EXPECT_TRUE(overrides.isEmpty());
   EXPECT_EQ(posed(scene.skeleton, scene.moment, overrides).boneInWorld, scene.moment.boneInWorld);
-  overrides.set(100, chance.rotation());  // A longer skeleton's.
+  overrides.set(100, chance.rotation());  // From a longer skeleton.
   EXPECT_EQ(posed(scene.skeleton, scene.moment, overrides).boneInWorld, scene.moment.boneInWorld);
 }
 
-TEST(PoseOverrides, TurnsAreKeptInOrderAndUnit) {
+TEST(PoseOverrides, RotationsAreSortedAndNormalized) {
   PoseOverrides overrides;
   for (const int bone : {5, 1, 3, 1}) overrides.set(bone, glm::quat(2.0f, 0.0f, static_cast<float>(bone), 0.0f));
   ASSERT_EQ(overrides.turns.size(), 3u);
@@ -198,7 +199,7 @@ TEST(PoseOverrides, FlattenedBonesStayFinite) {
   }
 }
 
-TEST_P(TurnedJoints, HeldOnesStandToTheirParentAsBoundWhateverTheClipDoes) {
+TEST_P(RotatedJoints, HeldJointsIgnoreTheClip) {
   Chance chance(16);
   for (int trial = 0; trial < kTrials; ++trial) {
     Scene scene = randomScene(chance, GetParam());
@@ -221,7 +222,7 @@ TEST_P(TurnedJoints, HeldOnesStandToTheirParentAsBoundWhateverTheClipDoes) {
   }
 }
 
-TEST_P(TurnedJoints, ChangingWhatTheyStartFromKeepsThisMoment) {
+TEST_P(RotatedJoints, ChangingTheBaseKeepsTheCurrentPose) {
   Chance chance(17);
   for (int trial = 0; trial < kTrials; ++trial) {
     const Scene scene = randomScene(chance, GetParam());
@@ -239,7 +240,7 @@ TEST_P(TurnedJoints, ChangingWhatTheyStartFromKeepsThisMoment) {
   }
 }
 
-/// A trunk with an arm on either side, mirrored across x = 0; frames of the right arm turned anyhow.
+/// A trunk with an arm on either side, mirrored across x = 0; frames of the right arm rotated randomly.
 Skeleton twoArms(Chance& chance) {
   Skeleton skeleton;
   const auto add = [&](const char* name, int parent, const glm::vec3& origin) {
@@ -259,7 +260,7 @@ Skeleton twoArms(Chance& chance) {
   return skeleton;
 }
 
-TEST(PoseOverrides, TheMirrorImageOfAPoseIsOneInTheWorld) {
+TEST(PoseOverrides, MirroredPoseIsMirroredInTheWorld) {
   constexpr int kTwins[] = {0, 3, 4, 1, 2};
   Chance chance(18);
   for (int trial = 0; trial < kTrials; ++trial) {
@@ -281,7 +282,7 @@ TEST(PoseOverrides, TheMirrorImageOfAPoseIsOneInTheWorld) {
   }
 }
 
-TEST(PoseOverride, ATurnSetAgainIsTheSameToTheLastBit) {
+TEST(RepeatedPoseOverride, IsUnchangedBitForBit) {
   std::mt19937 random(5);
   std::uniform_real_distribution<float> part(-1.0f, 1.0f);
   for (int i = 0; i < 1000; ++i) {

@@ -35,7 +35,7 @@ TEST(SampleChannel, StepHoldsAndLinearInterpolates) {
 }
 
 TEST(SampleChannel, CubicSplineReproducesACubic) {
-  // x(t) = t^3 with its exact tangents is what a Hermite spline gives back everywhere.
+  // A Hermite spline reproduces x(t) = t^3 with its exact tangents.
   Channel channel;
   channel.interpolation = Interpolation::kCubicSpline;
   for (const float t : {0.0f, 0.5f, 2.0f}) {
@@ -103,7 +103,7 @@ TEST(Pose, ComposesParentsAndClampsTime) {
   }
 }
 
-TEST(Pose, FollowsFromWhatEachNodeIsToItsParent) {
+TEST(Pose, IsComposedFromLocalTransforms) {
   const Skeleton skeleton = arm();
   std::vector<LocalTransform> locals = restLocals(skeleton);
   EXPECT_EQ(poseFromLocals(skeleton, locals), restPose(skeleton));
@@ -111,13 +111,13 @@ TEST(Pose, FollowsFromWhatEachNodeIsToItsParent) {
   const Pose turned = poseFromLocals(skeleton, locals);
   EXPECT_NEAR(glm::distance(glm::vec3(turned.boneInWorld[0][3]), glm::vec3(1, 0, 0)), 0.0f, 1e-5f);
   EXPECT_NEAR(glm::distance(glm::vec3(turned.boneInWorld[1][3]), glm::vec3(-1, 0, 0)), 0.0f, 1e-5f);
-  locals[2].scale = glm::vec3(3.0f);  // The end alone.
+  locals[2].scale = glm::vec3(3.0f);  // Only the last bone.
   const Pose grown = poseFromLocals(skeleton, locals);
   EXPECT_EQ(grown.boneInWorld[0], turned.boneInWorld[0]);
   EXPECT_NEAR(glm::length(glm::vec3(grown.boneInWorld[1][0])), 0.03f, 1e-6f);
 }
 
-TEST(Bones, TipsPointAtChildrenAndGoOnAtTheEnd) {
+TEST(Bones, TipsPointAtChildrenOrContinueTheChain) {
   const Skeleton skeleton = arm();
   EXPECT_NEAR(glm::distance(skeleton.bones[0].tip, glm::vec3(0, 2, 0)), 0.0f, 1e-6f);
   EXPECT_NEAR(glm::distance(skeleton.bones[1].tip, glm::vec3(0, 1, 0)), 0.0f, 1e-6f);

@@ -1,4 +1,6 @@
-// tests/character/range_of_motion_test.cpp: the clip made from a skeleton: whole, within limits, from rest to rest.
+// tests/character/range_of_motion_test.cpp: the clip generated from a skeleton: complete, within limits, starts and
+// ends at rest.
+
 #include "core/character/range_of_motion.h"
 
 #include <cmath>
@@ -38,7 +40,7 @@ RangeOfMotionHints hintsFor(const Character& character) {
   return {plan.twinOf, glm::vec3(plan.plane.normal), skinned(character), {}, {}};
 }
 
-/// Rotation of a bone to its parent, as turns see it, relative to the bind pose: radians.
+/// Rotation of a bone relative to its parent and the bind pose, radians.
 float bentBy(const Skeleton& skeleton, const Pose& pose, std::size_t bone) {
   const Bone& b = skeleton.bones[bone];
   const auto relative = [&](const glm::mat4& own, const glm::mat4& parent) {
@@ -89,14 +91,14 @@ void expectSound(const Character& character, bool withHints) {
   }
 }
 
-TEST(RangeOfMotion, OfSyntheticCharactersIsSound) {
+TEST(RangeOfMotion, IsSoundOnSyntheticCharacters) {
   for (const auto& character :
        {test::makeLimb(), test::makeTwoLegged(), test::makeStrip(), test::makeTube(), test::makeCube()}) {
     for (const bool hints : {false, true}) expectSound(*character, hints);
   }
 }
 
-TEST(RangeOfMotion, OfTheBundledCharactersIsSound) {
+TEST(RangeOfMotion, IsSoundOnBundledCharacters) {
   for (const char* name : {"demo.glb", "humanoid.glb", "horse.glb"}) {
     const auto file = std::filesystem::path(SINEW_SOURCE_DIR) / "assets" / name;
     if (!std::filesystem::exists(file)) continue;
@@ -107,7 +109,7 @@ TEST(RangeOfMotion, OfTheBundledCharactersIsSound) {
   }
 }
 
-TEST(RangeOfMotion, OfRealCharactersIsSound) {
+TEST(RangeOfMotion, IsSoundOnRealCharacters) {
   if (!test::characterFile("greenman.glb")) SINEW_SKIP_WITHOUT_CHARACTERS();
   for (const char* name : {"Fox.glb", "greenman.glb", "robot.glb", "cesium_man.gltf", "rigged_simple.gltf"}) {
     SCOPED_TRACE(name);
@@ -117,7 +119,7 @@ TEST(RangeOfMotion, OfRealCharactersIsSound) {
   }
 }
 
-TEST(RangeOfMotion, IsTheSameEveryTime) {
+TEST(RangeOfMotion, IsRepeatable) {
   const auto character = test::makeTwoLegged();
   const AnimationClip a = rangeOfMotion(character->skeleton);
   const AnimationClip b = rangeOfMotion(character->skeleton);
@@ -129,7 +131,7 @@ TEST(RangeOfMotion, IsTheSameEveryTime) {
   }
 }
 
-TEST(RangeOfMotion, ARootAloneHasNone) {
+TEST(RangeOfMotion, LoneRootHasNone) {
   Skeleton skeleton;
   skeleton.nodes.resize(1);
   skeleton.bones.resize(1);
@@ -139,7 +141,7 @@ TEST(RangeOfMotion, ARootAloneHasNone) {
   EXPECT_TRUE(rangeOfMotion(Skeleton{}).channels.empty());
 }
 
-// A person in a T-pose that faces +Z or, turned round, -Z; frames turned anyhow.
+// A person in a T-pose that faces +Z or, rotated, -Z; with random frames.
 struct Joint {
   const char* name;
   int parent;
@@ -184,7 +186,7 @@ Skeleton person(float facing, bool hasMirroredFrames = false) {
 
 int boneNamed(const Skeleton& skeleton, const char* name) { return skeleton.findBone(name).value(); }
 
-/// Where a point carried by a bone is, at every frame of the clip, relative to where it is bound.
+/// Visits the position of a point carried by a bone at every frame of the clip, relative to its bind position.
 template <class Visit>
 void follow(const Skeleton& skeleton, const AnimationClip& clip, const char* bone, Visit visit) {
   const auto i = static_cast<std::size_t>(boneNamed(skeleton, bone));
@@ -195,7 +197,7 @@ void follow(const Skeleton& skeleton, const AnimationClip& clip, const char* bon
   }
 }
 
-/// The steps in which one joint moves.
+/// Steps in which one joint moves.
 std::vector<MovementStep> stepsOf(const Skeleton& skeleton, const char* bone) {
   std::vector<MovementStep> found;
   for (const MovementStep& step : rangeOfMotionSteps(skeleton)) {
@@ -215,7 +217,7 @@ glm::vec3 originAfter(const Skeleton& skeleton, const MovementStep& step, float 
   return glm::vec3(posed(skeleton, bindPose(skeleton), turns).boneInWorld[i][3] - skeleton.bones[i].bindInWorld[3]);
 }
 
-TEST(RangeOfMotion, ElbowsBendForwardsAndKneesBackwardsAlone) {
+TEST(RangeOfMotion, ElbowsBendOnlyForwardsAndKneesOnlyBackwards) {
   for (const auto& [facing, isMirrored] : {std::pair{1.0f, false}, {-1.0f, false}, {1.0f, true}, {-1.0f, true}}) {
     const Skeleton skeleton = person(facing, isMirrored);
     const struct {
@@ -264,7 +266,7 @@ TEST(RangeOfMotion, LeftAndRightMoveTogetherAsMirrorImages) {
     const auto r = static_cast<std::size_t>(boneNamed(skeleton, right));
     float moved = 0.0f;
     follow(skeleton, clip, left, [&](const glm::vec3& by, const Pose& pose, std::size_t) {
-      // The spine and the head bend sideways by themselves.
+      // The spine and the head bend sideways on their own.
       if (bentBy(skeleton, pose, 1) > 1e-3f || bentBy(skeleton, pose, 2) > 1e-3f) return;
       const glm::vec3 a(pose.boneInWorld[l][3]);
       const glm::vec3 b(pose.boneInWorld[r][3]);
@@ -275,7 +277,7 @@ TEST(RangeOfMotion, LeftAndRightMoveTogetherAsMirrorImages) {
   }
 }
 
-TEST(JointRoles, AreReadFromNamesOfManyStyles) {
+TEST(JointRoles, AreRecognizedInManyNamingStyles) {
   const auto chain = [](std::initializer_list<const char*> names) {
     Skeleton skeleton;
     for (const char* name : names) {

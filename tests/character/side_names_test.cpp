@@ -1,4 +1,4 @@
-// tests/character/side_names_test.cpp: sides in names, as riggers write them.
+// tests/character/side_names_test.cpp: side markers in names, as riggers write them.
 
 #include "core/character/bone_names.h"
 
@@ -44,7 +44,7 @@ TEST(SideNames, CounterpartsNameEachOther) {
   }
 }
 
-TEST(SideNames, WordsThatOnlyContainLettersOfAMarkerSayNothing) {
+TEST(SideNames, LettersInsideWordsAreNotMarkers) {
   for (const char* name :
        {"spine", "Bright", "upright", "cleft palate", "Root", "tail", "skull", "", "l\xc3\xa4ng", "12", "pelvis.001"}) {
     EXPECT_FALSE(mirroredName(name)) << name;
@@ -53,11 +53,11 @@ TEST(SideNames, WordsThatOnlyContainLettersOfAMarkerSayNothing) {
   }
 }
 
-TEST(SideNames, SeveralMarkersAreNotClear) {
+TEST(SideNames, SeveralMarkersAreAmbiguous) {
   EXPECT_FALSE(mirroredName("L_arm_R"));
   EXPECT_EQ(sideMarkers("L_arm_R").size(), 2u);
   EXPECT_FALSE(sideNamed("L_arm_R"));
-  // A whole word outweighs letters.
+  // A whole word takes precedence over letters.
   EXPECT_EQ(mirroredName("LeftHand_r"), "RightHand_r");
 }
 

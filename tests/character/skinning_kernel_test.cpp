@@ -1,4 +1,5 @@
-// tests/character/skinning_kernel_test.cpp: skinning in lanes: bit for bit that of one vertex after the other.
+// tests/character/skinning_kernel_test.cpp: vectorized skinning matches scalar skinning bit for bit.
+
 #include "core/character/skinning_kernel.h"
 
 #include <algorithm>
@@ -58,8 +59,8 @@ TEST(SkinningKernel, GivesTheScalarBitsOnCharacters) {
   }
 }
 
-// Bones that are mirrored, flattened, shrunk to a point, or so small or large that squares leave a float's range.
-TEST(SkinningKernel, GivesTheScalarBitsOfBonesOfAnySize) {
+// Bones that are mirrored, flattened, shrunk to a point, or so small or large that squares exceed the range of floats.
+TEST(SkinningKernel, GivesTheScalarBitsWithExtremeBoneScales) {
   const std::vector<glm::vec3> sizes{{-1.0f, 1.0f, 1.0f},   {1.0f, 0.0f, 1.0f}, {0.0f, 0.0f, 0.0f},
                                      {1e-7f, 1e-7f, 1e-7f}, {1e7f, 2e7f, 1e7f}, {1.0f, 1e-12f, 1.0f}};
   for (const auto& character : {makeLimb(), makeTwoLegged(), makeStrip(), makeTube(), makeCube()}) {
@@ -77,7 +78,7 @@ TEST(SkinningKernel, GivesTheScalarBitsOfBonesOfAnySize) {
   }
 }
 
-// Any wedges are creased, so that any number of them is left for the last lanes.
+// Random creased wedges, so that the last lanes hold any number of them.
 TEST(SkinningKernel, GivesTheScalarBitsOfCreasedWedges) {
   Random random(5);
   for (const auto& character : {makeTwoLegged(), makeTube(), makeCube()}) {
@@ -112,8 +113,8 @@ TEST(SkinningKernel, GivesTheScalarBitsOfCreasedWedges) {
   }
 }
 
-// Vertices behind the last one are neither read into a result nor written.
-TEST(SkinningKernel, FillsAsManyAsAreAskedFor) {
+// Vertices after the last one neither affect results nor are written.
+TEST(SkinningKernel, FillsExactlyTheRequestedCount) {
   const auto character = makeLimb();
   const Pose pose = randomPose(character->skeleton, 0.6f, 0.3f, 1);
   const SkinnedMesh whole = skinBy(scalarSkinKernels(), *character, pose).mesh;

@@ -1,4 +1,4 @@
-// tests/character/skinning_test.cpp: skinned characters against an independent double-precision skinning of the raw
+// tests/character/skinning_test.cpp: skinned characters match an independent double-precision skinning of the raw
 // files.
 
 #include "core/character/skinning.h"
@@ -22,14 +22,14 @@ namespace {
 
 class RealCharacter : public testing::TestWithParam<const char*> {};
 
-TEST_P(RealCharacter, SkinsLikeTheFile) {
+TEST_P(RealCharacter, SkinningMatchesTheFile) {
   const auto file = test::characterFile(GetParam());
   if (!file) SINEW_SKIP_WITHOUT_CHARACTERS();
   test::expectSkinsLikeTheFile(*file);
 }
 
-/// In the bind pose every vertex stays where the control mesh has it.
-TEST_P(RealCharacter, BindPoseLeavesTheMeshAlone) {
+/// In the bind pose every vertex stays at its place in the control mesh.
+TEST_P(RealCharacter, BindPoseKeepsTheMesh) {
   const auto file = test::characterFile(GetParam());
   if (!file) SINEW_SKIP_WITHOUT_CHARACTERS();
   const auto imported = importGltf(*file);
@@ -48,13 +48,13 @@ INSTANTIATE_TEST_SUITE_P(Files, RealCharacter,
                          testing::Values("Fox.glb", "greenman.glb", "robot.glb", "cesium_man.gltf",
                                          "rigged_simple.gltf", "SimpleSkin.gltf", "RobotExpressive.glb"));
 
-TEST(Skinning, BentPostSkinsLikeTheFile) {
+TEST(Skinning, BentPostMatchesTheFile) {
   const test::TemporaryFolder folder;
   test::expectSkinsLikeTheFile(folder.write("post.glb", test::makePost().file.glb()));
 }
 
-/// Worked out by hand: the knee turns its ring by 90 degrees about x, so that up becomes forward.
-TEST(Skinning, BentPostByHand) {
+/// Computed by hand: the knee rotates its ring by 90 degrees about x, so that up becomes forward.
+TEST(Skinning, BentPostMatchesAHandCalculation) {
   const test::TemporaryFolder folder;
   const auto imported = importGltf(folder.write("post.glb", test::makePost().file.glb()));
   ASSERT_TRUE(imported.ok()) << imported.error().text();
@@ -71,8 +71,9 @@ TEST(Skinning, BentPostByHand) {
   }
 }
 
-/// Wedges of faces that turn with one bone keep their faces' normals; what is not creased is its vertex's, bit for bit.
-TEST(Skinning, CreasedWedgesTurnWithTheirVertices) {
+/// Wedges of faces that rotate with one bone keep their faces' normals; uncreased ones equal their vertex's, bit for
+/// bit.
+TEST(Skinning, CreasedWedgesRotateWithTheirVertices) {
   const auto character = test::makeCube();
   const ControlMesh sharp = creased(character->mesh, 30.0f);
   const Pose pose = samplePose(character->skeleton, character->clips.at(0), 0.5f);

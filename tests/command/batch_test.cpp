@@ -1,4 +1,5 @@
-// tests/command/batch_test.cpp: how a job is divided into items, and what is refused.
+// tests/command/batch_test.cpp: splitting a job into items, and refused jobs.
+
 #include "app/command/batch.h"
 
 #include <set>
@@ -20,7 +21,7 @@ class Jobs : public Program {
   }
 };
 
-TEST_F(Jobs, FramesGoInStepsAndIncludeBothEnds) {
+TEST_F(Jobs, FrameRangesHaveStepsAndIncludeBothEnds) {
   BatchOptions options;
   for (const auto& [text, frames] : {std::pair{"3:3", std::vector{3}}, std::pair{"0:4:2", std::vector{0, 2, 4}},
                                      std::pair{"1:9:5", std::vector{1, 6}}}) {
@@ -66,7 +67,7 @@ TEST_F(Jobs, ShardsDivideTheItemsOfAllInputs) {
   }
 }
 
-TEST_F(Jobs, WhatIsThereIsLeftOutOnlyToResume) {
+TEST_F(Jobs, ExistingOutputsAreSkippedOnlyWithResume) {
   ASSERT_TRUE(writeFileAtomically(folder_ / "x1.png", "whole").ok());
   std::filesystem::create_directory(folder_ / "x2.png");
   BatchOptions options;
@@ -77,7 +78,7 @@ TEST_F(Jobs, WhatIsThereIsLeftOutOnlyToResume) {
   EXPECT_EQ(wanted(), (std::vector<std::size_t>{0, 2, 3})) << "a folder is no picture";
 }
 
-TEST_F(Jobs, WhatWouldOverwriteItselfIsRefused) {
+TEST_F(Jobs, OutputsThatCollideAreRefused) {
   BatchOptions options;
   options.list = listOf("a/fox.glb\nb/fox.rig.json\n");
   const auto same = app::planBatch(options, {}, "{name}.png");
@@ -90,7 +91,7 @@ TEST_F(Jobs, WhatWouldOverwriteItselfIsRefused) {
   EXPECT_FALSE(app::planBatch({}, {}, "x.png").ok()) << "neither";
 }
 
-TEST_F(Jobs, AnInputIsNeverTakenForWhatIsDone) {
+TEST_F(Jobs, InputIsNeverTreatedAsFinishedOutput) {
   for (const char* name : {"demo.glb", "demo.rig.json"}) {
     std::filesystem::copy_file(demo(name), folder_ / name);
   }
@@ -101,7 +102,7 @@ TEST_F(Jobs, AnInputIsNeverTakenForWhatIsDone) {
   }
 }
 
-TEST(Shard, IsReadWholeOrRefused) {
+TEST(Shard, IsParsedStrictly) {
   EXPECT_EQ(app::shardOf("")->count, 1);
   EXPECT_EQ(app::shardOf("3/7")->index, 3);
   for (const char* wrong : {"7/7", "-1/7", "0/0", "1", "1/", "/2", "1/2/3", "a/2", "1/2 ", "0/99999999"}) {
@@ -109,7 +110,7 @@ TEST(Shard, IsReadWholeOrRefused) {
   }
 }
 
-TEST_F(Jobs, TheProgramRefusesInOneLine) {
+TEST_F(Jobs, RefusalsAreOneLine) {
   const std::string rig = demo("demo.rig.json");
   const std::vector<std::vector<std::string>> wrong{
       {"smooth", rig, "--frames", "0:3", "-o", "a_%d.ply"},
@@ -135,7 +136,7 @@ TEST_F(Jobs, TheProgramRefusesInOneLine) {
   EXPECT_TRUE(std::filesystem::is_empty(folder_));
 }
 
-TEST_F(Jobs, AListMayComeThroughAPipe) {
+TEST_F(Jobs, ListIsReadFromAPipe) {
   const std::vector<std::string> job{"smooth", "--list", "-", "--depth", "1", "-o", "{name}.ply"};
   const Outcome done =
       run(job, SINEW_PROGRAM, "printf '%s\\n' '" + demo("demo.glb") + "' '# no' '" + demo("tangle.glb") + "' |");
@@ -146,7 +147,7 @@ TEST_F(Jobs, AListMayComeThroughAPipe) {
   EXPECT_EQ(nothing.error, "sinew: standard input: names no input: expected a file name a line\n");
 }
 
-TEST_F(Jobs, FramesPastTheEndAreLeftOutAndThatIsSaid) {
+TEST_F(Jobs, FramesPastTheEndAreSkippedWithANote) {
   std::vector<std::string> job{
       "smooth", demo("demo.rig.json"), "--clip", "Walk", "--frames", "34:9999", "--depth", "1", "-o", "f_%d.ply"};
   for (const bool dry : {true, false}) {
@@ -205,7 +206,7 @@ TEST_F(FarmChecks, JobsThatCannotRunAreRefused) {
   expectRefused({"export", rig, "--as", "baked", "-o", "x.glb"}, 2, "one clip to bake");
 }
 
-TEST_F(FarmChecks, SlurmIsAskedForWhatOneTaskTakes) {
+TEST_F(FarmChecks, SlurmRequestsTheResourcesOfOneTask) {
   const auto job = [&](std::vector<std::string> more) {
     std::vector<std::string> words{"farm",   "smooth", demo("demo.rig.json"),
                                    "--clip", "Walk",   "--frames",
@@ -229,7 +230,7 @@ TEST_F(FarmChecks, SlurmIsAskedForWhatOneTaskTakes) {
   EXPECT_NE(job({"--threads", "3"}).find("\n#SBATCH --cpus-per-task=3\n"), std::string::npos);
 }
 
-TEST_F(FarmChecks, ThereAreNoMoreTasksThanFiles) {
+TEST_F(FarmChecks, TasksDoNotExceedFiles) {
   const Outcome done = run({"farm", "smooth", demo("demo.rig.json"), "--clip", "Walk", "--frames", "34:99", "-o",
                             "f_%d.ply", "--to", "slurm", "--tasks", "9"});
   EXPECT_EQ(done.status, 0) << done.error;
@@ -237,7 +238,7 @@ TEST_F(FarmChecks, ThereAreNoMoreTasksThanFiles) {
   EXPECT_NE(done.error.find("farm: 3 files: 3 tasks\n"), std::string::npos) << done.error;
 }
 
-TEST_F(Jobs, ASeriesOfSurfacesHasAReportEach) {
+TEST_F(Jobs, FrameSequenceHasOneReportPerFrame) {
   const Outcome done = run({"smooth", demo("demo.rig.json"), "--clip", "Walk", "--frames", "0:1", "--depth", "1", "-o",
                             "a_%d.ply", "--report", "r_%02d.json"});
   EXPECT_EQ(done.status, 0) << done.error;

@@ -1,4 +1,4 @@
-// tests/command/bench_test.cpp: `sinew bench` measures what it says. Times are never judged.
+// tests/command/bench_test.cpp: `sinew bench` measures every figure. Times are not checked.
 #include "core/files/json/json.h"
 #include "tests/command/program.h"
 
@@ -7,7 +7,7 @@ namespace {
 
 class Bench : public Program {};
 
-/// Shares and ratios of one mode: there, and of a size that a ratio or a share can have.
+/// Fractions and ratios of one mode exist and are in range.
 void expectFigures(const Json& figures) {
   const std::string what = figures.dump();
   EXPECT_EQ(figures.at("scene").text(""), "humanoid");
@@ -32,7 +32,7 @@ void expectFigures(const Json& figures) {
   EXPECT_TRUE(figures.find("draw_seconds") && figures.find("upload_seconds")) << "null where there is no display";
 }
 
-TEST_F(Bench, AllInOneRun) {
+TEST_F(Bench, OneRunMeasuresEverything) {
   const auto file = folder_ / "whole.json";
   const Outcome outcome = run({"bench", demo("humanoid.rig.json"), "--rounds", "1", "--json", file.string()});
   ASSERT_EQ(outcome.status, 0) << outcome.error;
@@ -67,8 +67,8 @@ TEST_F(Bench, AllInOneRun) {
   }
 }
 
-TEST_F(Bench, RigAfterJsonIsMeasuredAndKept) {
-  // The word after --json may be meant as the input: such a file is never written.
+TEST_F(Bench, RigAfterJsonIsMeasuredAndNotOverwritten) {
+  // The word after --json may be meant as the input: an existing rig is never overwritten.
   std::filesystem::copy_file(demo("demo.rig.json"), folder_ / "mine.rig.json");
   std::filesystem::copy_file(demo("demo.glb"), folder_ / "demo.glb");
   const std::string before = readWholeFile(folder_ / "mine.rig.json", 1 << 20).value();
@@ -85,7 +85,7 @@ TEST_F(Bench, RigAfterJsonIsMeasuredAndKept) {
   }
 }
 
-TEST_F(Bench, RefusesAtOnceWhatCannotBeReadOrWritten) {
+TEST_F(Bench, UnreadableInputAndUnwritableOutputAreRefusedImmediately) {
   const auto json = folder_ / "whole.json";
   for (const char* file : {"no such file.glb", "nonsense", "stages"}) {
     const Outcome outcome = run({"bench", demo("demo.rig.json"), file, "--json", json.string()});
@@ -100,7 +100,7 @@ TEST_F(Bench, RefusesAtOnceWhatCannotBeReadOrWritten) {
   EXPECT_EQ(outcome.out, "");
 }
 
-TEST_F(Bench, BadCommandLine) {
+TEST_F(Bench, BadCommandLineIsStatus2) {
   for (const auto& arguments : {std::vector<std::string>{"bench", "--rounds", "0"}, {"bench", "--frames", "3"}}) {
     const Outcome outcome = run(arguments);
     EXPECT_EQ(outcome.status, 2);

@@ -1,4 +1,4 @@
-// tests/command/check_test.cpp: `sinew check` as a program sees it.
+// tests/command/check_test.cpp: `sinew check` run as a process.
 #include <filesystem>
 #include <fstream>
 
@@ -12,7 +12,7 @@ namespace {
 
 using test::Program;
 
-TEST_F(Program, CheckTellsWhatWhereAndWhen) {
+TEST_F(Program, CheckReportsMuscleKindAndTime) {
   const auto result = run({"check", demo("horse.rig.json"), "--json"});
   ASSERT_EQ(result.status, 0) << result.error;
   const auto json = Json::parse(result.out);
@@ -27,13 +27,13 @@ TEST_F(Program, CheckTellsWhatWhereAndWhen) {
   EXPECT_EQ(run({"check", demo("horse.rig.json"), "--strict"}).status, 1);
 }
 
-TEST_F(Program, CheckFindsNothingInAGoodRig) {
+TEST_F(Program, CheckFindsNothingInASoundRig) {
   const auto result = run({"check", demo("humanoid-flex.rig.json"), "--strict"});
   EXPECT_EQ(result.status, 0) << result.error;
   EXPECT_NE(result.out.find("nothing found"), std::string::npos) << result.out;
 }
 
-TEST_F(Program, CheckMendsAndWritesARigThatIsRead) {
+TEST_F(Program, CheckRepairsAndWritesAReadableRig) {
   const auto result = run({"check", demo("horse.rig.json"), "--json", "--mend", "mended.rig.json"});
   ASSERT_EQ(result.status, 0) << result.error;
   const auto json = Json::parse(result.out);
@@ -59,7 +59,7 @@ TEST_F(Program, CheckCountsClothBelowTheSkin) {
   EXPECT_EQ(json->at("cloth").at("in_sight").number(-1), 0);
 }
 
-TEST_F(Program, CheckRefusesWhatIsNoRig) {
+TEST_F(Program, CheckRefusesInputsOtherThanRigs) {
   const auto character = run({"check", demo("demo.glb")});
   EXPECT_EQ(character.status, 1);
   EXPECT_NE(character.error.find("expected a rig"), std::string::npos) << character.error;

@@ -14,7 +14,7 @@ namespace {
 
 using test::Program;
 
-class Clips : public Program {
+class ClipsOption : public Program {
  protected:
   void SetUp() override {
     Program::SetUp();
@@ -29,7 +29,7 @@ class Clips : public Program {
   [[nodiscard]] std::string at(const std::string& name) const { return (folder_ / name).string(); }
 };
 
-TEST_F(Clips, AreAddedForOneRun) {
+TEST_F(ClipsOption, AddsClipsForOneRun) {
   const auto told = run({"inspect", at("still.glb"), "--clips", at("motion.glb")});
   EXPECT_EQ(told.status, 0) << told.error;
   EXPECT_NE(told.out.find("bend"), std::string::npos) << told.out;
@@ -43,7 +43,7 @@ TEST_F(Clips, AreAddedForOneRun) {
   EXPECT_NE(gone.error.find("gone.glb"), std::string::npos);
 }
 
-TEST_F(Clips, AreInExports) {
+TEST_F(ClipsOption, ExportsIncludeTheClips) {
   const auto written =
       run({"export", at("still.glb"), "--clips", at("motion.glb"), "--depth", "1", "-o", at("out.glb")});
   ASSERT_EQ(written.status, 0) << written.error;
@@ -66,7 +66,7 @@ TEST_F(Clips, AreInExports) {
             0);
 }
 
-TEST_F(Clips, AFileThatIsGoneIsOneLine) {
+TEST_F(ClipsOption, MissingClipFileIsAWarning) {
   Rig rig;
   rig.character = "still.glb";
   rig.clipFiles = {"gone.glb", "motion.glb"};
@@ -78,7 +78,7 @@ TEST_F(Clips, AFileThatIsGoneIsOneLine) {
   EXPECT_EQ(run({"inspect", at("a.rig.json"), "--strict"}).status, 1);
 }
 
-TEST_F(Clips, InspectJsonSaysWhatBecameOfEachFile) {
+TEST_F(ClipsOption, InspectJsonReportsEachClipFile) {
   Rig rig;
   rig.character = "still.glb";
   rig.clipFiles = {"gone.glb", "motion.glb"};

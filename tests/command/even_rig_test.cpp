@@ -1,5 +1,4 @@
-// tests/command/even_rig_test.cpp: muscles spread evenly: valid, repeatable, and as many at a place whatever their
-// number.
+// tests/command/even_rig_test.cpp: evenly spread muscles: valid, repeatable, and with the same overlap for any number.
 #include "app/command/costs.h"
 
 #include <gtest/gtest.h>
@@ -11,7 +10,7 @@
 namespace sinew::app {
 namespace {
 
-/// How many influences hold a vertex of the bound skin, mean of all.
+/// Mean number of influences on a vertex of the bound skin.
 double meanOverlap(const Character& character, const Rig& rig) {
   std::vector<UnitBallMap> influences;
   for (const Primitive& primitive : rig.primitives) {
@@ -39,7 +38,7 @@ TEST(EvenRig, IsValidRepeatableAndAttached) {
   }
 }
 
-TEST(EvenRig, OverlapDoesNotGrowWithTheNumber) {
+TEST(EvenRig, OverlapIsIndependentOfTheMuscleCount) {
   for (const auto& character : {test::makeTwoLegged(), test::makeTube()}) {
     for (const int muscles : {400, 4000}) {
       const double overlap = meanOverlap(*character, evenRig(*character, muscles));

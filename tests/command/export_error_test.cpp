@@ -1,4 +1,4 @@
-// tests/command/export_error_test.cpp: how close an export comes, between keys too, and the map of it.
+// tests/command/export_error_test.cpp: export error, also between keys, and its map.
 #include <algorithm>
 #include <array>
 #include <cstring>
@@ -31,7 +31,7 @@ class ExportError : public Program {
   }
 };
 
-TEST_F(ExportError, IsToldForEveryClipAtItsKeysAndBetween) {
+TEST_F(ExportError, IsReportedForEveryClipAtAndBetweenKeys) {
   const Json json = report({demo("demo.rig.json"), "--joints", "4", "--depth", "2", "-o", "x.glb"});
   const Json& error = json.at("error_percent_of_height");
   ASSERT_EQ(error.at("clips").items().size(), 2u);
@@ -50,13 +50,13 @@ TEST_F(ExportError, IsToldForEveryClipAtItsKeysAndBetween) {
   EXPECT_EQ(error.at("between_keys").at("poses").number(0), poses);
 }
 
-TEST_F(ExportError, IsTheSameBetweenKeysWhereNoJointHasAny) {
+TEST_F(ExportError, IsSimilarBetweenKeysForSkinnedExports) {
   const Json json = report({demo("demo.rig.json"), "--as", "skinned", "--clip", "Walk", "--depth", "1", "-o", "x.glb"});
   const Json& clip = json.at("error_percent_of_height").at("clips").items().at(0);
   EXPECT_NEAR(clip.at("between_keys").at("rms").number(0), clip.at("rms").number(9), 0.05 * clip.at("rms").number(9));
 }
 
-TEST_F(ExportError, OfBakedTargetsBetweenFramesFallsWithSubsteps) {
+TEST_F(ExportError, BetweenBakedFramesDecreasesWithSubsteps) {
   const std::vector<std::string> baked{
       demo("demo.rig.json"), "--as", "baked", "--clip", "Walk", "--fps", "3", "--depth", "1", "-o", "x.glb"};
   const Json coarse = report(baked);
@@ -75,7 +75,7 @@ TEST_F(ExportError, OfBakedTargetsBetweenFramesFallsWithSubsteps) {
   EXPECT_GT(fine.at("frames").number(0), 5 * coarse.at("frames").number(0));
 }
 
-TEST_F(ExportError, IsInTheTableAndLooseFramesGetAHint) {
+TEST_F(ExportError, IsInTheTableWithAHintForSparseFrames) {
   const Outcome table = run({"export", demo("demo.rig.json"), "--as", "baked", "--clip", "Walk", "--fps", "3",
                              "--depth", "1", "-o", "x.glb"});
   EXPECT_EQ(table.status, 0) << table.error;
@@ -84,7 +84,7 @@ TEST_F(ExportError, IsInTheTableAndLooseFramesGetAHint) {
   EXPECT_NE(table.out.find("--substeps 2 bakes"), std::string::npos) << table.out;
 }
 
-/// The map, read without the writer's code.
+/// The map, parsed independently of the writer.
 struct Map {
   std::vector<float> errors;
   std::vector<std::array<unsigned char, 3>> colors;
@@ -133,7 +133,7 @@ TEST_F(ExportError, MapHoldsTheLargestDistanceOfEveryVertex) {
   }
 }
 
-TEST_F(ExportError, MapThatCannotBeIsRefused) {
+TEST_F(ExportError, InvalidMapOptionsAreRefused) {
   const std::string rig = demo("demo.rig.json");
   for (const std::vector<std::string>& wrong :
        {std::vector<std::string>{"export", rig, "-o", "x.glb", "--error-map", "map.obj"},

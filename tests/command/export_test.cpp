@@ -1,4 +1,4 @@
-// tests/command/export_test.cpp: `sinew export` as a program sees it.
+// tests/command/export_test.cpp: `sinew export` run as a process.
 #include <algorithm>
 #include <fstream>
 
@@ -20,7 +20,7 @@ class Export : public Program {
     return run(arguments);
   }
 
-  /// Nothing but what a test has put there itself.
+  /// Files in the folder, except for what the test put there.
   [[nodiscard]] std::vector<std::string> names() const {
     std::vector<std::string> result;
     for (const auto& entry : std::filesystem::directory_iterator(folder_)) {
@@ -38,7 +38,7 @@ class Export : public Program {
   }
 };
 
-TEST_F(Export, SaysHowFarItIsOnlyWhereThatIsAskedFor) {
+TEST_F(Export, ReportsProgressOnlyOnRequest) {
   const std::vector<std::string> all{"--depth", "1", "--clip", "Idle"};
   const Outcome quiet = skinned(demo("demo.rig.json"), "quiet.glb", all);
   ASSERT_EQ(quiet.status, 0) << quiet.error;
@@ -59,8 +59,8 @@ TEST_F(Export, SaysHowFarItIsOnlyWhereThatIsAskedFor) {
   EXPECT_TRUE(points.error.ends_with("\nsinew: exporting points.pc2: 100 %\n")) << points.error;
 }
 
-/// `script` gives the program a terminal.
-TEST_F(Export, WritesOverOneLineOfATerminal) {
+/// `script` provides a terminal.
+TEST_F(Export, ProgressOverwritesOneTerminalLine) {
   if (std::system("script --version >/dev/null 2>&1") != 0) GTEST_SKIP() << "there is no script (bsdutils)";
   const std::string command = quoted(SINEW_PROGRAM) + " export " + quoted(demo("demo.rig.json")) +
                               " --as skinned --depth 1 --clip Idle -o out.glb >report";
@@ -70,7 +70,7 @@ TEST_F(Export, WritesOverOneLineOfATerminal) {
   EXPECT_TRUE(outcome.out.ends_with("\rsinew: exporting out.glb: 100 %\r\n")) << outcome.out;
 }
 
-TEST_F(Export, ReportsWhatItWroteInBothForms) {
+TEST_F(Export, ReportsAsTextAndJson) {
   const Outcome plain = skinned(demo("demo.rig.json"), "out.glb");
   ASSERT_EQ(plain.status, 0) << plain.error;
   EXPECT_TRUE(plain.out.starts_with("out.glb\n  refined mesh, refitted weights: ")) << plain.out;
@@ -94,7 +94,7 @@ TEST_F(Export, ReportsWhatItWroteInBothForms) {
   EXPECT_EQ(names(), (std::vector<std::string>{"out.bin", "out.glb", "out.gltf"}));
 }
 
-TEST_F(Export, ClipsThatAreNamedAloneAreKept) {
+TEST_F(Export, OnlyNamedClipsAreKept) {
   const Outcome outcome = skinned(demo("demo.rig.json"), "out.glb", {"--clip", "Idle", "--json"});
   ASSERT_EQ(outcome.status, 0) << outcome.error;
   EXPECT_EQ(Json::parse(outcome.out)->at("error_percent_of_height").at("clips").items().size(), 1U);
@@ -104,20 +104,20 @@ TEST_F(Export, ClipsThatAreNamedAloneAreKept) {
   EXPECT_EQ(inspected->at("clips").items()[0].at("name").text(""), "Idle");
 }
 
-TEST_F(Export, UnknownClipsAreToldTheKnownOnesAndNothingIsWritten) {
+TEST_F(Export, UnknownClipListsTheKnownOnesAndWritesNothing) {
   expectRefused(skinned(demo("demo.rig.json"), "out.glb", {"--clip", "Walk", "--clip", "Wlk"}), 1,
                 "clip \"Wlk\": expected one of \"Walk\", \"Idle\"");
   EXPECT_TRUE(names().empty());
 }
 
-TEST_F(Export, UnknownWordsAndEndingsAreABadCommandLine) {
+TEST_F(Export, UnknownOptionsAndExtensionsAreBadCommandLines) {
   expectRefused(skinned(demo("demo.rig.json"), "out.fbx"), 2, ".glb, .gltf or .usda");
   expectRefused(run({"export", demo("demo.rig.json"), "--as", "fur", "-o", "out.glb"}), 2, "skinned");
   expectRefused(skinned(demo("demo.rig.json"), "out.glb", {"--weights", "mine"}), 2, "mine");
   EXPECT_TRUE(names().empty());
 }
 
-TEST_F(Export, WhatAKindHasNoUseForIsABadCommandLine) {
+TEST_F(Export, OptionsOfAnotherKindAreBadCommandLines) {
   const std::string rig = demo("demo.rig.json");
   const auto refused = [&](std::vector<std::string> more, const std::string& words) {
     more.insert(more.begin(), {"export", rig});
@@ -143,7 +143,7 @@ TEST_F(Export, WhatAKindHasNoUseForIsABadCommandLine) {
   EXPECT_TRUE(names().empty());
 }
 
-TEST_F(Export, BakesAClipAndReportsInBothForms) {
+TEST_F(Export, BakesAClipAndReportsAsTextAndJson) {
   const auto baked = [&](const std::string& out, std::vector<std::string> more = {}) {
     more.insert(more.begin(), {"export", demo("demo.rig.json"), "--as", "baked", "--clip", "Walk", "-o", out});
     return run(more);
@@ -182,7 +182,7 @@ TEST_F(Export, BakesAClipAndReportsInBothForms) {
   EXPECT_FALSE(std::filesystem::exists(folder_ / "other.glb"));
 }
 
-TEST_F(Export, ListsAreBakedInSharesAndResumed) {
+TEST_F(Export, ListsAreBakedInShardsAndResumed) {
   std::ofstream(folder_ / "list.txt") << demo("demo.rig.json") << '\n' << demo("humanoid.rig.json") << '\n';
   const auto baked = [&](std::vector<std::string> more) {
     more.insert(more.begin(), {"export", "--list", "list.txt", "--as", "baked", "--clip", "Walk", "--fps", "5",
@@ -201,7 +201,7 @@ TEST_F(Export, ListsAreBakedInSharesAndResumed) {
   EXPECT_TRUE(std::filesystem::exists(folder_ / "demo.obj"));
 }
 
-TEST_F(Export, BakedPlacesThatCannotBeWrittenAreStatus1AndLeaveNothing) {
+TEST_F(Export, UnwritableBakedOutputIsStatus1AndLeavesNothing) {
   std::filesystem::create_directory(folder_ / "one.obj");
   std::filesystem::create_directory(folder_ / "two.pc2");
   std::filesystem::create_directory(folder_ / "three.mtl");
@@ -218,7 +218,7 @@ TEST_F(Export, BakedPlacesThatCannotBeWrittenAreStatus1AndLeaveNothing) {
   EXPECT_EQ(names(), before);
 }
 
-TEST_F(Export, PlacesThatCannotBeWrittenAreStatus1AndLeaveNothing) {
+TEST_F(Export, UnwritableOutputIsStatus1AndLeavesNothing) {
   std::filesystem::create_directory(folder_ / "folder.glb");
   std::filesystem::create_directory(folder_ / "other.bin");
   std::filesystem::create_symlink("/dev/full", folder_ / "full.glb");
@@ -233,7 +233,7 @@ TEST_F(Export, PlacesThatCannotBeWrittenAreStatus1AndLeaveNothing) {
   EXPECT_EQ(names(), before);
 }
 
-TEST_F(Export, AStageIsWholeOrNotThere) {
+TEST_F(Export, UsdStageIsWrittenWholeOrNotAtAll) {
   const std::vector<std::string> quickly{"--depth", "1", "--weights", "transferred"};
   ASSERT_EQ(skinned(demo("demo.rig.json"), "Out.USDA", quickly).status, 0);
   const auto whole = names();
@@ -257,8 +257,8 @@ TEST_F(Export, AStageIsWholeOrNotThere) {
   EXPECT_EQ(names(), before);
 }
 
-TEST_F(Export, ATextureThatIsReadIsNotOverwritten) {
-  // A source whose image lies where the export would put its own.
+TEST_F(Export, InputTextureIsNotOverwritten) {
+  // The source's image lies where the export would write its own.
   ASSERT_EQ(skinned(demo("demo.rig.json"), "a.usda", {"--depth", "1", "--weights", "transferred"}).status, 0);
   ASSERT_EQ(skinned(demo("demo.glb"), "own.gltf", {"--depth", "1", "--weights", "transferred"}).status, 0);
   auto root = Json::parse(readWholeFile(folder_ / "own.gltf", 1 << 26).value());
@@ -272,7 +272,7 @@ TEST_F(Export, ATextureThatIsReadIsNotOverwritten) {
   EXPECT_FALSE(std::filesystem::exists(folder_ / "a.usda"));
 }
 
-TEST_F(Export, AFolderThatIsReadOnlyStaysEmpty) {
+TEST_F(Export, ReadOnlyFolderStaysEmpty) {
   std::filesystem::create_directory(folder_ / "locked");
   std::filesystem::permissions(folder_ / "locked",
                                std::filesystem::perms::owner_read | std::filesystem::perms::owner_exec);
@@ -281,12 +281,12 @@ TEST_F(Export, AFolderThatIsReadOnlyStaysEmpty) {
   EXPECT_TRUE(std::filesystem::is_empty(folder_ / "locked"));
 }
 
-TEST_F(Export, WhatIsReadIsNotOverwritten) {
+TEST_F(Export, InputIsNotOverwritten) {
   ASSERT_EQ(skinned(demo("demo.glb"), "own.gltf", {"--depth", "1", "--weights", "transferred"}).status, 0);
   const std::string text = readWholeFile(folder_ / "own.gltf", 1 << 26).value();
   const std::string binary = readWholeFile(folder_ / "own.bin", 1 << 26).value();
   expectRefused(skinned("own.gltf", "./own.gltf"), 2, "is the input");
-  // Another name, but the buffer beside it is the one that is read.
+  // The name differs, but the buffer next to it is the one that is read.
   std::filesystem::rename(folder_ / "own.gltf", folder_ / "other.gltf");
   expectRefused(skinned("other.gltf", "own.gltf"), 1, "own.bin: cannot be written: the character is read from it");
   EXPECT_EQ(readWholeFile(folder_ / "other.gltf", 1 << 26).value(), text);

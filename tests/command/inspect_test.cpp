@@ -1,4 +1,4 @@
-// tests/command/inspect_test.cpp: `sinew inspect` as a program sees it.
+// tests/command/inspect_test.cpp: `sinew inspect` run as a process.
 #include <algorithm>
 #include <fstream>
 #include <sstream>
@@ -14,7 +14,7 @@ namespace {
 
 using test::Program;
 
-TEST_F(Program, InspectJsonHasEveryKeyAndNothingElseOnStdout) {
+TEST_F(Program, InspectJsonHasEveryKeyAndIsAloneOnStdout) {
   const auto result = run({"inspect", demo("demo.glb"), "--json"});
   ASSERT_EQ(result.status, 0) << result.error;
   EXPECT_EQ(result.error, "");
@@ -31,7 +31,7 @@ TEST_F(Program, InspectJsonHasEveryKeyAndNothingElseOnStdout) {
   EXPECT_TRUE(json->at("closed").boolean(false));
   EXPECT_EQ(json->at("border_edges").number(-1), 0);
   EXPECT_EQ(json->at("colored_wedges").number(-1), 0);
-  // Euler: a closed mesh of one piece and no handles has V = T / 2 + 2; of more pieces, 2 more for each.
+  // Euler: a closed mesh of one piece without handles has V = T / 2 + 2; each further piece adds 2.
   const double euler = json->at("vertices").number(0) - json->at("triangles").number(0) / 2;
   EXPECT_EQ(euler, 2);
   EXPECT_EQ(json->at("joint_names").items().size(), static_cast<std::size_t>(json->at("joints").number(0)));
@@ -42,7 +42,7 @@ TEST_F(Program, InspectJsonHasEveryKeyAndNothingElseOnStdout) {
   EXPECT_GE(json->at("range_of_motion").number(0), 1.0);
 }
 
-TEST_F(Program, InspectTellsWhatPartsAreToTheMuscles) {
+TEST_F(Program, InspectListsTheLayersOfParts) {
   test::writeDressedHumanoid(folder_);
   auto json = Json::parse(run({"inspect", "dressed.glb", "--json"}).out);
   ASSERT_TRUE(json.ok()) << json.error().text();
@@ -78,7 +78,7 @@ TEST_F(Program, InspectOfSeveralFilesIsATableOrAnArray) {
   EXPECT_EQ(array->items()[1].dump(), alone->dump()) << "what the file alone says";
 }
 
-TEST_F(Program, InspectGoesOnAfterAFileThatCannotBeRead) {
+TEST_F(Program, InspectContinuesAfterAnUnreadableFile) {
   const auto some = run({"inspect", demo("demo.glb"), "absent.glb", demo("tangle.glb")});
   EXPECT_EQ(some.status, 3);
   EXPECT_TRUE(some.oneErrorLine()) << some.error;
@@ -91,7 +91,7 @@ TEST_F(Program, InspectGoesOnAfterAFileThatCannotBeRead) {
   EXPECT_EQ(none.out, "");
 }
 
-TEST_F(Program, InspectTellsWhatMovesARig) {
+TEST_F(Program, InspectReportsLinesKeysAndDrivers) {
   const auto json = Json::parse(run({"inspect", demo("humanoid-flex.rig.json"), "--json"}).out);
   ASSERT_TRUE(json.ok());
   EXPECT_FALSE(json->at("lines").items().empty());
@@ -119,7 +119,7 @@ TEST_F(Program, InspectTellsWhatMovesARig) {
   }
 }
 
-TEST_F(Program, InspectIsStrictAboutBonesThatAreMissing) {
+TEST_F(Program, InspectStrictFailsOnMissingBones) {
   const std::string rig = R"({"format": "sinew-rig", "version": 1, "character": ")" + demo("demo.glb") +
                           R"(", "groups": [{"name": "g"}], "primitives": [{"name": "wing", "bone": "Hand_L",
                           "group": "g", "center": [0, 0, 0], "radii": [1, 1, 1]}]})";
@@ -135,8 +135,8 @@ TEST_F(Program, InspectIsStrictAboutBonesThatAreMissing) {
   EXPECT_EQ(run({"inspect", demo("demo.rig.json"), "lost.rig.json", "--strict"}).status, 3);
 }
 
-TEST_F(Program, InspectListsEightEdgesWhereTrianglesMeet) {
-  // Walls inside the post: where they touch its skin, three triangles and more meet in an edge.
+TEST_F(Program, InspectListsEightNonManifoldEdges) {
+  // Walls inside the post: where they touch its skin, three or more triangles share an edge.
   test::Post post = test::makePost();
   for (const int corner :
        {4, 5, 6, 6, 7, 4, 0, 4, 6, 0, 6, 2, 1, 5, 7, 1, 7, 3, 4, 8, 10, 4, 10, 6, 5, 9, 11, 5, 11, 7}) {
@@ -158,7 +158,7 @@ TEST_F(Program, InspectListsEightEdgesWhereTrianglesMeet) {
   EXPECT_NE(told.find("\n              and " + std::to_string(edges - 8) + " more\n"), std::string::npos) << told;
 }
 
-TEST_F(Program, InspectSaysWhichBoneIsWhichPartOfTheBody) {
+TEST_F(Program, InspectMapsBonesToBodyParts) {
   const auto json = run({"inspect", demo("humanoid.glb"), "--json"});
   ASSERT_EQ(json.status, 0) << json.error;
   const auto parsed = Json::parse(json.out);
@@ -172,7 +172,7 @@ TEST_F(Program, InspectSaysWhichBoneIsWhichPartOfTheBody) {
   EXPECT_NE(text.out.find("frontLower.L  sure     forearm.L\n"), std::string::npos) << text.out;
 }
 
-TEST_F(Program, InspectOfARigTellsOfItsPrimitivesToo) {
+TEST_F(Program, InspectOfARigReportsItsPrimitives) {
   const auto result = run({"inspect", demo("demo.rig.json"), "--json"});
   ASSERT_EQ(result.status, 0) << result.error;
   const auto json = Json::parse(result.out);
@@ -182,7 +182,7 @@ TEST_F(Program, InspectOfARigTellsOfItsPrimitivesToo) {
   EXPECT_TRUE(json->at("unattached").items().empty());
 }
 
-TEST_F(Program, InspectCountsTheWedgesACreaseAngleMakes) {
+TEST_F(Program, InspectCountsCreasedWedges) {
   const std::string head = R"({"format": "sinew-rig", "version": 1, "character": ")" + demo("demo.glb") + "\"";
   ASSERT_TRUE(writeFileAtomically(folder_ / "sharp.rig.json", head + R"(, "smoothing": {"crease_angle": 12}})").ok());
   ASSERT_TRUE(writeFileAtomically(folder_ / "smooth.rig.json", head + "}").ok());
@@ -209,7 +209,7 @@ TEST_F(Program, InspectNamesUnattachedPrimitives) {
   EXPECT_NE(result.out.find("unattached  1: wing"), std::string::npos) << result.out;
 }
 
-TEST_F(Program, InspectNamesTheJointsThatNoSkinFollows) {
+TEST_F(Program, InspectListsHelperJoints) {
   const std::string character = std::string(SINEW_CHARACTERS_DIR) + "/robot.glb";
   if (!std::filesystem::exists(character)) SINEW_SKIP_WITHOUT_CHARACTERS();
   const auto json = Json::parse(run({"inspect", character, "--json"}).out);
@@ -221,7 +221,7 @@ TEST_F(Program, InspectNamesTheJointsThatNoSkinFollows) {
   EXPECT_NE(run({"inspect", character}).out.find("PoleTarget.L, PoleTarget.R\n  body "), std::string::npos);
 }
 
-TEST_F(Program, InspectForPeopleNamesWhatIsOpen) {
+TEST_F(Program, InspectTextReportsOpenEdges) {
   const std::string character = std::string(SINEW_CHARACTERS_DIR) + "/SimpleSkin.gltf";
   if (!std::filesystem::exists(character)) SINEW_SKIP_WITHOUT_CHARACTERS();
   const auto result = run({"inspect", character});

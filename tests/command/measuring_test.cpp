@@ -1,4 +1,4 @@
-// tests/command/measuring_test.cpp: medians, exponents, turns and moments of the benchmarks.
+// tests/command/measuring_test.cpp: medians, exponents, rotations and sample times of the benchmarks.
 #include "app/command/measuring.h"
 
 #include <cmath>
@@ -10,7 +10,7 @@
 namespace sinew::app {
 namespace {
 
-TEST(Measuring, MedianIsTheMiddleWhateverTheOrder) {
+TEST(Measuring, MedianDoesNotDependOnOrder) {
   EXPECT_EQ(median({}), 0.0);
   EXPECT_EQ(median({3.0}), 3.0);
   EXPECT_EQ(median({9.0, 1.0, 4.0}), 4.0);
@@ -18,7 +18,7 @@ TEST(Measuring, MedianIsTheMiddleWhateverTheOrder) {
   EXPECT_EQ(medianRatio({2.0, 6.0, 5.0}, {1.0, 2.0, 0.0}), 3.0) << "where nothing is below, there is no ratio";
 }
 
-TEST(Measuring, ExponentOfKnownPowers) {
+TEST(Measuring, ExponentMatchesKnownPowers) {
   const std::vector<double> x{1.0, 7.0, 50.0, 900.0};
   for (const double power : {-1.5, 0.0, 0.35, 1.0, 2.0}) {
     std::vector<double> y;
@@ -27,14 +27,14 @@ TEST(Measuring, ExponentOfKnownPowers) {
   }
 }
 
-TEST(Measuring, ExponentOfWhatHasNone) {
+TEST(Measuring, ExponentOfDegenerateDataIsZero) {
   EXPECT_EQ(exponent({}, {}), 0.0);
   EXPECT_EQ(exponent({4.0}, {2.0}), 0.0);
   EXPECT_EQ(exponent({4.0, 4.0}, {2.0, 3.0}), 0.0);
   EXPECT_NEAR(exponent({1.0, 10.0, 100.0, 5.0}, {1.0, 100.0, 10000.0, 0.0}), 2.0, 1e-12) << "no logarithm, no place";
 }
 
-TEST(Measuring, EachVariantLeadsInTurn) {
+TEST(Measuring, VariantsRotateThroughRounds) {
   std::vector<std::vector<std::size_t>> rounds(4);
   inTurn(3, 3, [&](std::size_t variant, int round) { rounds[static_cast<std::size_t>(round)].push_back(variant); });
   EXPECT_EQ(rounds[0], (std::vector<std::size_t>{0, 1, 2}));
@@ -43,7 +43,7 @@ TEST(Measuring, EachVariantLeadsInTurn) {
   EXPECT_EQ(rounds[3], rounds[0]);
 }
 
-TEST(Measuring, CharactersWithoutClipsStandStill) {
+TEST(Measuring, CharacterWithoutClipsGivesFrames) {
   Character character = *test::makeLimb();
   character.clips.clear();
   EXPECT_EQ(steadyFrames(character, 5, 0.1).size(), 5u);

@@ -1,4 +1,4 @@
-// tests/command/muscle_test.cpp: `sinew muscle` as a program sees it.
+// tests/command/muscle_test.cpp: `sinew muscle` run as a process.
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -17,7 +17,7 @@ std::string readText(const std::string& file) {
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
-TEST_F(Program, MuscleWritesARigThatOpensAndSaysWhatItDid) {
+TEST_F(Program, MuscleWritesAReadableRigAndAReport) {
   const std::string rig = (folder_ / "athlete.rig.json").string();
   const std::string report = (folder_ / "report.json").string();
   const auto result = run({"muscle", demo("humanoid.glb"), "-o", rig, "--report", report});
@@ -34,7 +34,7 @@ TEST_F(Program, MuscleWritesARigThatOpensAndSaysWhatItDid) {
   EXPECT_EQ(json->at("set").text(""), "athlete");
 }
 
-TEST_F(Program, MuscleTakesTheSetForTheKindOfBody) {
+TEST_F(Program, MuscleUsesTheSetForTheKindOfBody) {
   const std::string rig = (folder_ / "horse.rig.json").string();
   ASSERT_EQ(run({"muscle", demo("horse.glb"), "-o", rig}).status, 0);
   const auto loaded = loadRig(rig);

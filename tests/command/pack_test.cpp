@@ -1,4 +1,4 @@
-// tests/command/pack_test.cpp: `sinew pack` as a program sees it.
+// tests/command/pack_test.cpp: `sinew pack` run as a process.
 #include <fstream>
 #include <iterator>
 
@@ -10,7 +10,7 @@ namespace {
 
 using test::Program;
 
-TEST_F(Program, PackWritesAFileThatAGameReads) {
+TEST_F(Program, PackWritesAReadableGameFile) {
   const std::string file = (folder_ / "demo.sinew").string();
   const auto result = run({"pack", demo("demo.rig.json"), "--depth", "2", "-o", file});
   ASSERT_EQ(result.status, 0) << result.error;

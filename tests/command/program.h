@@ -1,4 +1,4 @@
-// tests/command/program.h: runs the real program and keeps what it said.
+// tests/command/program.h: runs the real program and captures its output.
 #pragma once
 
 #include <cstdlib>
@@ -25,10 +25,10 @@ struct Outcome {
   }
 };
 
-/// A folder of its own for each test; the program runs with no display.
+/// Gives each test its own folder; the program runs without a display.
 class Program : public ::testing::Test {
  protected:
-  /// @param before  of the command line: "echo a.glb |"
+  /// @param before  prefix of the command line: "echo a.glb |"
   [[nodiscard]] Outcome run(const std::vector<std::string>& arguments, const char* program = SINEW_PROGRAM,
                             const std::string& before = "") const {
     const std::string out = (folder_ / "stdout").string();

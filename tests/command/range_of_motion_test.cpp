@@ -1,4 +1,4 @@
-// tests/command/range_of_motion_test.cpp: a clip that no file holds, by name.
+// tests/command/range_of_motion_test.cpp: the generated range-of-motion clip, selected by name.
 
 #include "tests/command/program.h"
 
@@ -7,7 +7,7 @@ namespace {
 
 class RangeOfMotion : public Program {
  protected:
-  /// The file that smooth writes.
+  /// File written by `sinew smooth`.
   std::string surface(std::vector<std::string> options) {
     std::vector<std::string> arguments{"smooth", demo("demo.glb"), "-o", "out.obj", "--depth", "1"};
     arguments.insert(arguments.end(), options.begin(), options.end());
@@ -17,7 +17,7 @@ class RangeOfMotion : public Program {
   }
 };
 
-TEST_F(RangeOfMotion, BeginsInTheBindPoseAndLeavesIt) {
+TEST_F(RangeOfMotion, StartsInTheBindPoseAndMoves) {
   const std::string bound = surface({});
   EXPECT_EQ(surface({"--clip", "Range of motion"}), bound);
   const std::string moved = surface({"--clip", "Range of motion", "--time", "0.375"});
@@ -25,7 +25,7 @@ TEST_F(RangeOfMotion, BeginsInTheBindPoseAndLeavesIt) {
   EXPECT_EQ(surface({"--clip", "Range of motion", "--time", "0.375"}), moved);
 }
 
-TEST_F(RangeOfMotion, AnotherNameThatTheFileLacksIsStillRefused) {
+TEST_F(RangeOfMotion, NameIsCaseSensitive) {
   const Outcome outcome = run({"smooth", demo("demo.glb"), "-o", "out.obj", "--clip", "range of motion"});
   EXPECT_EQ(outcome.status, 1);
   EXPECT_TRUE(outcome.oneErrorLine()) << outcome.error;

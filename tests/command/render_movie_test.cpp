@@ -1,4 +1,5 @@
-// tests/command/render_movie_test.cpp: `sinew render` around a character, in sheets and as moving pictures.
+// tests/command/render_movie_test.cpp: `sinew render`: views around a character, contact sheets and animated pictures.
+
 #include <cstdint>
 
 #include <stb_image.h>
@@ -53,7 +54,7 @@ class RenderMovie : public Program {
   }
 };
 
-/// What a moving .webp says of itself, read without its library.
+/// Header fields of an animated .webp, parsed without its library.
 struct MovingWebp {
   int width = 0, height = 0;
   int loops = -1;
@@ -82,14 +83,14 @@ MovingWebp readWebp(const std::string& file) {
   return movie;
 }
 
-TEST_F(RenderMovie, ATurntableGoesOnceAround) {
+TEST_F(RenderMovie, TurntableGoesOnceAround) {
   const Outcome done =
       render({"--turntable", "4", "--orthographic", "--no-ground", "--view", "front", "-o", "t_%d.png"});
   EXPECT_EQ(done.status, 0) << done.error;
   EXPECT_EQ(done.out, "t_0.png\nt_1.png\nt_2.png\nt_3.png\n");
   EXPECT_NE(bytes("t_0.png"), bytes("t_1.png"));
   EXPECT_NE(bytes("t_0.png"), bytes("t_2.png"));
-  // Nothing is cut off on any side: the picture's edge shows the background alone.
+  // Nothing is cut off at any side: the picture's border shows only background.
   for (const char* name : {"t_0.png", "t_1.png", "t_2.png", "t_3.png"}) {
     const Pixels seen = picture(name);
     const auto corner = seen.part(0, 0, 1, 1);
@@ -102,7 +103,7 @@ TEST_F(RenderMovie, ATurntableGoesOnceAround) {
   }
 }
 
-TEST_F(RenderMovie, ATurntableMayPlayTheClip) {
+TEST_F(RenderMovie, TurntableCanPlayTheClip) {
   const Outcome done = render({"--turntable", "2", "--frames", "0:3", "-o", "t_%d.png"});
   EXPECT_EQ(done.out, "t_0.png\nt_1.png\nt_2.png\nt_3.png\n") << done.error;
   ASSERT_EQ(render({"--turntable", "2", "--frames", "0:3", "-o", "again_%d.png"}).status, 0);
@@ -110,7 +111,7 @@ TEST_F(RenderMovie, ATurntableMayPlayTheClip) {
   EXPECT_EQ(bytes("t_3.png"), bytes("again_3.png"));
 }
 
-TEST_F(RenderMovie, ASheetHoldsThePicturesInRows) {
+TEST_F(RenderMovie, SheetHoldsThePicturesInRows) {
   ASSERT_EQ(render({"--frames", "0:3", "-o", "f_%d.png"}).status, 0);
   const Outcome done = render({"--frames", "0:3", "--sheet", "3x2", "-o", "sheet.png"});
   EXPECT_EQ(done.status, 0) << done.error;
@@ -125,7 +126,7 @@ TEST_F(RenderMovie, ASheetHoldsThePicturesInRows) {
   EXPECT_EQ(sheet.part(64, 48, 64, 48), std::vector<std::uint8_t>(4 * 64 * 48, 0)) << "no fifth frame";
 }
 
-TEST_F(RenderMovie, ASheetAloneShowsAllSidesOrTheWholeClip) {
+TEST_F(RenderMovie, SheetWithoutFramesShowsAllSidesOrTheWholeClip) {
   ASSERT_EQ(render({"--sheet", "2x2", "-o", "sides.png"}).status, 0);
   const Pixels sides = picture("sides.png");
   EXPECT_NE(sides.part(0, 0, 64, 48), sides.part(64, 48, 64, 48));
@@ -134,7 +135,7 @@ TEST_F(RenderMovie, ASheetAloneShowsAllSidesOrTheWholeClip) {
   EXPECT_EQ(picture("clip.png").rgba, picture("frames.png").rgba) << "its beginning, two thirds, its end";
 }
 
-TEST_F(RenderMovie, FramesBecomeAMovingWebp) {
+TEST_F(RenderMovie, FramesBecomeAnAnimatedWebp) {
   const Outcome done = render({"--frames", "0:8:2", "--fps", "20", "-o", "m.webp"});
   EXPECT_EQ(done.status, 0) << done.error;
   EXPECT_EQ(done.out, "m.webp\n");
@@ -148,14 +149,14 @@ TEST_F(RenderMovie, FramesBecomeAMovingWebp) {
   EXPECT_EQ(render({"--frames", "0:2", "-o", "gone/m.webp"}).status, 1);
 }
 
-TEST_F(RenderMovie, FfmpegIsGivenThePicturesOfOtherMovies) {
+TEST_F(RenderMovie, OtherMovieFormatsUseFfmpeg) {
   std::filesystem::create_directory(folder_ / "none");
   std::filesystem::create_symlink("/usr/bin/env", folder_ / "none" / "env");
   const Outcome absent = render({"--turntable", "3", "-o", "m.mp4"}, "PATH=none");
   EXPECT_EQ(absent.status, 1);
   EXPECT_TRUE(absent.oneErrorLine()) << absent.error;
   EXPECT_NE(absent.error.find(".mp4 needs the program ffmpeg"), std::string::npos) << absent.error;
-  // One that writes what it reads, after its arguments.
+  // A fake encoder that writes its arguments, then its input.
   ASSERT_TRUE(
       writeFileAtomically(folder_ / "ffmpeg", "#!/bin/sh\nfor last; do :; done\n{ echo \"$@\"; cat; } > \"$last\"\n")
           .ok());
@@ -181,7 +182,7 @@ TEST_F(RenderMovie, FfmpegIsGivenThePicturesOfOtherMovies) {
   EXPECT_FALSE(std::filesystem::exists(folder_ / "bad.mp4"));
 }
 
-TEST(Evenly, TakesTheEndsAndSpreadsTheRest) {
+TEST(Evenly, IncludesTheEndsAndSpreadsTheRest) {
   EXPECT_EQ(app::evenly(3, 5), (std::vector<std::size_t>{0, 1, 2}));
   EXPECT_EQ(app::evenly(9, 3), (std::vector<std::size_t>{0, 4, 8}));
   EXPECT_EQ(app::evenly(100, 1), (std::vector<std::size_t>{0}));

@@ -32,7 +32,7 @@ class RenderVerb : public Program {
   }
 };
 
-TEST_F(RenderVerb, WritesOnePictureAndSaysWhere) {
+TEST_F(RenderVerb, WritesOnePictureAndPrintsItsPath) {
   const Outcome done = run({"render", demo("demo.rig.json"), "--size", "96x64", "--depth", "2", "-o", "one.png"});
   EXPECT_EQ(done.status, 0) << done.error;
   EXPECT_EQ(done.out, "one.png\n");
@@ -42,7 +42,7 @@ TEST_F(RenderVerb, WritesOnePictureAndSaysWhere) {
   EXPECT_EQ(picture("one.png").channels, 3);
 }
 
-TEST_F(RenderVerb, WritesAClipsFramesUnderTheirNumbers) {
+TEST_F(RenderVerb, NumbersTheFramesOfAClip) {
   const Outcome done =
       run({"render", demo("demo.rig.json"), "--frames", "9:11", "--size", "48x48", "--depth", "1", "-o", "f_%03d.png"});
   EXPECT_EQ(done.status, 0) << done.error;
@@ -50,7 +50,7 @@ TEST_F(RenderVerb, WritesAClipsFramesUnderTheirNumbers) {
   EXPECT_NE(picture("f_009.png").bytes, picture("f_011.png").bytes);
 }
 
-TEST_F(RenderVerb, TheSameCommandWritesTheSameBytes) {
+TEST_F(RenderVerb, SameCommandWritesTheSameBytes) {
   const std::vector<std::string> command{"render",
                                          demo("demo.rig.json"),
                                          "--view",
@@ -73,7 +73,7 @@ TEST_F(RenderVerb, TheSameCommandWritesTheSameBytes) {
   EXPECT_EQ(picture("a.png").bytes, first.bytes);
 }
 
-TEST_F(RenderVerb, HiddenSidesLeftOutWriteTheSameBytes) {
+TEST_F(RenderVerb, CullingWritesTheSameBytes) {
   for (const bool orthographic : {false, true}) {
     std::vector<std::string> command{
         "render", demo("demo.rig.json"), "--view", "-30,12", "--size", "96x96", "--depth", "2", "-o", "a.png"};
@@ -86,7 +86,7 @@ TEST_F(RenderVerb, HiddenSidesLeftOutWriteTheSameBytes) {
   }
 }
 
-TEST_F(RenderVerb, LightBackgroundAndOcclusionAreChosen) {
+TEST_F(RenderVerb, LightBackgroundAndOcclusionChangeThePicture) {
   const auto bytes = [&](const std::vector<std::string>& more) {
     std::vector<std::string> command{"render", demo("demo.rig.json"), "--size", "96x96", "--depth", "2", "-o", "a.png"};
     command.insert(command.end(), more.begin(), more.end());
@@ -121,7 +121,7 @@ TEST_F(RenderVerb, MusclesAreShownUnderGlass) {
   EXPECT_NE(muscles, bytes({"--show", "muscles,skeleton"}));
 }
 
-TEST_F(RenderVerb, AutoDepthComesFromThePicturesSize) {
+TEST_F(RenderVerb, AutoDepthFollowsThePictureSize) {
   const auto bundled = loadRig(demo("demo.rig.json"));
   ASSERT_TRUE(bundled.ok());
   Rig rig = bundled.value();
@@ -151,7 +151,7 @@ TEST_F(RenderVerb, BadInputIsOneLineAndNoPicture) {
   EXPECT_EQ(run({"render", demo("demo.glb"), "--size", "32x32", "-o", "no/such/folder/a.png"}).status, 1);
 }
 
-TEST_F(RenderVerb, AWrongCommandLineIsStatus2) {
+TEST_F(RenderVerb, BadCommandLineIsStatus2) {
   for (const std::vector<std::string>& wrong : {std::vector<std::string>{"--size", "5x5"},
                                                 {"--size", "9000x100"},
                                                 {"--size", "big"},
@@ -192,7 +192,7 @@ app::RenderOptions plannedAs(const std::string& frames, const std::string& outpu
   return options;
 }
 
-TEST(RenderPlan, FrameNumbersFollowTheNamesField) {
+TEST(RenderPlan, FrameNumbersFollowTheFormatInTheName) {
   const auto plain = app::planRender(plannedAs("8:10", "x%d.png"));
   ASSERT_TRUE(plain.ok());
   EXPECT_EQ(plain->batch.inputs[0].outputs[0], "x8.png");
@@ -203,7 +203,7 @@ TEST(RenderPlan, FrameNumbersFollowTheNamesField) {
   EXPECT_EQ(wide->batch.inputs[0].outputs[0], "a/x00008_y.png");
 }
 
-TEST(RenderPlan, RefusesNamesThatWouldOverwriteOrConfuse) {
+TEST(RenderPlan, RefusesAmbiguousFrameNames) {
   for (const char* name : {"x.png", "x%s.png", "x%04d_%d.png", "x%.png", "x%n.png", "x%1000000d.png"}) {
     EXPECT_FALSE(app::planRender(plannedAs("0:3", name)).ok()) << name;
   }

@@ -1,4 +1,4 @@
-// tests/command/retarget_test.cpp: `sinew retarget` as a program sees it.
+// tests/command/retarget_test.cpp: `sinew retarget` run as a process.
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -12,7 +12,7 @@ namespace {
 
 using test::Program;
 
-TEST_F(Program, RetargetWritesARigThatOpens) {
+TEST_F(Program, RetargetWritesAReadableRig) {
   const std::string rig = (folder_ / "horse.rig.json").string();
   const std::string report = (folder_ / "report.json").string();
   const auto result = run({"retarget", demo("humanoid.rig.json"), demo("horse.glb"), "-o", rig, "--report", report});

@@ -1,22 +1,22 @@
-// tests/command/sinew_bench_test.cpp: each part of sinew_bench measures what it says. Times are never judged.
+// tests/command/sinew_bench_test.cpp: each part of sinew_bench measures every figure. Times are not checked.
 #include "core/files/json/json.h"
 #include "tests/command/program.h"
 
 namespace sinew::test {
 namespace {
 
-class Parts : public Program {
+class SinewBench : public Program {
  protected:
   Outcome run(const std::vector<std::string>& arguments) const { return Program::run(arguments, SINEW_BENCH); }
 };
 
-TEST_F(Parts, FieldOfSpheresAndEllipsoids) {
+TEST_F(SinewBench, FieldMeasuresSpheresAndEllipsoids) {
   const Outcome outcome = run({"field", "--rounds", "1"});
   ASSERT_EQ(outcome.status, 0) << outcome.error;
   EXPECT_NE(outcome.out.find("value and gradient"), std::string::npos) << outcome.out;
 }
 
-TEST_F(Parts, DragsWithShortAndLongHistoryFewAndManyMuscles) {
+TEST_F(SinewBench, DragMeasuresHistoryLengthAndMuscleCount) {
   const auto file = folder_ / "drag.json";
   const Outcome outcome = run({"drag", demo("demo.glb"), "--frames", "3", "--rounds", "1", "--json", file.string()});
   ASSERT_EQ(outcome.status, 0) << outcome.error;
@@ -42,7 +42,7 @@ TEST_F(Parts, DragsWithShortAndLongHistoryFewAndManyMuscles) {
   EXPECT_GT(number(2, "vertices"), number(0, "vertices")) << "more muscles move more";
 }
 
-TEST_F(Parts, LevelsSettleAfterADrag) {
+TEST_F(SinewBench, SettleMeasuresLevelsAfterADrag) {
   const auto file = folder_ / "settle.json";
   const Outcome outcome =
       run({"settle", demo("demo.rig.json"), "--frames", "2", "--rounds", "1", "--json", file.string()});
@@ -62,7 +62,7 @@ TEST_F(Parts, LevelsSettleAfterADrag) {
   }
 }
 
-TEST_F(Parts, StagesShareTheFrame) {
+TEST_F(SinewBench, StagesAreFractionsOfTheFrame) {
   const auto file = folder_ / "stages.json";
   const Outcome outcome =
       run({"stages", demo("demo.rig.json"), "--frames", "2", "--rounds", "3", "--json", file.string()});
@@ -86,7 +86,7 @@ TEST_F(Parts, StagesShareTheFrame) {
   }
 }
 
-TEST_F(Parts, ExportsOfEveryKind) {
+TEST_F(SinewBench, ExportsMeasuresEveryKind) {
   const auto file = folder_ / "exports.json";
   const Outcome outcome =
       run({"exports", demo("tangle.rig.json"), "--frames", "2", "--rounds", "1", "--json", file.string()});
@@ -106,7 +106,7 @@ TEST_F(Parts, ExportsOfEveryKind) {
   EXPECT_LT(error(2), error(1)) << "and helpers nearer still";
 }
 
-TEST_F(Parts, PopsOfOwnLaidAndRandomMuscles) {
+TEST_F(SinewBench, PopsMeasuresOwnLaidAndRandomMuscles) {
   const auto file = folder_ / "pops.json";
   const Outcome outcome = run(
       {"pops", demo("demo.rig.json"), demo("demo.glb"), "--frames", "12", "--rounds", "2", "--json", file.string()});
@@ -129,7 +129,7 @@ TEST_F(Parts, PopsOfOwnLaidAndRandomMuscles) {
   }
 }
 
-TEST_F(Parts, DetailOfOneDepthAndOfLevels) {
+TEST_F(SinewBench, DetailComparesUniformAndAdaptive) {
   const auto file = folder_ / "detail.json";
   const Outcome outcome =
       run({"detail", demo("demo.rig.json"), "--frames", "1", "--rounds", "1", "--json", file.string()});
@@ -151,7 +151,7 @@ TEST_F(Parts, DetailOfOneDepthAndOfLevels) {
   EXPECT_GT(rows[1].at("rooted").number(0), rows[0].at("rooted").number(1));
 }
 
-TEST_F(Parts, AnimationBesideSkinning) {
+TEST_F(SinewBench, AnimationIsMeasuredBesideSkinning) {
   const Outcome outcome = run({"animation", demo("demo.glb"), "--rounds", "2"});
   ASSERT_EQ(outcome.status, 0) << outcome.error;
   for (const char* what : {"\nskinning, vertices", "\nlines", "\ndrivers"}) {
@@ -159,7 +159,7 @@ TEST_F(Parts, AnimationBesideSkinning) {
   }
 }
 
-TEST_F(Parts, BadInputAndBadCommandLine) {
+TEST_F(SinewBench, BadInputIsStatus1AndBadCommandLineStatus2) {
   for (const char* part : {"animation", "detail", "drag", "pops", "settle", "stages"}) {
     const Outcome absent = run({part, "no such file.glb"});
     EXPECT_EQ(absent.status, 1);

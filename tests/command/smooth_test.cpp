@@ -1,4 +1,4 @@
-// tests/command/smooth_test.cpp: `sinew smooth` as a program sees it.
+// tests/command/smooth_test.cpp: `sinew smooth` run as a process.
 #include <algorithm>
 #include <sstream>
 
@@ -29,7 +29,7 @@ std::vector<std::array<int, 3>> facesOf(const std::string& obj) {
   return faces;
 }
 
-/// A clip in which joints that scale joints that scale others lead beyond what floats hold after its beginning.
+/// A clip in which nested scaled joints exceed the range of floats after its beginning.
 std::string farPost() {
   test::Post post = test::makePost();
   post.file.json["nodes"].push_back({{"name", "top"}, {"children", {1}}});
@@ -44,7 +44,7 @@ std::string farPost() {
   return post.file.glb();
 }
 
-TEST_F(Program, APoseBeyondWhatNumbersHoldIsTold) {
+TEST_F(Program, SmoothReportsANonFinitePose) {
   ASSERT_TRUE(writeFileAtomically(folder_ / "far.glb", farPost()).ok());
   const auto smoothed = run({"smooth", "far.glb", "--clip", "bend", "--time", "0.5", "-o", "out.obj"});
   EXPECT_EQ(smoothed.status, 1);
@@ -59,7 +59,7 @@ TEST_F(Program, APoseBeyondWhatNumbersHoldIsTold) {
   EXPECT_NE(drawn.error.find("the bind pose is shown"), std::string::npos) << drawn.error;
 }
 
-TEST_F(Program, SmoothRefusesARigThatNamesBonesTheCharacterLacks) {
+TEST_F(Program, SmoothRefusesARigWithUnknownBones) {
   const auto rigWith = [&](const std::string& bone, const std::string& territory) {
     return R"({"format": "sinew-rig", "version": 1, "character": ")" + demo("demo.glb") +
            R"(", "groups": [{"name": "g"}], "primitives": [{"name": "wing", "bone": ")" + bone +
@@ -77,7 +77,7 @@ TEST_F(Program, SmoothRefusesARigThatNamesBonesTheCharacterLacks) {
   }
 }
 
-TEST_F(Program, SmoothWritesAClosedSurfaceAndATrueReport) {
+TEST_F(Program, SmoothWritesAClosedSurfaceAndAReport) {
   const auto result = run({"smooth", demo("demo.rig.json"), "--clip", "Walk", "--time", "0.4", "--depth", "4", "-o",
                            "out.obj", "--report", "report.json"});
   ASSERT_EQ(result.status, 0) << result.error;
@@ -102,7 +102,7 @@ TEST_F(Program, SmoothWritesAClosedSurfaceAndATrueReport) {
             (std::vector<std::string>{"skin", "patch", "project", "folds", "normals", "total"}));
 }
 
-TEST_F(Program, SmoothTakesEverySetting) {
+TEST_F(Program, SmoothAcceptsEveryModeAndPatch) {
   for (const char* mode : {"swell", "replace"}) {
     for (const char* patch : {"pn", "phong", "spherigon", "flat"}) {
       const auto result = run({"smooth", demo("demo.rig.json"), "--mode", mode, "--patch", patch, "--depth", "2", "-o",
@@ -117,8 +117,8 @@ TEST_F(Program, SmoothTakesEverySetting) {
   }
 }
 
-// The searches of the paper are there to compare with; what a rig of old says is no matter.
-TEST_F(Program, SmoothBySearchesToCompare) {
+// The paper's searches are for comparison only; the setting in old rigs is ignored.
+TEST_F(Program, SmoothSelectsTheProjectionMethod) {
   const std::string rig = demo("demo.rig.json");
   const auto surfaceBy = [&](const std::string& file, const char* projection) {
     const auto result =
@@ -145,7 +145,7 @@ TEST_F(Program, SmoothOfACharacterHasNoPrimitives) {
   EXPECT_EQ(Json::parse(readWholeFile(folder_ / "r.json", 1 << 20).value())->at("primitives").number(-1), 0);
 }
 
-TEST_F(Program, CreasesSplitNormalsAndNothingElse) {
+TEST_F(Program, SmoothCreasesSplitOnlyNormals) {
   const auto lines = [&](const char* file, const std::string& word) {
     std::vector<std::string> found;
     std::istringstream text(readWholeFile(folder_ / file, 1 << 26).value());
@@ -163,7 +163,7 @@ TEST_F(Program, CreasesSplitNormalsAndNothingElse) {
   EXPECT_TRUE(test::isClosed(facesOf(readWholeFile(folder_ / "sharp.obj", 1 << 26).value())));
 }
 
-TEST_F(Program, CreaseAnglesOutOfRangeAreABadCommandLine) {
+TEST_F(Program, CreaseAngleOutOfRangeIsABadCommandLine) {
   for (const char* verb : {"smooth", "render"}) {
     const std::string out = std::string(verb) == "smooth" ? "out.obj" : "out.png";
     for (const char* angle : {"181", "-1", "nan", "inf", "40deg", ""}) {
@@ -174,7 +174,7 @@ TEST_F(Program, CreaseAnglesOutOfRangeAreABadCommandLine) {
   }
 }
 
-TEST_F(Program, SameMomentSameBytes) {
+TEST_F(Program, SmoothAtTheSameTimeWritesTheSameBytes) {
   ASSERT_EQ(run({"smooth", demo("demo.rig.json"), "--clip", "Walk", "--time", "0.25", "-o", "a.glb"}).status, 0);
   ASSERT_EQ(run({"smooth", demo("demo.rig.json"), "--clip", "Walk", "--time", "0.25", "-o", "b.glb"}).status, 0);
   ASSERT_EQ(run({"smooth", demo("demo.rig.json"), "--clip", "Walk", "--time", "0.5", "-o", "c.glb"}).status, 0);
@@ -183,7 +183,7 @@ TEST_F(Program, SameMomentSameBytes) {
   EXPECT_NE(a, readWholeFile(folder_ / "c.glb", 1 << 26).value());
 }
 
-TEST_F(Program, UnknownClipsAreToldTheKnownOnes) {
+TEST_F(Program, SmoothWithAnUnknownClipListsTheKnownOnes) {
   const auto result = run({"smooth", demo("demo.glb"), "--clip", "Wlk", "-o", "out.obj"});
   EXPECT_EQ(result.status, 1);
   EXPECT_TRUE(result.oneErrorLine());
@@ -191,7 +191,7 @@ TEST_F(Program, UnknownClipsAreToldTheKnownOnes) {
   EXPECT_TRUE(std::filesystem::is_empty(folder_));
 }
 
-TEST_F(Program, ATimePastTheEndIsTheEndAndSaysSo) {
+TEST_F(Program, SmoothPastTheEndWarns) {
   const auto result = run({"smooth", demo("demo.glb"), "--clip", "Walk", "--time", "99", "-o", "out.obj"});
   EXPECT_EQ(result.status, 0);
   EXPECT_TRUE(result.oneErrorLine()) << result.error;
@@ -207,7 +207,7 @@ TEST_F(Program, SmoothNeverOverwritesItsInput) {
   EXPECT_EQ(readWholeFile(folder_ / "demo.glb", 1 << 26).value(), before);
 }
 
-TEST_F(Program, SmoothIntoAnAbsentFolderIsStatus1) {
+TEST_F(Program, SmoothIntoAMissingFolderIsStatus1) {
   const auto result = run({"smooth", demo("demo.glb"), "-o", "absent/out.ply"});
   EXPECT_EQ(result.status, 1);
   EXPECT_TRUE(result.oneErrorLine()) << result.error;

@@ -1,4 +1,4 @@
-// tests/command/verbs_test.cpp: help, version, and what a wrong command line gets.
+// tests/command/verbs_test.cpp: help, version, and errors of wrong command lines.
 #include <cstdlib>
 
 #include "tests/command/program.h"
@@ -25,7 +25,7 @@ TEST_F(Program, VersionAndHelpGoToStdout) {
   }
 }
 
-TEST_F(Program, AWrongCommandLineIsStatus2AndOneLine) {
+TEST_F(Program, BadCommandLineIsStatus2AndOneLine) {
   const std::vector<std::vector<std::string>> wrong{
       {"inspect"},
       {"smooth", demo("demo.glb"), "surplus", "-o", "x.obj"},
@@ -58,7 +58,7 @@ TEST_F(Program, AWrongCommandLineIsStatus2AndOneLine) {
   }
 }
 
-TEST_F(Program, WhatWasProbablyMeantIsSaid) {
+TEST_F(Program, MisspelledNamesGetASuggestion) {
   const auto expectMeant = [&](const std::vector<std::string>& arguments, int status, const std::string& words) {
     const auto result = run(arguments);
     EXPECT_EQ(result.status, status) << result.error;
@@ -78,7 +78,7 @@ TEST_F(Program, WhatWasProbablyMeantIsSaid) {
   expectMeant({"export", rig, "-o", "x.glb", "--clip", "idel"}, 1, "; did you mean \"Idle\"?");
 }
 
-TEST_F(Program, ACharacterWithoutClipsIsRefusedInTheSameWords) {
+TEST_F(Program, CharacterWithoutClipsIsRefusedWithTheSameMessage) {
   test::Post post = test::makePost();
   post.file.json.erase("animations");
   ASSERT_TRUE(writeFileAtomically(folder_ / "still.glb", post.file.glb()).ok());
@@ -96,7 +96,7 @@ TEST_F(Program, ACharacterWithoutClipsIsRefusedInTheSameWords) {
   }
 }
 
-TEST_F(Program, LongVerbsSayHowFarTheyAreWhereThatIsAskedFor) {
+TEST_F(Program, VerbsReportProgressOnRequest) {
   const std::string rig = demo("demo.rig.json");
   const std::vector<std::string> smooth{"smooth", rig,       "--clip", "Walk", "--frames",
                                         "0:3",    "--depth", "1",      "-o",   "f_%d.ply"};
@@ -110,7 +110,7 @@ TEST_F(Program, LongVerbsSayHowFarTheyAreWhereThatIsAskedFor) {
   EXPECT_EQ(result.out, "f_0.ply\nf_1.ply\nf_2.ply\nf_3.ply\n");
 }
 
-TEST_F(Program, ATerminalShowsOneLineThatIsWrittenOver) {
+TEST_F(Program, ProgressOverwritesOneTerminalLine) {
   const std::string command = "script -qec \"'" + std::string(SINEW_PROGRAM) + "' smooth '" + demo("demo.rig.json") +
                               "' --clip Walk --frames 34:36 --depth 1 -o f_%d.ply\" /dev/null > terminal </dev/null";
   if (std::system("command -v script >/dev/null") != 0) GTEST_SKIP() << "left out: script is not installed";
@@ -121,7 +121,7 @@ TEST_F(Program, ATerminalShowsOneLineThatIsWrittenOver) {
   EXPECT_NE(seen.find("\rsinew: smoothing f_%d.ply: 100 %\r\n"), std::string::npos) << seen;
 }
 
-TEST_F(Program, ThreadsChangeNoByte) {
+TEST_F(Program, ThreadCountDoesNotChangeTheOutput) {
   for (const char* threads : {"1", "3"}) {
     ASSERT_EQ(run({"smooth", demo("humanoid.rig.json"), "--depth", "6", "--threads", threads, "-o",
                    std::string(threads) + ".ply"})

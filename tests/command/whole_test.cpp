@@ -1,4 +1,4 @@
-// tests/command/whole_test.cpp: how a run of `sinew bench` is told, from figures made up here; and the paper's own.
+// tests/command/whole_test.cpp: report of a `sinew bench` run from made-up figures, and the paper's figures.
 #include "app/command/whole.h"
 
 #include <algorithm>
@@ -64,7 +64,7 @@ TEST(WholeBench, JsonHasEveryFigure) {
   EXPECT_EQ(json.at("machine").at("instruction_sets").items().size(), 2u);
 }
 
-TEST(WholeBench, TextTellsTheSameAndWhatIsMissing) {
+TEST(WholeBench, TextHasTheFiguresAndNamesMissingOnes) {
   const std::string text = textOf(madeUp());
   for (const char* part : {"Some processor, 2 threads, load 0.5", "swell: fox", "replace: fox", "12.50", "24.50",
                            "75.000 %", "[123]", "20.00", "no display", "12.500 %"}) {
@@ -74,7 +74,7 @@ TEST(WholeBench, TextTellsTheSameAndWhatIsMissing) {
   for (std::string line; std::getline(lines, line);) EXPECT_LE(line.size(), 120u) << line;
 }
 
-TEST(WholeBench, PaperFiguresAgreeWithEachOther) {
+TEST(WholeBench, PaperFiguresAreConsistent) {
   for (const PaperSizes& sizes : kPaperTable2) {
     EXPECT_EQ(sizes.humanoidTriangles, 592 * sizes.depth * sizes.depth);
     EXPECT_EQ(sizes.horseTriangles, 412 * sizes.depth * sizes.depth);
@@ -90,7 +90,7 @@ TEST(WholeBench, PaperFiguresAgreeWithEachOther) {
   }
 }
 
-TEST(WholeBench, ProcessorAsTheSystemNamesIt) {
+TEST(WholeBench, ProcessorNameIsReadFromTheSystem) {
   std::istringstream usual("processor\t: 0\nmodel name\t: A fast one @ 3 GHz \nmodel name\t: Another\n");
   EXPECT_EQ(processorName(usual), "A fast one @ 3 GHz");
   std::istringstream none("processor : 0\nmodel name\t:\n");

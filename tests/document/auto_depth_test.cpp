@@ -1,4 +1,4 @@
-// tests/document/auto_depth_test.cpp: monotone, bounded, calm.
+// tests/document/auto_depth_test.cpp: automatic depth is monotone, bounded and stable.
 
 #include <cmath>
 #include <limits>
@@ -11,7 +11,7 @@
 namespace sinew::app {
 namespace {
 
-TEST(AutoDepth, GrowsWithTheSizeOnScreenFromOneToTheMost) {
+TEST(AutoDepth, GrowsWithScreenSizeFromOneToTheMaximum) {
   int last = 1;
   for (float pixels = 1.0f; pixels < 20000.0f; pixels *= 1.05f) {
     const int depth = autoDepth(0.05f, pixels, 0);
@@ -23,15 +23,15 @@ TEST(AutoDepth, GrowsWithTheSizeOnScreenFromOneToTheMost) {
   EXPECT_EQ(last, kMaxAutoDepth);
 }
 
-TEST(AutoDepth, EdgesComeOutAboutAsLongAsAsked) {
+TEST(AutoDepth, EdgesAreNearTheTargetLength) {
   for (float pixels = 400.0f; pixels < 1200.0f; pixels += 7.0f) {
     const float edge = 0.05f * pixels / static_cast<float>(autoDepth(0.05f, pixels, 0));
     EXPECT_NEAR(edge, kAutoEdgePixels, 0.25f * kAutoEdgePixels) << pixels;
   }
 }
 
-TEST(AutoDepth, DoesNotFlickerOnABorder) {
-  // A camera that breathes by a few percent about every size: at most one change in a hundred breaths.
+TEST(AutoDepth, DoesNotFlickerAtAThreshold) {
+  // A camera that oscillates by a few percent around every size: at most one change in a hundred oscillations.
   for (float pixels = 100.0f; pixels < 1500.0f; pixels *= 1.01f) {
     int depth = autoDepth(0.05f, pixels, 0);
     int changes = 0;
@@ -44,7 +44,7 @@ TEST(AutoDepth, DoesNotFlickerOnABorder) {
   }
 }
 
-TEST(AutoDepth, FollowsWhenTheSizeReallyChanges) {
+TEST(AutoDepth, FollowsALargeSizeChange) {
   int depth = autoDepth(0.05f, 1500.0f, 0);
   depth = autoDepth(0.05f, 150.0f, depth);
   EXPECT_EQ(depth, 1);

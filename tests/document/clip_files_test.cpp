@@ -1,4 +1,4 @@
-// tests/document/clip_files_test.cpp: a document whose rig names clip files: opened, saved elsewhere, opened again.
+// tests/document/clip_files_test.cpp: documents whose rig names clip files: opened, saved elsewhere, reopened.
 #include <filesystem>
 #include <fstream>
 
@@ -32,7 +32,7 @@ class ClipDocument : public testing::Test {
   const fs::path folder_ = own_.path();
 };
 
-TEST_F(ClipDocument, KeepsItsClipsWhereverItIsSaved) {
+TEST_F(ClipDocument, KeepsItsClipsWhenSavedElsewhere) {
   Result<Document> opened = openDocument(folder_ / "still.glb", {folder_ / "clips" / "motion.glb"});
   ASSERT_TRUE(opened.ok()) << opened.error().text();
   ASSERT_EQ(opened->character->clips.size(), 1u);
@@ -53,7 +53,7 @@ TEST_F(ClipDocument, KeepsItsClipsWhereverItIsSaved) {
             std::vector<std::string>{"../../clips/motion.glb"});
 }
 
-TEST_F(ClipDocument, OpensWithoutAFileThatIsGoneAndKeepsTheEntry) {
+TEST_F(ClipDocument, OpensWithoutAMissingClipFileAndKeepsTheEntry) {
   Rig rig;
   rig.character = "still.glb";
   rig.clipFiles = {"clips/motion.glb"};
@@ -68,7 +68,7 @@ TEST_F(ClipDocument, OpensWithoutAFileThatIsGoneAndKeepsTheEntry) {
   EXPECT_FALSE(openDocument(folder_ / "still.glb", {folder_ / "clips" / "motion.glb"}).ok());
 }
 
-TEST_F(ClipDocument, ComesBackAfterACrash) {
+TEST_F(ClipDocument, IsRecoveredWithItsClips) {
   Result<Document> opened = openDocument(folder_ / "still.glb", {folder_ / "clips" / "motion.glb"});
   ASSERT_TRUE(opened.ok());
   const fs::path folder = folder_ / "recovery";

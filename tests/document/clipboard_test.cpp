@@ -1,4 +1,4 @@
-// tests/document/clipboard_test.cpp: muscles as text, in this document and another.
+// tests/document/clipboard_test.cpp: copying muscles as text within a document and between documents.
 
 #include "app/editor/symmetry_commands.h"
 
@@ -38,7 +38,7 @@ struct Clipboard : testing::Test {
   }
 };
 
-TEST_F(Clipboard, APairIsPastedAsAPairUnderFreeNames) {
+TEST_F(Clipboard, PairIsPastedAsAPairUnderFreeNames) {
   const std::string text = musclesAsText(rig, std::vector<int>{0, 1});
   const Result<Pasted> pasted = pasteText(rig, text, legs->skeleton, nullptr);
   ASSERT_TRUE(pasted);
@@ -88,7 +88,7 @@ TEST_F(Clipboard, DriversComeWithTheChannelsAndLinesTheyRead) {
   EXPECT_TRUE(validate(there->rig)) << validate(there->rig).error().text();
 }
 
-TEST_F(Clipboard, OneOfAPairHasNoTwinInTheText) {
+TEST_F(Clipboard, OneOfAPairIsCopiedWithoutItsTwin) {
   const Result<Rig> copied = rigFromJson(musclesAsText(rig, std::vector<int>{1}));
   ASSERT_TRUE(copied);
   EXPECT_EQ(copied->primitives[0].mirror, "");
@@ -96,7 +96,7 @@ TEST_F(Clipboard, OneOfAPairHasNoTwinInTheText) {
   EXPECT_TRUE(copied->links.empty());
 }
 
-TEST_F(Clipboard, AnotherDocumentGetsTheGroupsAndIsToldWhatItCannotTake) {
+TEST_F(Clipboard, PasteIntoAnotherDocumentAddsGroupsAndReportsOmissions) {
   const std::string text = musclesAsText(rig, std::vector<int>{0, 1, 2});
   Skeleton other = legs->skeleton;
   other.bones[static_cast<std::size_t>(*other.findBone("leg R"))].name = "elsewhere";
@@ -111,7 +111,7 @@ TEST_F(Clipboard, AnotherDocumentGetsTheGroupsAndIsToldWhatItCannotTake) {
   EXPECT_TRUE(validate(pasted->rig));
 }
 
-TEST_F(Clipboard, PastedMirroredGoesToTheOtherSide) {
+TEST_F(Clipboard, MirroredPasteGoesToTheOtherSide) {
   const Rig single = removePrimitives(rig, std::vector<int>{1});
   const std::string text = musclesAsText(single, std::vector<int>{0});
   const Result<Pasted> pasted = pasteText(single, text, legs->skeleton, &plan);
@@ -121,7 +121,7 @@ TEST_F(Clipboard, PastedMirroredGoesToTheOtherSide) {
   EXPECT_EQ(pasted->rig.primitives.back().placement.center, rig.primitives[1].placement.center);
 }
 
-TEST_F(Clipboard, OnAnotherBoneItGoesToTheSamePlaceAlongItWithItsTwinOnTheOtherSide) {
+TEST_F(Clipboard, PasteOnAnotherBoneKeepsTheRelativePositionAndTheTwin) {
   const Skeleton& skeleton = legs->skeleton;
   const int target = *skeleton.findBone("shin R");
   const std::string text = musclesAsText(rig, std::vector<int>{0, 1});
@@ -141,7 +141,7 @@ TEST_F(Clipboard, OnAnotherBoneItGoesToTheSamePlaceAlongItWithItsTwinOnTheOtherS
   EXPECT_TRUE(validate(pasted->rig));
 }
 
-TEST_F(Clipboard, OnTheSameBoneOrFromSeveralItGoesWhereItWas) {
+TEST_F(Clipboard, PasteOnTheSameBoneOrFromSeveralBonesKeepsThePosition) {
   const Skeleton& skeleton = legs->skeleton;
   for (const std::vector<int>& copied : {std::vector<int>{2}, std::vector<int>{0, 2}}) {
     const std::string text = musclesAsText(rig, copied);
@@ -150,7 +150,7 @@ TEST_F(Clipboard, OnTheSameBoneOrFromSeveralItGoesWhereItWas) {
     ASSERT_TRUE(there && plain);
     EXPECT_EQ(there->rig, plain->rig);
   }
-  // A bone that this character lacks is no reason to leave out what has another place.
+  // A muscle on a bone that this character lacks is pasted on another bone.
   Primitive lost = rig.primitives[2];
   lost.bone = "elsewhere";
   Rig other;
@@ -164,7 +164,7 @@ TEST_F(Clipboard, OnTheSameBoneOrFromSeveralItGoesWhereItWas) {
   EXPECT_EQ(pasted->rig.primitives.back().placement, lost.placement);
 }
 
-TEST_F(Clipboard, APasteThatFillsTheRigStopsThereWithoutTheLinesOfWhatIsLeftOut) {
+TEST_F(Clipboard, PasteStopsAtThePrimitiveLimitWithoutUnusedLines) {
   MuscleLine line;
   line.name = "calf";
   line.origin = {"leg L", {0.0f, -0.1f, 0.1f}, {}};
@@ -185,7 +185,7 @@ TEST_F(Clipboard, APasteThatFillsTheRigStopsThereWithoutTheLinesOfWhatIsLeftOut)
   EXPECT_NE(pasted->leftOut[0].find("65536"), std::string::npos) << pasted->leftOut[0];
 }
 
-TEST_F(Clipboard, AnythingElseIsRefusedInOneLine) {
+TEST_F(Clipboard, InvalidTextIsRefused) {
   for (const char* text : {"", "hello", "{}", "[1, 2]", R"({"format": "sinew-rig", "version": 1})"}) {
     const Result<Pasted> pasted = pasteText(rig, text, legs->skeleton, nullptr);
     ASSERT_FALSE(pasted) << text;

@@ -1,4 +1,4 @@
-// tests/document/command_stack_test.cpp: undo, redo and gestures against a naive model.
+// tests/document/command_stack_test.cpp: undo, redo and gestures compared with a naive model.
 
 #include "app/document/command_stack.h"
 
@@ -19,7 +19,7 @@ Rig rigNumbered(int number) {
 
 int numberOf(const Rig& rig) { return rig.smoothing.depth - 1; }
 
-/// All that the stack promises, written as plainly as possible.
+/// Naive model of all that the stack guarantees.
 struct Model {
   std::vector<int> states{0};
   std::size_t position = 0;
@@ -134,7 +134,7 @@ TEST(CommandStack, RevisionGrowsExactlyWhenTheRigChanges) {
   EXPECT_FALSE(grew());
 }
 
-TEST(CommandStack, ADragIsOneStepWithItsLabel) {
+TEST(CommandStack, DragIsOneStepWithItsLabel) {
   CommandStack stack(rigNumbered(0));
   stack.beginGesture("Move thigh");
   for (int i = 1; i < 20; ++i) stack.updateGesture(rigNumbered(i));
@@ -146,7 +146,7 @@ TEST(CommandStack, ADragIsOneStepWithItsLabel) {
   EXPECT_EQ(numberOf(stack.rig()), 0);
 }
 
-TEST(CommandStack, AnEditAfterUndoForgetsTheAbandonedBranch) {
+TEST(CommandStack, EditAfterUndoForgetsTheAbandonedBranch) {
   CommandStack stack(rigNumbered(0));
   stack.apply("a", rigNumbered(1));
   stack.apply("b", rigNumbered(2));
@@ -158,7 +158,7 @@ TEST(CommandStack, AnEditAfterUndoForgetsTheAbandonedBranch) {
   EXPECT_EQ(stack.label(2), "c");
 }
 
-TEST(CommandStack, ACanceledDragKeepsWhatCouldBeRedone) {
+TEST(CommandStack, CanceledDragKeepsTheRedoSteps) {
   CommandStack stack(rigNumbered(0));
   stack.apply("a", rigNumbered(1));
   stack.undo();
@@ -181,7 +181,7 @@ TEST(CommandStack, UndoingBackToTheSavedStateIsNotModified) {
   EXPECT_FALSE(stack.modified());
 }
 
-TEST(CommandStack, RangesAndPosesAreStepsBesideTheRig) {
+TEST(CommandStack, RangesAreStepsWithoutChangingTheRig) {
   CommandStack stack(rigNumbered(0));
   stack.startFrom({}, {{{"", 0}, {1.0, 2.0}}});
   const KeptPlayRanges first = stack.ranges();
@@ -201,7 +201,7 @@ TEST(CommandStack, RangesAndPosesAreStepsBesideTheRig) {
   EXPECT_FALSE(stack.modified());
 }
 
-TEST(CommandStack, ADragMayBeNamedAtItsEnd) {
+TEST(CommandStack, DragCanBeNamedAtItsEnd) {
   CommandStack stack(rigNumbered(0));
   stack.beginGesture("Depth");
   stack.updateGesture(rigNumbered(4));

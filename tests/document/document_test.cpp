@@ -1,4 +1,4 @@
-// tests/document/document_test.cpp: opening, saving, reopening.
+// tests/document/document_test.cpp: opening, saving and reopening.
 
 #include "app/document/document.h"
 
@@ -15,8 +15,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// An empty folder of its own for every test.
-class DocumentTest : public testing::Test {
+/// An empty folder for every test.
+class OpenedDocument : public testing::Test {
  protected:
   void SetUp() override {
     const auto* info = testing::UnitTest::GetInstance()->current_test_info();
@@ -43,7 +43,7 @@ Primitive muscleOn(const std::string& bone) {
   return primitive;
 }
 
-TEST_F(DocumentTest, ACharacterOpensWithAnEmptyRigThatCountsAsSaved) {
+TEST_F(OpenedDocument, CharacterOpensWithAnUnmodifiedEmptyRig) {
   const auto opened = openDocument(demo);
   ASSERT_TRUE(opened.ok()) << opened.error().text();
   EXPECT_TRUE(opened->rig().primitives.empty());
@@ -53,7 +53,7 @@ TEST_F(DocumentTest, ACharacterOpensWithAnEmptyRigThatCountsAsSaved) {
   EXPECT_EQ(opened->activePrimitive(), -1);
 }
 
-TEST_F(DocumentTest, WhatIsSavedReopensEqualFromAnotherFolder) {
+TEST_F(OpenedDocument, SavedRigReopensEqualFromAnotherFolder) {
   auto opened = openDocument(demo);
   ASSERT_TRUE(opened.ok());
   Document document = std::move(opened).value();
@@ -72,13 +72,13 @@ TEST_F(DocumentTest, WhatIsSavedReopensEqualFromAnotherFolder) {
   const auto again = openDocument(file);
   ASSERT_TRUE(again.ok()) << again.error().text();
   Rig expected = document.rig();
-  expected.character = again->rig().character;  // Relative to another folder now.
+  expected.character = again->rig().character;  // Now relative to another folder.
   EXPECT_TRUE(again->rig() == expected);
   EXPECT_TRUE(fs::equivalent(again->characterFile, demo));
   EXPECT_EQ(again->character->mesh.triangles.size(), document.character->mesh.triangles.size());
 }
 
-TEST_F(DocumentTest, AFailedSaveChangesNothing) {
+TEST_F(OpenedDocument, FailedSaveChangesNothing) {
   auto opened = openDocument(demo);
   ASSERT_TRUE(opened.ok());
   Document document = std::move(opened).value();
@@ -90,7 +90,7 @@ TEST_F(DocumentTest, AFailedSaveChangesNothing) {
   EXPECT_TRUE(document.rigFile.empty());
 }
 
-TEST_F(DocumentTest, ErrorsNameTheFileAndThePlace) {
+TEST_F(OpenedDocument, ErrorsNameTheFileAndThePlace) {
   const auto unknown = openDocument(write("shape.txt", "x"));
   ASSERT_FALSE(unknown.ok());
   EXPECT_NE(unknown.error().text().find("shape.txt"), std::string::npos);
@@ -106,7 +106,7 @@ TEST_F(DocumentTest, ErrorsNameTheFileAndThePlace) {
   EXPECT_NE(orphan.error().text().find("nowhere.glb"), std::string::npos);
 }
 
-TEST_F(DocumentTest, EndingsDoNotDependOnCase) {
+TEST_F(OpenedDocument, FileExtensionIsCaseInsensitive) {
   fs::copy_file(demo, folder / "DEMO.GLB");
   EXPECT_TRUE(openDocument(folder / "DEMO.GLB").ok());
 }

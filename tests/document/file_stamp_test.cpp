@@ -1,4 +1,4 @@
-// tests/document/file_stamp_test.cpp: what a file held, and names that are free.
+// tests/document/file_stamp_test.cpp: content stamps of files, and free file names.
 
 #include "app/document/file_stamp.h"
 
@@ -12,7 +12,7 @@
 namespace sinew::app {
 namespace {
 
-TEST(FileStamp, IsThePublishedHash) {
+TEST(FileStamp, MatchesThePublishedHash) {
   // Test vectors of draft-eastlake-fnv, FNV-1a with 64 bits.
   EXPECT_EQ(stampOf("").hash, 0xcbf29ce484222325u);
   EXPECT_EQ(stampOf("a").hash, 0xaf63dc4c8601ec8cu);
@@ -20,7 +20,7 @@ TEST(FileStamp, IsThePublishedHash) {
   EXPECT_EQ(stampOf("foobar").bytes, 6u);
 }
 
-TEST(FileStamp, AnyOneByteChangesIt) {
+TEST(FileStamp, ChangesWithAnyByte) {
   std::mt19937 random(3);
   std::string text(200, ' ');
   for (char& c : text) c = static_cast<char>(random());
@@ -32,7 +32,7 @@ TEST(FileStamp, AnyOneByteChangesIt) {
   }
 }
 
-TEST(FileStamp, TextIsReadBackAndNothingElseIs) {
+TEST(FileStamp, TextRoundTripsAndOtherTextIsRefused) {
   for (const char* content : {"", "a", "foobar"}) {
     const FileStamp stamp = stampOf(content);
     EXPECT_EQ(stampFromText(textOfStamp(stamp)), stamp);
@@ -41,7 +41,7 @@ TEST(FileStamp, TextIsReadBackAndNothingElseIs) {
   for (const char* bad : {"", "x", "12", ":ab"}) EXPECT_FALSE(stampFromText(bad).has_value()) << bad;
 }
 
-TEST(FileStamp, ComparesWithWhatIsThere) {
+TEST(FileStamp, ComparesWithTheFileOnDisk) {
   const test::TemporaryFolder folder;
   const auto file = folder.write("a.rig.json", "one");
   EXPECT_EQ(compareWithDisk(file, stampOf("one")), OnDisk::kSame);
@@ -51,7 +51,7 @@ TEST(FileStamp, ComparesWithWhatIsThere) {
   EXPECT_EQ(compareWithDisk(folder.path() / "none", std::nullopt), OnDisk::kSame);
 }
 
-TEST(FileStamp, BuffersOfItsFolderCountAndNoOthers) {
+TEST(FileStamp, IncludesOnlyBuffersInTheSameFolder) {
   const test::TemporaryFolder folder;
   const auto write = [&](const char* name, const std::string& text) { return folder.write(name, text); };
   const auto uses = [&](const std::string& uri) {
@@ -61,7 +61,7 @@ TEST(FileStamp, BuffersOfItsFolderCountAndNoOthers) {
   std::filesystem::create_directories(folder.path() / "inside");
   write("secret.bin", "1");
   std::filesystem::create_symlink(folder.path() / "secret.bin", folder.path() / "inside/link.bin");
-  // Of what changes here only the first is of the folder.
+  // Of the files that change here, only the first lies in the folder.
   for (const std::string uri : {"own.bin", "link.bin", "../secret.bin"}) {
     const auto file = uses(uri);
     write("inside/own.bin", "1");
@@ -74,7 +74,7 @@ TEST(FileStamp, BuffersOfItsFolderCountAndNoOthers) {
   EXPECT_TRUE(stampOfFile(uses("a.gltf")).has_value()) << "a file that is its own buffer";
 }
 
-TEST(FileStamp, ANameBesideIsFreeAndCountsOn) {
+TEST(FileStamp, FreeNameBesideContinuesTheNumbering) {
   const test::TemporaryFolder folder;
   const auto file = folder.write("arm.rig.json", "");
   EXPECT_EQ(freeNameBeside(file).filename(), "arm 2.rig.json");

@@ -1,4 +1,4 @@
-// tests/document/folder_listing_test.cpp: what the file browser shows, completes and calls things.
+// tests/document/folder_listing_test.cpp: entries, completion and names in the file browser.
 
 #include "app/document/folder_listing.h"
 #include "tests/support/temporary_folder.h"
@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-class FolderListingTest : public testing::Test {
+class FolderList : public testing::Test {
  protected:
   void SetUp() override {
     for (const char* made : {"Zebra", "animals", ".secret"}) fs::create_directory(folder / made);
@@ -33,18 +33,18 @@ class FolderListingTest : public testing::Test {
   const fs::path folder = own.path();
 };
 
-TEST_F(FolderListingTest, FoldersFirstThenFilesByNameWhateverTheirCase) {
+TEST_F(FolderList, FoldersComeFirstThenFilesIgnoringCase) {
   EXPECT_EQ(names({}), (Names{"animals", "Zebra", "boar.gltf", "fox.glb", "Fox.rig.json"}));
 }
 
-TEST_F(FolderListingTest, FiltersAndHiddenNames) {
+TEST_F(FolderList, FiltersByKindAndHidesDotFiles) {
   EXPECT_EQ(names({FileFilter::kRigs, false, false}), (Names{"animals", "Zebra", "Fox.rig.json"}));
   EXPECT_EQ(names({FileFilter::kCharacters, false, false}), (Names{"animals", "Zebra", "boar.gltf", "fox.glb"}));
   EXPECT_EQ(names({FileFilter::kCharacters, true, false}),
             (Names{".secret", "animals", "Zebra", ".hidden.glb", "boar.gltf", "fox.glb"}));
 }
 
-TEST_F(FolderListingTest, NewestFirstWithinFoldersAndFiles) {
+TEST_F(FolderList, SortsNewestFirstWithinFoldersAndFiles) {
   const auto now = fs::file_time_type::clock::now();
   fs::last_write_time(folder / "boar.gltf", now - std::chrono::hours(2));
   fs::last_write_time(folder / "fox.glb", now - std::chrono::hours(1));
@@ -55,12 +55,12 @@ TEST_F(FolderListingTest, NewestFirstWithinFoldersAndFiles) {
             (Names{"Zebra", "animals", "fox.glb", "boar.gltf", "Fox.rig.json"}));
 }
 
-TEST_F(FolderListingTest, AnUnreadableFolderIsEmpty) {
+TEST_F(FolderList, UnreadableFolderIsEmpty) {
   EXPECT_TRUE(listFolder(folder / "nowhere", {}).empty());
   EXPECT_TRUE(listFolder(folder / "fox.glb", {}).empty());
 }
 
-TEST_F(FolderListingTest, IsReadAgainWhenSomethingChanges) {
+TEST_F(FolderList, IsRefreshedWhenTheFolderChanges) {
   FolderListing listing;
   refresh(listing, folder, {});
   EXPECT_EQ(listing.entries.size(), 5u);
@@ -72,7 +72,7 @@ TEST_F(FolderListingTest, IsReadAgainWhenSomethingChanges) {
   EXPECT_TRUE(listing.entries.empty());
 }
 
-TEST_F(FolderListingTest, CompletesAsFarAsNamesLeaveNoChoice) {
+TEST_F(FolderList, CompletesTheUnambiguousPrefix) {
   EXPECT_EQ(completePath(folder, "b", {}), "boar.gltf");
   EXPECT_EQ(completePath(folder, "fo", {}), "fox.glb") << "the case as typed goes first";
   EXPECT_EQ(completePath(folder, "Fo", {}), "Fox.rig.json");
@@ -83,7 +83,7 @@ TEST_F(FolderListingTest, CompletesAsFarAsNamesLeaveNoChoice) {
   EXPECT_EQ(completePath("/", folder.string() + "/z", {}), folder.string() + "/Zebra/");
 }
 
-TEST_F(FolderListingTest, TypedTextIsReadAgainstTheFolder) {
+TEST_F(FolderList, TypedPathsAreRelativeToTheFolder) {
   EXPECT_EQ(resolveTyped("/a/b", "c.glb"), "/a/b/c.glb");
   EXPECT_EQ(resolveTyped("/a/b", "../c.glb"), "/a/c.glb");
   EXPECT_EQ(resolveTyped("/a/b", "/x/c.glb"), "/x/c.glb");
@@ -93,7 +93,7 @@ TEST_F(FolderListingTest, TypedTextIsReadAgainstTheFolder) {
   EXPECT_EQ(withRigEnding("a/horse.v2.GLTF"), "a/horse.v2.rig.json");
 }
 
-TEST_F(FolderListingTest, PlacesExistAndAreThereOnce) {
+TEST_F(FolderList, PlacesExistAndAreUnique) {
   const char* before = std::getenv("HOME");
   const std::string kept = before != nullptr ? before : "";
   setenv("HOME", folder.c_str(), 1);
@@ -108,7 +108,7 @@ TEST_F(FolderListingTest, PlacesExistAndAreThereOnce) {
   EXPECT_EQ(all[3].folder, folder / "animals");
 }
 
-TEST(FileText, SizesAreReadable) {
+TEST(FileSizeText, SizesAreReadable) {
   EXPECT_EQ(sizeText(812), "812 B");
   EXPECT_EQ(sizeText(34 * 1024), "34 KB");
   EXPECT_EQ(sizeText(1258291), "1.2 MB");

@@ -1,4 +1,5 @@
-// tests/document/group_colors_test.cpp: colors of groups stay apart for every eye, and stay with their groups.
+// tests/document/group_colors_test.cpp: group colors are distinguishable, also with color blindness, and stay with
+// their groups.
 #include "app/document/group_colors.h"
 
 #include <algorithm>
@@ -26,7 +27,7 @@ glm::vec3 oklab(const glm::vec3& c) {
           0.0259040f * l + 0.7827718f * m - 0.8086758f * s};
 }
 
-/// How a linear color looks to whom a kind of cone is missing (Machado, Oliveira & Fernandes 2009); rows.
+/// Rows that map a linear color to its appearance with one kind of cone missing (Machado, Oliveira & Fernandes 2009).
 using Eye = std::array<glm::vec3, 3>;
 constexpr Eye kNormal{glm::vec3{1, 0, 0}, glm::vec3{0, 1, 0}, glm::vec3{0, 0, 1}};
 constexpr Eye kProtan{glm::vec3{0.152286f, 1.052583f, -0.204868f}, glm::vec3{0.114503f, 0.786281f, 0.099216f},
@@ -39,7 +40,7 @@ glm::vec3 seen(const glm::vec3& srgb, const Eye& eye) {
   return oklab(glm::clamp(glm::vec3(glm::dot(eye[0], c), glm::dot(eye[1], c), glm::dot(eye[2], c)), 0.0f, 1.0f));
 }
 
-TEST(GroupColors, StayApartForEveryEye) {
+TEST(GroupColors, AreDistinguishableWithColorBlindness) {
   for (const Eye& eye : {kNormal, kProtan, kDeutan}) {
     for (int i = 0; i < kGroupColors; ++i) {
       for (int j = 0; j < i; ++j) {
@@ -66,7 +67,7 @@ Rig withGroups(std::initializer_list<const char*> names) {
   return rig;
 }
 
-TEST(GroupColors, AGroupKeepsItsColorWhateverHappensBesideIt) {
+TEST(GroupColors, GroupKeepsItsColorWhenOthersChange) {
   CommandStack commands(withGroups({"a", "b", "c"}));
   const glm::vec3 a = groupColor(commands.rig(), "a"), b = groupColor(commands.rig(), "b");
   const glm::vec3 c = groupColor(commands.rig(), "c");
@@ -92,7 +93,7 @@ TEST(GroupColors, AGroupKeepsItsColorWhateverHappensBesideIt) {
   EXPECT_EQ(groupColor(commands.rig(), "a"), a);
 }
 
-TEST(GroupColors, ARigOutsideADocumentHasTheSameOnes) {
+TEST(GroupColors, RigOutsideADocumentHasTheSameColors) {
   const Rig rig = withGroups({"a", "b", "c"});
   const CommandStack commands(rig);
   for (const char* name : {"a", "b", "c"}) EXPECT_EQ(groupColor(rig, name), groupColor(commands.rig(), name));

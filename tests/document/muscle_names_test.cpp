@@ -1,4 +1,4 @@
-// tests/document/muscle_names_test.cpp: a muscle is called after its bone until somebody renames it.
+// tests/document/muscle_names_test.cpp: a muscle is named after its bone until it is renamed.
 
 #include "app/document/shown_names.h"
 
@@ -13,7 +13,7 @@
 namespace sinew::app {
 namespace {
 
-/// Bones by name, each at the origin, the first the parent of all.
+/// Bones with these names at the origin; the first is the parent of all.
 Skeleton skeletonOf(const std::vector<std::string>& names) {
   Skeleton skeleton;
   for (std::size_t i = 0; i < names.size(); ++i) {
@@ -42,7 +42,7 @@ Rig rigOf(const std::vector<std::array<std::string, 2>>& muscles) {
   return rig;
 }
 
-/// The names after the first muscle has moved.
+/// Names after the first muscle moved to `bone`.
 std::vector<std::string> namesAfter(const Rig& before, const std::string& bone) {
   Rig after = before;
   after.primitives.front().bone = bone;
@@ -63,7 +63,7 @@ TEST(DefaultNames, FollowTheBone) {
       << "the one that stays keeps its name";
 }
 
-TEST(DefaultNames, WhatSomebodyTypedStays) {
+TEST(DefaultNames, TypedNamesAreKept) {
   for (const char* typed : {"biceps", "arm.L muscles", "arm.L muscle x", "arm.L muscle 2b", "leg.L muscle", "muscle"}) {
     EXPECT_EQ(namesAfter(rigOf({{typed, "arm.L"}}), "leg.L"), Names{typed});
   }
@@ -81,7 +81,7 @@ TEST(DefaultNames, TwinsAreNamedTogether) {
   EXPECT_EQ(namesAfter(renamed, "leg.L"), (Names{"leg.L muscle", "biceps"}));
 }
 
-TEST(DefaultNames, LinksHoldUnderTheNewNames) {
+TEST(DefaultNames, TwinLinksFollowTheNewNames) {
   const Rig pair = setMirror(rigOf({{"arm.L muscle", "arm.L"}, {"arm.R muscle", "arm.R"}}), 0, 1);
   Rig moved = pair;
   moved.primitives[0].bone = "leg.L";

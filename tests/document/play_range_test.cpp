@@ -1,4 +1,4 @@
-// tests/document/play_range_test.cpp: ranges stay with their clips while clips of other files come and go.
+// tests/document/play_range_test.cpp: play ranges stay with their clips while clip files are added and removed.
 #include "app/document/play_range.h"
 
 #include <gtest/gtest.h>
@@ -6,7 +6,7 @@
 namespace sinew::app {
 namespace {
 
-/// A clip of each file; "": the character's own.
+/// One clip for each file; "": the character's own.
 Character withClipsOf(const std::vector<std::string>& files) {
   Character character;
   for (const std::string& file : files) {
@@ -18,7 +18,7 @@ Character withClipsOf(const std::vector<std::string>& files) {
   return character;
 }
 
-TEST(ClipIds, AreEachClipsOwnThoughNamesAreTheSame) {
+TEST(ClipIds, AreUniqueEvenForEqualNames) {
   const Character character = withClipsOf({"", "", "a.glb", "b.glb", "a.glb"});
   const std::vector<ClipId> ids = clipIds(character);
   for (std::size_t i = 0; i < ids.size(); ++i) EXPECT_EQ(indexOf(character, ids[i]), static_cast<int>(i));
@@ -26,7 +26,7 @@ TEST(ClipIds, AreEachClipsOwnThoughNamesAreTheSame) {
   EXPECT_EQ(indexOf(character, {"c.glb", 0}), -1);
 }
 
-TEST(ClipIds, RangesFollowAndComeBack) {
+TEST(ClipIds, RangesFollowTheirClipsAndAreRestored) {
   const Character all = withClipsOf({"", "a.glb", "a.glb", "b.glb"});
   const Character fewer = withClipsOf({"", "b.glb"});
   const PlayRanges ranges{{0, {0.0, 1.0}}, {2, {0.1, 0.5}}, {3, {0.2, 0.6}}, {9, {0.0, 1.0}}};

@@ -23,7 +23,7 @@ Character characterWithClip(float duration) {
   return character;
 }
 
-TEST(Transport, ALoopCarriesWhatIsLeftOver) {
+TEST(Transport, LoopCarriesTheRemainderOver) {
   const Character character = characterWithClip(2.0f);
   Transport transport{0, 1.5, true, true, 1.0f};
   advance(transport, 1.0, character);
@@ -33,7 +33,7 @@ TEST(Transport, ALoopCarriesWhatIsLeftOver) {
   EXPECT_NEAR(transport.time, 0.5, 1e-9);
 }
 
-TEST(Transport, WithoutLoopItStopsAtTheEndAndStartsOver) {
+TEST(Transport, StopsAtTheEndWithoutLoopAndRestarts) {
   const Character character = characterWithClip(2.0f);
   Transport transport{0, 1.5, true, false, 1.0f};
   advance(transport, 1.0, character);
@@ -51,7 +51,7 @@ TEST(Transport, SpeedScalesTime) {
   EXPECT_NEAR(transport.time, 1.0, 1e-9);
 }
 
-TEST(Transport, StepsLandOnWholeFramesWrapAndPause) {
+TEST(Transport, FrameStepsSnapWrapAndPause) {
   const Character character = characterWithClip(1.0f);
   Transport transport{0, 0.47, true, true, 1.0f};
   stepFrames(transport, 1, character);
@@ -67,7 +67,7 @@ TEST(Transport, StepsLandOnWholeFramesWrapAndPause) {
   EXPECT_EQ(transport.time, 0.0);
 }
 
-TEST(Transport, TheBindPoseAndAnEmptyClipCannotPlay) {
+TEST(Transport, BindPoseAndAnEmptyClipCannotPlay) {
   const Character character = characterWithClip(1.0f);
   for (const int clip : {-1, 1}) {
     Transport transport;
@@ -80,7 +80,7 @@ TEST(Transport, TheBindPoseAndAnEmptyClipCannotPlay) {
   }
 }
 
-TEST(Transport, AnotherClipStartsFromItsBeginning) {
+TEST(Transport, ChosenClipStartsFromItsBeginning) {
   const Character character = characterWithClip(1.0f);
   Transport transport{0, 0.7, true, true, 1.0f};
   chooseClip(transport, 0, character);
@@ -90,7 +90,7 @@ TEST(Transport, AnotherClipStartsFromItsBeginning) {
   EXPECT_FALSE(transport.playing);
 }
 
-class LiveSurfaceTest : public testing::Test {
+class LiveSurfaceUpdate : public testing::Test {
  protected:
   void SetUp() override {
     auto opened = openDocument(std::filesystem::path(SINEW_SOURCE_DIR) / "assets" / "demo.glb");
@@ -100,7 +100,7 @@ class LiveSurfaceTest : public testing::Test {
   Document document;
 };
 
-TEST_F(LiveSurfaceTest, SmoothsOnlyWhenRigOrTimeMoves) {
+TEST_F(LiveSurfaceUpdate, SmoothsOnlyWhenRigOrTimeChanges) {
   Transport transport{0, 0.0, false, true, 1.0f};
   auto live = LiveSurface::create(document, transport);
   ASSERT_TRUE(live.ok()) << live.error().text();
@@ -123,7 +123,7 @@ TEST_F(LiveSurfaceTest, SmoothsOnlyWhenRigOrTimeMoves) {
   EXPECT_EQ(live.value().surface().positions.size(), before);
 }
 
-TEST_F(LiveSurfaceTest, ASurfaceThatWaitsIsTheSameWhenItIsAskedFor) {
+TEST_F(LiveSurfaceUpdate, DeferredSurfaceMatchesTheImmediateOne) {
   Document flexing = openDocument(std::filesystem::path(SINEW_SOURCE_DIR) / "assets" / "horse-flex.rig.json").value();
   Transport transport{0, 0.0, false, true, 1.0f};
   auto eager = LiveSurface::create(flexing, transport);
@@ -150,7 +150,7 @@ TEST_F(LiveSurfaceTest, ASurfaceThatWaitsIsTheSameWhenItIsAskedFor) {
     EXPECT_EQ(waiting.value().report().projected, eager.value().report().projected);
     EXPECT_FALSE(waiting.value().update(flexing, onCard).value()) << "nothing has changed";
   }
-  // An edit that waits, then an eye that does not.
+  // An edit that is deferred, then a visibility change that is not.
   flexing.commands.apply("Delete", removePrimitives(flexing.rig(), std::vector<int>{0}));
   EXPECT_TRUE(eager.value().update(flexing).value());
   EXPECT_TRUE(waiting.value().update(flexing, onCard).value());
@@ -159,7 +159,7 @@ TEST_F(LiveSurfaceTest, ASurfaceThatWaitsIsTheSameWhenItIsAskedFor) {
   EXPECT_TRUE(same());
 }
 
-TEST_F(LiveSurfaceTest, AnEditIsNotCopiedOnItsWayToTheSurface) {
+TEST_F(LiveSurfaceUpdate, EditReachesTheSurfaceWithoutARigCopy) {
   Primitive muscle;
   muscle.bone = document.character->skeleton.bones.front().name;
   Rig rig = document.rig();
@@ -173,7 +173,7 @@ TEST_F(LiveSurfaceTest, AnEditIsNotCopiedOnItsWayToTheSurface) {
   EXPECT_EQ(copies.count(), 0);
 }
 
-TEST_F(LiveSurfaceTest, AFrameOfADragOfKeyedMusclesCopiesNoRigButTheEdit) {
+TEST_F(LiveSurfaceUpdate, DragFrameOfKeyedMusclesCopiesTheRigOnce) {
   Primitive muscle;
   muscle.bone = document.character->skeleton.bones.front().name;
   Rig rig = document.rig();
@@ -201,7 +201,7 @@ TEST_F(LiveSurfaceTest, AFrameOfADragOfKeyedMusclesCopiesNoRigButTheEdit) {
   document.commands.endGesture();
 }
 
-TEST_F(LiveSurfaceTest, ARefusedRigLeavesTheSurfaceAndIsToldOnce) {
+TEST_F(LiveSurfaceUpdate, RefusedRigKeepsTheSurfaceAndIsReportedOnce) {
   Transport transport{0, 0.0, false, true, 1.0f};
   auto live = LiveSurface::create(document, transport);
   ASSERT_TRUE(live.ok());
@@ -212,7 +212,7 @@ TEST_F(LiveSurfaceTest, ARefusedRigLeavesTheSurfaceAndIsToldOnce) {
   EXPECT_FALSE(live.value().update(document).ok());
   EXPECT_EQ(live.value().surface().positions, positions);
   EXPECT_TRUE(live.value().update(document).ok());
-  // Something else to prepare for, and the rig is still none.
+  // Another character to prepare for, still without a rig.
   SurfaceView without;
   without.hidden = {0};
   EXPECT_FALSE(live.value().update(document, without).ok());
@@ -221,7 +221,7 @@ TEST_F(LiveSurfaceTest, ARefusedRigLeavesTheSurfaceAndIsToldOnce) {
   EXPECT_TRUE(live.value().update(document).ok());
 }
 
-TEST_F(LiveSurfaceTest, ASurfaceForAnEyeFollowsIt) {
+TEST_F(LiveSurfaceUpdate, CulledSurfaceFollowsTheEye) {
   const Transport transport{0, 0.0, false, true, 1.0f};
   auto live = LiveSurface::create(document, transport);
   ASSERT_TRUE(live.ok());
@@ -236,7 +236,7 @@ TEST_F(LiveSurfaceTest, ASurfaceForAnEyeFollowsIt) {
   EXPECT_EQ(live.value().surface().report.culledTriangles, 0);
 }
 
-TEST_F(LiveSurfaceTest, AutoDepthFollowsTheSizeAndLeavesTheDocumentAlone) {
+TEST_F(LiveSurfaceUpdate, AutoDepthFollowsTheSizeWithoutChangingTheDocument) {
   const Transport transport{0, 0.0, false, true, 1.0f};
   SmoothingSettings uniform = document.rig().smoothing;
   uniform.detail = DetailKind::kUniform;
@@ -266,7 +266,7 @@ TEST_F(LiveSurfaceTest, AutoDepthFollowsTheSizeAndLeavesTheDocumentAlone) {
   EXPECT_EQ(depthAt(50000.0f), own);
 }
 
-TEST_F(LiveSurfaceTest, AutoToleranceFollowsTheSize) {
+TEST_F(LiveSurfaceUpdate, AutoToleranceFollowsTheSize) {
   SmoothingSettings settings = document.rig().smoothing;
   ASSERT_EQ(settings.detail, DetailKind::kAdaptive);
   settings.autoDepth = true;
@@ -285,7 +285,7 @@ TEST_F(LiveSurfaceTest, AutoToleranceFollowsTheSize) {
   EXPECT_EQ(verticesAt(2020.0f), large) << "a camera that breathes";
 }
 
-TEST_F(LiveSurfaceTest, ADragKeepsTheMeshAndItsEndFindsItAnew) {
+TEST_F(LiveSurfaceUpdate, DragKeepsTheMeshAndItsEndRefinesAgain) {
   Primitive muscle;
   muscle.bone = document.character->skeleton.bones.back().name;
   muscle.placement.radii = glm::vec3(0.05f * document.character->height);

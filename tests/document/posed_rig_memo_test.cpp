@@ -1,4 +1,4 @@
-// tests/document/posed_rig_memo_test.cpp: the document's rig in a pose, made once and never stale.
+// tests/document/posed_rig_memo_test.cpp: the document's rig in a pose is computed once and never stale.
 #include "app/document/document.h"
 
 #include <gtest/gtest.h>
@@ -30,14 +30,14 @@ class PosedRigs : public testing::Test {
   }
 };
 
-TEST_F(PosedRigs, IsMadeOnceForARigAndAPose) {
+TEST_F(PosedRigs, IsComputedOncePerRigAndPose) {
   const auto poser = document.poser();
   const PosedRig* posed = &document.posedRig(pose);
   EXPECT_EQ(&document.posedRig(pose), posed);
   EXPECT_EQ(document.poser(), poser);
 }
 
-TEST_F(PosedRigs, FollowsThePoseTheRigAndTheCharacter) {
+TEST_F(PosedRigs, IsUpdatedWithPoseRigAndCharacter) {
   expectFresh();
   pose = samplePose(document.character->skeleton, document.character->clips.front(), 1.1f);
   expectFresh();

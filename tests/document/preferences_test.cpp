@@ -1,4 +1,4 @@
-// tests/document/preferences_test.cpp: what is remembered comes back; what is damaged does no harm.
+// tests/document/preferences_test.cpp: preferences survive a restart; damaged files do no harm.
 
 #include "app/document/preferences.h"
 
@@ -21,7 +21,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-class PreferencesTest : public testing::Test {
+class PreferencesFile : public testing::Test {
  protected:
   void SetUp() override { file = folder / "deeper" / "preferences.json"; }
 
@@ -60,7 +60,7 @@ Preferences unlikeTheDefaults() {
   return p;
 }
 
-TEST_F(PreferencesTest, EverythingComesBack) {
+TEST_F(PreferencesFile, EverythingRoundTrips) {
   const Preferences written = unlikeTheDefaults();
   ASSERT_TRUE(savePreferences(written, file).ok());
   const LoadedPreferences read = loadPreferences(file);
@@ -69,14 +69,14 @@ TEST_F(PreferencesTest, EverythingComesBack) {
   EXPECT_EQ(preferencesToJson(read.preferences), preferencesToJson(written));
 }
 
-TEST_F(PreferencesTest, WithoutAFileThereAreDefaultsAndNoComplaint) {
+TEST_F(PreferencesFile, MissingFileGivesDefaultsWithoutAComplaint) {
   const LoadedPreferences read = loadPreferences(file);
   EXPECT_EQ(read.preferences, Preferences{});
   EXPECT_EQ(read.complaint, "");
   EXPECT_FALSE(fs::exists(file));
 }
 
-TEST_F(PreferencesTest, ADamagedFileIsToldKeptAsideAndReplacedByDefaults) {
+TEST_F(PreferencesFile, DamagedFileIsReportedRenamedAndReplacedByDefaults) {
   for (const char* text :
        {"", "no json", "{ \"format\": \"sinew-pref", "[]", "{ \"format\": \"sinew-rig\" }", "\xff\xfe"}) {
     write(text);
@@ -89,7 +89,7 @@ TEST_F(PreferencesTest, ADamagedFileIsToldKeptAsideAndReplacedByDefaults) {
   }
 }
 
-TEST_F(PreferencesTest, WhatIsWrongInPartCostsThatPartAlone) {
+TEST_F(PreferencesFile, InvalidEntriesAreIgnoredIndividually) {
   write(R"({ "format": "sinew-preferences", "version": 99, "keymap": 7, "scale": 1e9, "autosave_seconds": -3,
              "recent_files": ["/a.glb", 5, null, "relative.glb", "/a.glb", "/b.glb"], "recent_actions": {},
              "window": "wide", "keys": { "maya": 7, "blender": { "edit/undo": "U" }, "emacs": { "edit/undo": ["U"] } },
@@ -105,13 +105,13 @@ TEST_F(PreferencesTest, WhatIsWrongInPartCostsThatPartAlone) {
   EXPECT_EQ(read.preferences, expected);
 }
 
-TEST_F(PreferencesTest, APlaceThatCannotBeWrittenIsAnErrorThatNamesIt) {
+TEST_F(PreferencesFile, UnwritablePathIsNamedInTheError) {
   const Result<void> saved = savePreferences({}, "/proc/sinew-test/preferences.json");
   ASSERT_FALSE(saved.ok());
   EXPECT_NE(saved.error().text().find("/proc/sinew-test"), std::string::npos);
 }
 
-TEST_F(PreferencesTest, RecentFilesAreNewestFirstEachOnceAndNotTooMany) {
+TEST_F(PreferencesFile, RecentFilesAreUniqueNewestFirstAndLimited) {
   std::vector<fs::path> recent;
   for (int i = 0; i < 40; ++i) rememberFile(recent, "/c/" + std::to_string(i) + ".glb");
   ASSERT_EQ(recent.size(), kMostRecentFiles);
@@ -124,7 +124,7 @@ TEST_F(PreferencesTest, RecentFilesAreNewestFirstEachOnceAndNotTooMany) {
   EXPECT_TRUE(recent[0].is_absolute());
 }
 
-TEST_F(PreferencesTest, TwoWindowsTogether) {
+TEST_F(PreferencesFile, ChangesOfTwoWindowsAreMerged) {
   Preferences base;
   base.recentFiles = {"/a", "/b", "/c"};
   Preferences mine = base;
@@ -148,7 +148,7 @@ TEST_F(PreferencesTest, TwoWindowsTogether) {
   EXPECT_EQ(both.recentFiles, (std::vector<fs::path>{"/c", "/d", "/e", "/a", "/b"}));
 }
 
-TEST_F(PreferencesTest, AListThatIClearedStaysClearedButForWhatTheyAdded) {
+TEST_F(PreferencesFile, ClearedRecentListKeepsOnlyFilesAddedByOthers) {
   Preferences base;
   base.recentFiles = {"/a", "/b"};
   Preferences mine = base;
@@ -158,8 +158,8 @@ TEST_F(PreferencesTest, AListThatIClearedStaysClearedButForWhatTheyAdded) {
   EXPECT_EQ(mergedPreferences(base, mine, theirs).recentFiles, std::vector<fs::path>{"/e"});
 }
 
-/// However two windows take turns, neither loses a file that was opened lately, nor is one there twice.
-TEST_F(PreferencesTest, NoFileIsLostBetweenTwoWindowsThatTakeTurns) {
+/// Two windows that write alternately lose no recent file and list none twice.
+TEST_F(PreferencesFile, AlternatingWindowsLoseNoRecentFile) {
   std::mt19937 random(2);
   for (int round = 0; round < 200; ++round) {
     Preferences disk;
@@ -184,7 +184,7 @@ TEST_F(PreferencesTest, NoFileIsLostBetweenTwoWindowsThatTakeTurns) {
   }
 }
 
-TEST_F(PreferencesTest, WindowsThatWriteAtTheSameMomentAllGetThrough) {
+TEST_F(PreferencesFile, ConcurrentSavesAreAllMerged) {
   const fs::path shared = folder / "at-once" / "preferences.json";
   std::vector<std::thread> windows;
   for (int w = 0; w < 4; ++w) {
@@ -201,13 +201,13 @@ TEST_F(PreferencesTest, WindowsThatWriteAtTheSameMomentAllGetThrough) {
   EXPECT_EQ(loadPreferences(shared).preferences.recentFiles.size(), 12u);
 }
 
-TEST_F(PreferencesTest, AnActionOfTheListItselfCanBeRemembered) {
+TEST_F(PreferencesFile, RememberActionAcceptsAnElementOfItsList) {
   std::vector<std::string> recent{"a", "b", "c"};
   rememberAction(recent, recent[2]);
   EXPECT_EQ(recent, (std::vector<std::string>{"c", "a", "b"}));
 }
 
-TEST_F(PreferencesTest, TheFolderFollowsTheEnvironment) {
+TEST_F(PreferencesFile, FolderFollowsTheEnvironment) {
   const char* before = std::getenv("XDG_CONFIG_HOME");
   const std::string kept = before != nullptr ? before : "";
   setenv("XDG_CONFIG_HOME", folder.c_str(), 1);

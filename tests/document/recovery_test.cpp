@@ -1,4 +1,4 @@
-// tests/document/recovery_test.cpp: the life of unsaved work, through a crash and without one.
+// tests/document/recovery_test.cpp: unsaved work with and without a crash.
 
 #include "app/document/recovery.h"
 
@@ -29,7 +29,7 @@ class Recovery : public testing::Test {
     state = folder / "state" / "recovery";
   }
 
-  /// The lizard with one muscle more than its file has.
+  /// The lizard with one more muscle than in its file.
   [[nodiscard]] Document changed(bool saved) const {
     Document document = openDocument(folder / "lizard.glb").value();
     if (saved) {
@@ -47,7 +47,7 @@ class Recovery : public testing::Test {
     primitive.placement.radii = {0.1f, 0.2f, 0.3f};
     return addPrimitive(document.rig(), primitive).value();
   }
-  /// Another process writes the work and dies as a crash would have it.
+  /// Another process writes its work and dies as in a crash.
   void crash(const Document& document) const {
     const pid_t child = fork();
     ASSERT_GE(child, 0);
@@ -71,7 +71,7 @@ class Recovery : public testing::Test {
   fs::path state;
 };
 
-TEST_F(Recovery, WhatACrashLeavesIsOfferedAndComesBackModifiedWithItsPath) {
+TEST_F(Recovery, CrashedWorkIsOfferedAndRecoveredAsModifiedWithItsPath) {
   const Document before = changed(true);
   const std::string onDisk = rigToJson(loadRig(folder / "lizard.rig.json").value());
   crash(before);
@@ -94,7 +94,7 @@ TEST_F(Recovery, WhatACrashLeavesIsOfferedAndComesBackModifiedWithItsPath) {
   EXPECT_EQ(filesLeft(), 0u);
 }
 
-TEST_F(Recovery, WorkThatWasNeverSavedComesBackWithoutAPath) {
+TEST_F(Recovery, UnsavedWorkIsRecoveredWithoutAPath) {
   const Document before = changed(false);
   crash(before);
   const std::vector<LeftBehind> left = findLeftBehind(state);
@@ -107,7 +107,7 @@ TEST_F(Recovery, WorkThatWasNeverSavedComesBackWithoutAPath) {
   EXPECT_EQ(recovered->rig().primitives.size(), 1u);
 }
 
-TEST_F(Recovery, AnEditorThatRunsKeepsItsWorkToItself) {
+TEST_F(Recovery, WorkOfARunningEditorIsNotOffered) {
   Result<RecoveryFile> mine = RecoveryFile::claim(state);
   ASSERT_TRUE(mine.ok());
   ASSERT_TRUE(mine.value().write(changed(true)).ok());
@@ -125,18 +125,18 @@ TEST_F(Recovery, AnEditorThatRunsKeepsItsWorkToItself) {
   EXPECT_EQ(filesLeft(), 0u);
 }
 
-TEST_F(Recovery, ACleanEndLeavesNothing) {
+TEST_F(Recovery, CleanExitLeavesNothing) {
   Result<RecoveryFile> mine = RecoveryFile::claim(state);
   ASSERT_TRUE(mine.ok());
   ASSERT_TRUE(mine.value().write(changed(true)).ok());
-  EXPECT_EQ(filesLeft(), 2u);  // Work and lock.
+  EXPECT_EQ(filesLeft(), 2u);  // Work file and lock.
   mine.value().remove();
   EXPECT_EQ(filesLeft(), 1u);
   mine.value().finish();
   EXPECT_EQ(filesLeft(), 0u);
 }
 
-TEST_F(Recovery, ACrashWithoutChangesLeavesNothingToOffer) {
+TEST_F(Recovery, CrashWithoutChangesLeavesNothingToOffer) {
   const pid_t child = fork();
   ASSERT_GE(child, 0);
   if (child == 0) {
@@ -175,12 +175,12 @@ TEST_F(Recovery, NewestWorkComesFirst) {
   EXPECT_EQ(left[1].file, older);
 }
 
-TEST_F(Recovery, AFolderThatCannotBeMadeIsAnError) {
+TEST_F(Recovery, UncreatableFolderIsAnError) {
   EXPECT_FALSE(RecoveryFile::claim("/proc/sinew-test/recovery").ok());
   EXPECT_TRUE(findLeftBehind("/proc/sinew-test/recovery").empty());
 }
 
-TEST(RecoveryAge, IsToldInTheLargestUnit) {
+TEST(RecoveryAge, IsGivenInTheLargestUnit) {
   using namespace std::chrono_literals;
   const auto now = fs::file_time_type::clock::now();
   EXPECT_EQ(ageText(now, now), "just now");
@@ -192,7 +192,7 @@ TEST(RecoveryAge, IsToldInTheLargestUnit) {
   EXPECT_EQ(ageText(now - 3h, now), "3 hours ago");
 }
 
-// When to write ---------------------------------------------------------------------------------------------------
+// Schedule --------------------------------------------------------------------------------------------------------
 
 class Autosave : public testing::Test {
  protected:
@@ -213,7 +213,7 @@ class Autosave : public testing::Test {
   std::size_t document = 1;
 };
 
-TEST_F(Autosave, AnUnchangedDocumentIsLeftAlone) {
+TEST_F(Autosave, UnchangedDocumentIsNotWritten) {
   for (const double now : {0.0, 100.0, 1000.0}) EXPECT_EQ(look(now), Deed::kNothing);
   EXPECT_EQ(look(1001.0, 3), Deed::kNothing) << "another clip";
 }
@@ -222,7 +222,7 @@ TEST_F(Autosave, NoChangeWaitsLongerThanTheInterval) {
   look(0.0);
   change("a");
   EXPECT_EQ(look(10.0), Deed::kNothing);
-  change("b");  // A later change does not put it off.
+  change("b");  // A later change does not postpone it.
   EXPECT_EQ(look(39.0), Deed::kNothing);
   EXPECT_EQ(clock.secondsLeft(39.0, 30.0), 1.0);
   EXPECT_EQ(look(40.0), Deed::kWrite);
@@ -232,7 +232,7 @@ TEST_F(Autosave, NoChangeWaitsLongerThanTheInterval) {
   EXPECT_EQ(look(131.0), Deed::kWrite);
 }
 
-TEST_F(Autosave, ALongDragIsWrittenWhileItLasts) {
+TEST_F(Autosave, LongDragIsWrittenWhileItLasts) {
   look(0.0);
   commands.beginGesture("Drag");
   Deed deed = Deed::kNothing;
@@ -247,7 +247,7 @@ TEST_F(Autosave, ALongDragIsWrittenWhileItLasts) {
   EXPECT_EQ(writes, 3);
 }
 
-TEST_F(Autosave, AnotherClipWritesAtOnce) {
+TEST_F(Autosave, ClipChangeWritesUnsavedWorkImmediately) {
   look(0.0, 0);
   change("a");
   EXPECT_EQ(look(1.0, 0), Deed::kNothing);
@@ -255,7 +255,7 @@ TEST_F(Autosave, AnotherClipWritesAtOnce) {
   EXPECT_EQ(look(1.2, 2), Deed::kNothing) << "nothing new since";
 }
 
-TEST_F(Autosave, InAHurryWhatIsUnwrittenIsWrittenAtTheNextLookAndOnce) {
+TEST_F(Autosave, HurryWritesUnwrittenWorkOnceAtTheNextCheck) {
   look(0.0);
   clock.hurry();
   EXPECT_EQ(look(0.1), Deed::kNothing) << "nothing has changed";
@@ -270,7 +270,7 @@ TEST_F(Autosave, InAHurryWhatIsUnwrittenIsWrittenAtTheNextLookAndOnce) {
   EXPECT_EQ(look(31.3), Deed::kWrite) << "the interval is as before";
 }
 
-TEST_F(Autosave, AHurriedWriteThatFailsIsDueAnIntervalLater) {
+TEST_F(Autosave, FailedHurriedWriteIsRetriedAfterAnInterval) {
   change("a");
   EXPECT_EQ(look(0.0), Deed::kNothing);
   clock.hurry();
@@ -280,7 +280,7 @@ TEST_F(Autosave, AHurriedWriteThatFailsIsDueAnIntervalLater) {
   EXPECT_EQ(look(32.0), Deed::kWrite);
 }
 
-TEST_F(Autosave, SavedOrUndoneTheFileGoes) {
+TEST_F(Autosave, SavingOrUndoingRemovesTheFile) {
   look(0.0);
   change("a");
   look(1.0);
@@ -295,7 +295,7 @@ TEST_F(Autosave, SavedOrUndoneTheFileGoes) {
   EXPECT_EQ(look(71.0), Deed::kRemove);
 }
 
-TEST_F(Autosave, AnotherDocumentTakesTheFileOfTheOneBeforeAway) {
+TEST_F(Autosave, OpeningAnotherDocumentRemovesTheFile) {
   look(0.0);
   change("a");
   look(1.0);
@@ -308,7 +308,7 @@ TEST_F(Autosave, AnotherDocumentTakesTheFileOfTheOneBeforeAway) {
   EXPECT_EQ(look(63.0, 5), Deed::kWrite);
 }
 
-TEST_F(Autosave, AFailedWriteIsTriedAgainAnIntervalLater) {
+TEST_F(Autosave, FailedWriteIsRetriedAfterAnInterval) {
   look(0.0);
   change("a");
   EXPECT_EQ(clock.look(1.0, 30.0, commands, document, 0), Deed::kNothing);

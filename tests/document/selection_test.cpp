@@ -11,7 +11,7 @@ constexpr PrimitiveId kA{1};
 constexpr PrimitiveId kB{2};
 constexpr PrimitiveId kC{3};
 
-TEST(Selection, TheLastPickedIsActive) {
+TEST(Selection, LastPickedIsActive) {
   Selection selection;
   EXPECT_FALSE(selection.active());
   selection.toggle(kA);
@@ -22,7 +22,7 @@ TEST(Selection, TheLastPickedIsActive) {
   EXPECT_FALSE(selection.contains(kB));
 }
 
-TEST(Selection, SetLeavesOnlyThatOne) {
+TEST(Selection, SetReplacesTheSelection) {
   Selection selection;
   selection.toggle(kA);
   selection.toggle(kB);
@@ -30,7 +30,7 @@ TEST(Selection, SetLeavesOnlyThatOne) {
   EXPECT_EQ(selection.primitives, std::vector<PrimitiveId>{kC});
 }
 
-TEST(Selection, ClearLetsGoOfTheBoneToo) {
+TEST(Selection, ClearAlsoDeselectsTheBone) {
   Selection selection;
   selection.toggle(kA);
   selection.bone = 3;

@@ -1,4 +1,4 @@
-// tests/document/shown_names_test.cpp: names without what all of them share.
+// tests/document/shown_names_test.cpp: names are shown without their common prefix and suffix.
 
 #include "app/document/shown_names.h"
 
@@ -22,22 +22,22 @@ Names withPrefix(const std::string& prefix, const Names& names) {
   return all;
 }
 
-TEST(ShownNames, LoseWhatAllShare) {
+TEST(ShownNames, OmitThePrefixSharedByAll) {
   const std::pair<Names, Names> rows[] = {
       {{"Armature|Armature|Walk", "Armature|Armature|Run"}, {"Walk", "Run"}},
       {{"mixamorig:Hips", "mixamorig:Spine"}, {"Hips", "Spine"}},
       {{"a/b/Hips", "a/b/Spine"}, {"Hips", "Spine"}},
       {{"Armature|Walk|baselayer", "Armature|Run|baselayer"}, {"Walk", "Run"}},
       {{"Rig|A|Walk", "Rig|B|Walk"}, {"A", "B"}},
-      // Part of a word is not shared.
+      // Part of a word is not dropped.
       {{"Armature|Walk", "Armature|Wave"}, {"Walk", "Wave"}},
       {{"Walk", "Wave"}, {"Walk", "Wave"}},
-      // One of them has it not.
+      // One name lacks the prefix.
       {{"root", "mixamorig:Hips"}, {"root", "mixamorig:Hips"}},
-      // Words of a name that few share.
+      // Words that few names share.
       {{"walk_fast", "walk_slow"}, {"walk_fast", "walk_slow"}},
       {{"Bone", "Bone.001"}, {"Bone", "Bone.001"}},
-      // One name alone.
+      // A single name.
       {{"Armature|Walk"}, {"Walk"}},
       {{"Armature|Walk|baselayer"}, {"Walk"}},
       {{"mixamo.com"}, {"mixamo.com"}},
@@ -52,7 +52,7 @@ TEST(ShownNames, LoseWhatAllShare) {
   for (const auto& [names, wanted] : rows) EXPECT_EQ(withoutSharedParts(names), wanted);
 }
 
-TEST(ShownNames, LoseAWordThatManyShareWhereALetterFollows) {
+TEST(ShownNames, OmitALeadingWordSharedByMost) {
   const Names bones{"Pelvis", "Spine", "Neck", "Head", "L Thigh", "R Thigh", "L Foot", "R Foot"};
   for (const char* prefix : {"Bip01_", "Bip01 ", "DEF-", "rig."}) {
     EXPECT_EQ(withoutSharedParts(withPrefix(prefix, bones)), bones) << prefix;
@@ -63,12 +63,12 @@ TEST(ShownNames, LoseAWordThatManyShareWhereALetterFollows) {
   EXPECT_EQ(withoutSharedParts(rooted).back(), "R Foot");
   const Names numbered = withPrefix("joint ", {"0", "1", "2", "3", "4", "5", "6", "7", "8"});
   EXPECT_EQ(withoutSharedParts(numbered), numbered);
-  // The root's name as one of the others': kept apart.
+  // Without the prefix two names would be equal: nothing is dropped.
   rooted.push_back("Bip01 Bip01");
   EXPECT_EQ(withoutSharedParts(rooted), rooted);
 }
 
-TEST(ShownNames, LoseAWordBehindThatManyShare) {
+TEST(ShownNames, OmitATrailingWordSharedByMost) {
   const Names bones{"Pelvis", "Spine", "Neck", "Head", "L Thigh", "R Thigh", "L Foot", "R Foot"};
   const auto with = [&](const std::string& prefix, const std::string& suffix) {
     Names all = withPrefix(prefix, bones);
@@ -79,14 +79,14 @@ TEST(ShownNames, LoseAWordBehindThatManyShare) {
     EXPECT_EQ(withoutSharedParts(with("", suffix)), bones) << suffix;
     EXPECT_EQ(withoutSharedParts(with("Bip01_", suffix)), bones) << suffix;
   }
-  // A word's own end is no suffix, nor is what one of them has not, nor what few share.
+  // The end of a word is no suffix, nor is one that a name lacks or that few share.
   const Names joined = with("", "Joint");
   EXPECT_EQ(withoutSharedParts(joined), joined);
   Names rooted = with("", "_Joint");
   rooted.push_back("root");
   EXPECT_EQ(withoutSharedParts(rooted), rooted);
   EXPECT_EQ(withoutSharedParts({"a_Joint", "b_Joint"}), (Names{"a_Joint", "b_Joint"}));
-  // Nothing but a number, or nothing at all, would be left.
+  // Only a number, or nothing, would be left.
   const Names numbered = [] {
     Names all;
     for (int i = 0; i < 9; ++i) all.push_back(std::to_string(i) + "_Joint");
@@ -96,7 +96,7 @@ TEST(ShownNames, LoseAWordBehindThatManyShare) {
   Names bare = with("", "_Joint");
   bare.push_back("_Joint");
   EXPECT_EQ(withoutSharedParts(bare), bare);
-  // The side is what tells two apart.
+  // Names that differ only in their side.
   const Names sides{"a_L", "b_L", "c_L", "d_L", "e_L", "f_L", "g_L", "h_L"};
   EXPECT_EQ(withoutSharedParts(sides).front(), "a");
 }
@@ -124,14 +124,14 @@ TEST(ShownNames, AreNeverEmptyNorAmbiguous) {
   }
 }
 
-TEST(ShownNames, TheClipThatTheEditorMadeTakesNoPart) {
+TEST(ShownNames, IgnoreTheGeneratedClip) {
   Character character = *test::makeLimb();
   character.clips = {{"Armature|Walk", 1.0f, {}, false}, {"Armature|Run", 1.0f, {}, false}, {"", 1.0f, {}, false}};
   character.clips.push_back({"Range of motion", 1.0f, {}, true});
   EXPECT_EQ(shownClipNames(character), (Names{"Walk", "Run", "clip 3", "Range of motion"}));
 }
 
-TEST(ShownNames, BonesByIndexAndByTheirNameInAFile) {
+TEST(ShownNames, BoneNamesAreFoundByIndexAndByFileName) {
   Character character = *test::makeLimb();
   for (Bone& bone : character.skeleton.bones) bone.name = "mixamorig:" + bone.name;
   finishBones(character.skeleton);
@@ -141,7 +141,7 @@ TEST(ShownNames, BonesByIndexAndByTheirNameInAFile) {
   EXPECT_EQ(shownBoneName(character.skeleton, -1), "");
 }
 
-TEST(ShownNames, OfCharactersNobodyHereMade) {
+TEST(ShownNames, RealCharactersHaveShortNames) {
   const auto robot = test::realCharacter("robot.glb");
   const auto cesium = test::realCharacter("cesium_man.gltf");
   if (!robot || !cesium) SINEW_SKIP_WITHOUT_CHARACTERS();

@@ -1,4 +1,4 @@
-// tests/document/symmetry_test.cpp: the command stack keeps twins, and every edit can be undone to the byte.
+// tests/document/symmetry_test.cpp: the command stack keeps twins in sync, and undo restores every edit byte for byte.
 
 #include <gtest/gtest.h>
 
@@ -73,7 +73,7 @@ Result<Rig> randomEdit(Random& random, const Document& document) {
   }
 }
 
-TEST(SymmetricEdits, TwoHundredAreTakenBackAndDoneAgainToTheByte) {
+TEST(SymmetricEdits, TwoHundredEditsUndoAndRedoByteForByte) {
   for (const std::uint64_t seed : {1u, 2u, 3u}) {
     Document document = legs();
     Random random(seed);
@@ -107,7 +107,7 @@ TEST(SymmetricEdits, TwoHundredAreTakenBackAndDoneAgainToTheByte) {
   }
 }
 
-TEST(SymmetricEdits, AnEditByAnyoneIsFollowedInTheSameStepUntilUnlinked) {
+TEST(SymmetricEdits, TwinFollowsInTheSameStepUntilUnlinked) {
   Document document = legs();
   Random random(4);
   Primitive thigh = muscle(random, document.character->skeleton);

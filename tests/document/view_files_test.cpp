@@ -1,4 +1,4 @@
-// tests/document/view_files_test.cpp: views of files: found again, never mixed up, never too many.
+// tests/document/view_files_test.cpp: stored views of files: found again, never confused, limited in number.
 
 #include "app/document/view_files.h"
 
@@ -41,7 +41,7 @@ class ViewFiles : public testing::Test {
   const fs::path views = folder / "state" / "views";
 };
 
-TEST_F(ViewFiles, EachFileHasItsOwnAndTheLastOneCounts) {
+TEST_F(ViewFiles, EachFileKeepsItsLatestView) {
   const fs::path a = made("a.rig.json"), b = made("b.rig.json");
   EXPECT_EQ(found(a), -1);
   keep(a, 1);
@@ -52,7 +52,7 @@ TEST_F(ViewFiles, EachFileHasItsOwnAndTheLastOneCounts) {
   EXPECT_EQ(files().size(), 2u);
 }
 
-TEST_F(ViewFiles, AFileIsTheSameByWhateverPath) {
+TEST_F(ViewFiles, DifferentPathsToAFileShareItsView) {
   const fs::path file = made("deep/a.rig.json");
   fs::create_directory_symlink(folder / "deep", folder / "link");
   keep(file, 5);
@@ -61,7 +61,7 @@ TEST_F(ViewFiles, AFileIsTheSameByWhateverPath) {
   EXPECT_EQ(found(made("a.rig.json")), -1) << "the same name in another folder";
 }
 
-TEST_F(ViewFiles, GarbageIsAsIfThereWereNothing) {
+TEST_F(ViewFiles, InvalidFileGivesNoView) {
   const fs::path file = made("a.rig.json");
   keep(file, 1);
   const fs::path kept = files().at(0);
@@ -75,8 +75,8 @@ TEST_F(ViewFiles, GarbageIsAsIfThereWereNothing) {
   EXPECT_EQ(found(file), -1);
 }
 
-// Two paths of one hash would share a place: the path inside says whose it is.
-TEST_F(ViewFiles, AnothersViewInTheSamePlaceIsNotTaken) {
+// Two paths with the same hash share a file name: the path stored inside identifies the owner.
+TEST_F(ViewFiles, ViewOfAnotherFileWithTheSameHashIsIgnored) {
   const fs::path a = made("a.rig.json"), b = made("b.rig.json");
   keep(a, 1);
   const fs::path ofA = files().at(0);
@@ -85,7 +85,7 @@ TEST_F(ViewFiles, AnothersViewInTheSamePlaceIsNotTaken) {
   EXPECT_EQ(found(b), -1);
 }
 
-TEST_F(ViewFiles, TheOldestGoAndForeignFilesStay) {
+TEST_F(ViewFiles, OldestViewsAreRemovedAndForeignFilesKept) {
   const fs::path first = made("first.rig.json");
   keep(first, 1);
   std::ofstream(views / "notes.json") << "mine";
@@ -101,13 +101,13 @@ TEST_F(ViewFiles, TheOldestGoAndForeignFilesStay) {
   EXPECT_TRUE(fs::exists(views / "0123456789abcdef.txt"));
 }
 
-TEST_F(ViewFiles, TheOneWrittenLongestAgoGoesFirst) {
+TEST_F(ViewFiles, LeastRecentlyWrittenViewIsRemovedFirst) {
   std::vector<fs::path> all;
   for (std::size_t i = 0; i < kMostViews; ++i) {
     all.push_back(folder / ("f" + std::to_string(i) + ".rig.json"));
     keep(all.back(), static_cast<int>(i));
   }
-  // By its contents: the one of all[7] becomes the oldest.
+  // Make the view of all[7] the oldest, found by its contents.
   for (const fs::path& view : files()) {
     std::ifstream stream(view);
     const std::string text{std::istreambuf_iterator<char>(stream), {}};
@@ -122,7 +122,7 @@ TEST_F(ViewFiles, TheOneWrittenLongestAgoGoesFirst) {
   EXPECT_EQ(files().size(), kMostViews);
 }
 
-TEST_F(ViewFiles, APlaceThatCannotBeWrittenIsAnError) {
+TEST_F(ViewFiles, UnwritableFolderIsAnError) {
   EXPECT_FALSE(storeView("/proc/sinew-test/views", made("a.rig.json"), Json::object()).ok());
   EXPECT_FALSE(loadView("/proc/sinew-test/views", folder / "a.rig.json").has_value());
 }

@@ -1,4 +1,4 @@
-// tests/document/visibility_test.cpp: eye, lock, solo and isolation, and what becomes of them when the rig changes.
+// tests/document/visibility_test.cpp: eye, lock, solo and isolation, also when the rig changes.
 
 #include "app/document/visibility.h"
 
@@ -17,8 +17,8 @@ Bone boneNamed(const std::string& name, int parent) {
   return bone;
 }
 
-/// hip, knee below it, arm apart; a muscle on each, one on a bone that is not there.
-class VisibilityTest : public testing::Test {
+/// Hip, knee below it, arm apart; a muscle on each, and one on a missing bone.
+class MuscleVisibility : public testing::Test {
  protected:
   void SetUp() override {
     skeleton.nodes.resize(3);
@@ -43,7 +43,7 @@ class VisibilityTest : public testing::Test {
   Visibility visibility;
 };
 
-TEST_F(VisibilityTest, BonesOfEachAreThoseThatFindBoneFinds) {
+TEST_F(MuscleVisibility, BonesOfMusclesMatchFindBone) {
   skeleton.bones.push_back(boneNamed("arm", 0));
   skeleton.nodes.resize(4);
   skeleton.bones.back().node = 3;
@@ -59,7 +59,7 @@ TEST_F(VisibilityTest, BonesOfEachAreThoseThatFindBoneFinds) {
   }
 }
 
-TEST_F(VisibilityTest, ABoneSpeaksForWhatIsOnItAndBelow) {
+TEST_F(MuscleVisibility, BoneMarkAppliesToItsMusclesAndDescendants) {
   EXPECT_TRUE(hidden().empty());
   visibility.setBone(Mark::kHidden, path(0), true);
   EXPECT_EQ(hidden(), (std::vector<int>{0, 1}));
@@ -72,7 +72,7 @@ TEST_F(VisibilityTest, ABoneSpeaksForWhatIsOnItAndBelow) {
   EXPECT_FALSE(isPickable(visibility, rig, skeleton, 2));
 }
 
-TEST_F(VisibilityTest, SoloLeavesItselfAlone) {
+TEST_F(MuscleVisibility, SoloHidesAllOthers) {
   visibility.setMuscle(Mark::kSolo, id(3), true);
   EXPECT_EQ(hidden(), (std::vector<int>{0, 1, 2}));
   visibility.setBone(Mark::kSolo, path(1), true);
@@ -81,14 +81,14 @@ TEST_F(VisibilityTest, SoloLeavesItselfAlone) {
   EXPECT_EQ(hidden(), (std::vector<int>{0, 1, 2}));
 }
 
-TEST_F(VisibilityTest, IsolationAndBareCutFurther) {
+TEST_F(MuscleVisibility, IsolationAndBareHideFurtherMuscles) {
   visibility.isolated = std::set<PrimitiveId>{id(0), id(2)};
   EXPECT_EQ(hidden(), (std::vector<int>{1, 3}));
   visibility.bare = true;
   EXPECT_EQ(hidden().size(), 4u);
 }
 
-TEST_F(VisibilityTest, MarksGoWithARenamedMuscleAndComeBackWithUndo) {
+TEST_F(MuscleVisibility, MarksFollowRenameAndUndo) {
   CommandStack commands(rig);
   visibility.setMuscle(Mark::kHidden, commands.rig().primitives[2].id(), true);
   commands.apply("Rename", renamePrimitive(commands.rig(), 2, "biceps").value());
@@ -98,7 +98,7 @@ TEST_F(VisibilityTest, MarksGoWithARenamedMuscleAndComeBackWithUndo) {
   EXPECT_EQ(hiddenPrimitives(visibility, commands.rig(), skeleton), (std::vector<int>{2}));
 }
 
-TEST_F(VisibilityTest, WhatUndoBringsBackIsAsItWasLeftAndANewOneOfTheNameIsSeen) {
+TEST_F(MuscleVisibility, UndoRestoresHiddenStateAndANewMuscleIsVisible) {
   CommandStack commands(rig);
   visibility.setMuscle(Mark::kHidden, commands.rig().primitives[3].id(), true);
   commands.apply("Delete", removePrimitives(commands.rig(), std::vector<int>{3}));
@@ -114,7 +114,7 @@ TEST_F(VisibilityTest, WhatUndoBringsBackIsAsItWasLeftAndANewOneOfTheNameIsSeen)
   EXPECT_TRUE(hiddenPrimitives(visibility, commands.rig(), skeleton).empty());
 }
 
-TEST_F(VisibilityTest, ANewMuscleIsSeenAmongTheIsolatedAndWhatUndoBringsBackStaysAway) {
+TEST_F(MuscleVisibility, NewMuscleJoinsTheIsolatedButUndoneDeletionsDoNot) {
   CommandStack commands(rig);
   welcomeNew(visibility, commands.rig(), skeleton);
   visibility.isolated = std::set<PrimitiveId>{commands.rig().primitives[0].id()};
@@ -131,7 +131,7 @@ TEST_F(VisibilityTest, ANewMuscleIsSeenAmongTheIsolatedAndWhatUndoBringsBackStay
   EXPECT_EQ(hiddenPrimitives(visibility, commands.rig(), skeleton), (std::vector<int>{1, 2, 3}));
 }
 
-TEST_F(VisibilityTest, SoloOfAMuscleThatUndoTookAwayHidesNothing) {
+TEST_F(MuscleVisibility, SoloOfAnUndoneMuscleHidesNothing) {
   CommandStack commands(rig);
   welcomeNew(visibility, commands.rig(), skeleton);
   visibility.setMuscle(Mark::kSolo, commands.rig().primitives[0].id(), true);
@@ -146,7 +146,7 @@ TEST_F(VisibilityTest, SoloOfAMuscleThatUndoTookAwayHidesNothing) {
   EXPECT_TRUE(hiddenPrimitives(visibility, commands.rig(), skeleton).empty());
 }
 
-TEST_F(VisibilityTest, ANewMuscleOnASoloedBoneNeedsNoMark) {
+TEST_F(MuscleVisibility, NewMuscleOnASoloedBoneNeedsNoMark) {
   CommandStack commands(rig);
   welcomeNew(visibility, commands.rig(), skeleton);
   visibility.setBone(Mark::kSolo, path(2), true);

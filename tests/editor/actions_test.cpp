@@ -1,4 +1,4 @@
-// tests/editor/actions_test.cpp: the action table is whole and without clashes.
+// tests/editor/actions_test.cpp: the action table is complete and free of conflicts.
 
 #include "app/editor/actions.h"
 
@@ -27,7 +27,7 @@ TEST(Actions, IdsAreUniqueAndBelongToAMenu) {
   }
 }
 
-TEST(Actions, EveryActionSaysWhatItIsAndWhatItDoes) {
+TEST(Actions, EveryActionHasLabelHintAndHandlers) {
   for (const Action& action : actions()) {
     EXPECT_FALSE(std::string(action.label).empty()) << action.id;
     EXPECT_FALSE(std::string(action.hint).empty()) << action.id;
@@ -43,7 +43,7 @@ TEST(Actions, EveryMenuHasEntries) {
   }
 }
 
-TEST(Actions, WithoutACharacterNothingThatNeedsOneRuns) {
+TEST(Actions, ActionsThatNeedACharacterDoNotRunWithoutOne) {
   EditorState state;
   for (const Action& action : actions()) {
     const std::string id = action.id;
@@ -55,7 +55,7 @@ TEST(Actions, WithoutACharacterNothingThatNeedsOneRuns) {
   EXPECT_TRUE(state.session.messages.empty());
 }
 
-TEST(Actions, WhatCannotRunSaysWhyInOneShortClause) {
+TEST(Actions, DisabledActionGivesAShortReason) {
   EditorState state;
   for (const Action& action : actions()) {
     const Possible possible = action.enabled(state);
@@ -68,7 +68,7 @@ TEST(Actions, WhatCannotRunSaysWhyInOneShortClause) {
   }
 }
 
-TEST(Actions, TheFirstReasonCounts) {
+TEST(Actions, FirstReasonWins) {
   EXPECT_TRUE(Possible());
   EXPECT_STREQ(Possible().reason(), "");
   EXPECT_STREQ(Possible(false, "a").also(false, "b").reason(), "a");
@@ -76,7 +76,7 @@ TEST(Actions, TheFirstReasonCounts) {
   EXPECT_TRUE(Possible(true, "a").also(true, "b"));
 }
 
-TEST(Actions, AKeyThatCanDoNothingNowSaysWhy) {
+TEST(Actions, ShortcutOfADisabledActionShowsItsReason) {
   EditorState state;
   RawInput input;
   input.pressedKey = kKeyZ;
@@ -86,7 +86,7 @@ TEST(Actions, AKeyThatCanDoNothingNowSaysWhy) {
   EXPECT_EQ(state.session.toast->text, "Undo: Open a character first");
 }
 
-TEST(Actions, ShortcutsAreReadWithTheirModifiers) {
+TEST(Actions, ShortcutsRequireTheirModifiers) {
   EXPECT_EQ(textOf({kKeyZ, true, true}), "Ctrl+Shift+Z");
   EXPECT_EQ(textOf({kSpace, false, false}), "Space");
   EditorState state;

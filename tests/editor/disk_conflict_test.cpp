@@ -1,4 +1,4 @@
-// tests/editor/disk_conflict_test.cpp: two windows on one rig: no version of it is written over unasked.
+// tests/editor/disk_conflict_test.cpp: two windows on one rig: no version is overwritten without consent.
 
 #include "app/editor/disk_conflict.h"
 
@@ -39,7 +39,7 @@ class DiskConflict : public testing::Test {
     ASSERT_TRUE(openFile(mine, rig));
     ASSERT_TRUE(openFile(theirs, rig));
   }
-  /// Both have worked, and they have saved.
+  /// Both windows edited the rig, and the other saved first.
   void theyWereFaster() {
     addMuscle(theirs, 1);
     ASSERT_TRUE(save(theirs, {}));
@@ -59,7 +59,7 @@ class DiskConflict : public testing::Test {
   EditorState theirs;
 };
 
-TEST_F(DiskConflict, SavingOverAnotherWindowsWorkAsks) {
+TEST_F(DiskConflict, SavingOverAnotherWindowsChangesPrompts) {
   theyWereFaster();
   const std::string before = bytesOf(rig);
   EXPECT_FALSE(save(mine, {}));
@@ -71,7 +71,7 @@ TEST_F(DiskConflict, SavingOverAnotherWindowsWorkAsks) {
   EXPECT_EQ(bytesOf(rig), before);
 }
 
-TEST_F(DiskConflict, BothCanBeKept) {
+TEST_F(DiskConflict, BothVersionsCanBeKept) {
   theyWereFaster();
   const std::string before = bytesOf(rig);
   ASSERT_FALSE(save(mine, {}));
@@ -84,7 +84,7 @@ TEST_F(DiskConflict, BothCanBeKept) {
   EXPECT_TRUE(save(mine, {})) << "the new file is this window's own";
 }
 
-TEST_F(DiskConflict, TheOtherVersionCanBeLoaded) {
+TEST_F(DiskConflict, OtherVersionCanBeLoaded) {
   theyWereFaster();
   ASSERT_FALSE(save(mine, {}));
   discardForDisk(mine);
@@ -94,7 +94,7 @@ TEST_F(DiskConflict, TheOtherVersionCanBeLoaded) {
   EXPECT_TRUE(save(mine, {}));
 }
 
-TEST_F(DiskConflict, OverwritingIsOneOfTheAnswersAndTheOtherWindowIsAskedInItsTurn) {
+TEST_F(DiskConflict, OverwritingIsPossibleAndThenPromptsInTheOtherWindow) {
   theyWereFaster();
   ASSERT_FALSE(save(mine, {}));
   saveOverDisk(mine);
@@ -103,7 +103,7 @@ TEST_F(DiskConflict, OverwritingIsOneOfTheAnswersAndTheOtherWindowIsAskedInItsTu
   EXPECT_FALSE(save(theirs, {}));
 }
 
-TEST_F(DiskConflict, WhatWaitedForTheSaveHappensAfterTheAnswerAndNotAfterCancel) {
+TEST_F(DiskConflict, PendingQuitContinuesAfterTheChoiceButNotAfterCancel) {
   theyWereFaster();
   ASSERT_FALSE(save(mine, {IntentKind::kQuit, {}}));
   leaveUnsaved(mine);
@@ -114,7 +114,7 @@ TEST_F(DiskConflict, WhatWaitedForTheSaveHappensAfterTheAnswerAndNotAfterCancel)
   EXPECT_TRUE(fs::exists(folder / "arm 2.rig.json"));
 }
 
-TEST_F(DiskConflict, DiscardingMineOnQuittingQuitsWithoutReading) {
+TEST_F(DiskConflict, DiscardOnQuitLeavesTheFileUntouched) {
   theyWereFaster();
   const std::string before = bytesOf(rig);
   ASSERT_FALSE(save(mine, {IntentKind::kQuit, {}}));
@@ -123,7 +123,7 @@ TEST_F(DiskConflict, DiscardingMineOnQuittingQuitsWithoutReading) {
   EXPECT_EQ(bytesOf(rig), before);
 }
 
-TEST_F(DiskConflict, AFileThatIsGoneIsAskedAboutAndCanBeWrittenAgain) {
+TEST_F(DiskConflict, DeletedFilePromptsAndCanBeWrittenAgain) {
   fs::remove(rig);
   addMuscle(mine, 0);
   EXPECT_FALSE(save(mine, {}));
@@ -133,7 +133,7 @@ TEST_F(DiskConflict, AFileThatIsGoneIsAskedAboutAndCanBeWrittenAgain) {
   EXPECT_EQ(musclesIn(rig), muscles(mine));
 }
 
-TEST_F(DiskConflict, TheContentDecidesNotTheDate) {
+TEST_F(DiskConflict, ComparesContentNotDate) {
   addMuscle(mine, 0);
   const std::string same = bytesOf(rig);
   std::ofstream(rig, std::ios::binary) << same;
@@ -148,7 +148,7 @@ TEST_F(DiskConflict, TheContentDecidesNotTheDate) {
   EXPECT_FALSE(save(mine, {})) << "changed without a new date";
 }
 
-TEST_F(DiskConflict, AChangeIsToldOnceBeforeAnyoneSaves) {
+TEST_F(DiskConflict, ExternalChangeIsReportedOnceBeforeSaving) {
   watchDisk(mine);
   EXPECT_TRUE(mine.session.messages.empty());
   addMuscle(theirs, 1);
@@ -170,9 +170,9 @@ TEST_F(DiskConflict, AChangeIsToldOnceBeforeAnyoneSaves) {
   EXPECT_NE(mine.session.messages[0].text.find("no longer on disk"), std::string::npos);
 }
 
-/// Windows edit and save in any order and answer anything but "overwrite": every version that was ever saved is still
-/// the content of a file, or was followed by a later one of a window that had seen it.
-TEST_F(DiskConflict, NoSaveReplacesContentThatItsWindowHasNotSeen) {
+/// Windows edit and save in random order and answer anything but "overwrite": every saved version remains the content
+/// of a file, or was replaced by a window that had seen it.
+TEST_F(DiskConflict, SaveNeverReplacesContentUnknownToItsWindow) {
   std::mt19937 random(11);
   std::array<EditorState*, 2> windows{&mine, &theirs};
   std::array<std::string, 2> seen{bytesOf(rig), bytesOf(rig)};

@@ -1,4 +1,4 @@
-// tests/editor/keymaps_test.cpp: in every keymap a key means one thing, and what the presets promise is so.
+// tests/editor/keymaps_test.cpp: a key has one meaning in every keymap, and the presets keep their promises.
 
 #include <gtest/gtest.h>
 
@@ -13,16 +13,20 @@
 #include "app/editor/actions.h"
 #include "app/ui/window.h"
 
+#define GLFW_INCLUDE_NONE
+
+
+
 namespace sinew::app {
 namespace {
 
 constexpr std::array kKeymaps{Keymap::kMaya, Keymap::kBlender};
 
-class InKeymap : public testing::TestWithParam<Keymap> {};
-INSTANTIATE_TEST_SUITE_P(All, InKeymap, testing::ValuesIn(kKeymaps),
+class EveryKeymap : public testing::TestWithParam<Keymap> {};
+INSTANTIATE_TEST_SUITE_P(All, EveryKeymap, testing::ValuesIn(kKeymaps),
                          [](const auto& tested) { return std::string(nameOf(tested.param)); });
 
-TEST_P(InKeymap, NoTwoActionsShareAKey) {
+TEST_P(EveryKeymap, NoTwoActionsShareAKey) {
   std::map<std::string, std::string> owners;
   for (const Action& action : actions()) {
     for (const Shortcut& shortcut : shortcutsOf(action, GetParam())) {
@@ -33,7 +37,7 @@ TEST_P(InKeymap, NoTwoActionsShareAKey) {
   }
 }
 
-TEST_P(InKeymap, EveryKeyHasANameThatCanBePrinted) {
+TEST_P(EveryKeymap, KeysHavePrintableNames) {
   for (const Action& action : actions()) {
     for (const Shortcut& shortcut : shortcutsOf(action, GetParam())) {
       const std::string text = textOf(shortcut);
@@ -43,7 +47,7 @@ TEST_P(InKeymap, EveryKeyHasANameThatCanBePrinted) {
   }
 }
 
-TEST_P(InKeymap, ChangesAreOfActionsThatExistEachOnce) {
+TEST_P(EveryKeymap, ChangesNameExistingActionsOnce) {
   std::set<std::string> changed;
   for (const KeyChange& change : changesOf(GetParam())) {
     EXPECT_TRUE(changed.insert(change.id).second) << change.id;
@@ -52,14 +56,14 @@ TEST_P(InKeymap, ChangesAreOfActionsThatExistEachOnce) {
   }
 }
 
-TEST_P(InKeymap, ASecondKeyOnlyBesideAFirst) {
+TEST_P(EveryKeymap, SecondKeyRequiresAFirst) {
   for (const Action& action : actions()) {
     const auto keys = shortcutsOf(action, GetParam());
     EXPECT_TRUE(keys[0].key != 0 || keys[1].key == 0) << action.id;
   }
 }
 
-/// By the keyboard, as the user would find out.
+/// Meaning found by pressing the key, as a user would.
 std::string meaningOf(const Shortcut& shortcut, Keymap keymap) {
   for (const Action& action : actions()) {
     const auto keys = shortcutsOf(action, keymap);
@@ -80,7 +84,7 @@ TEST(Keymaps, MayaHasToolsOnQWER) {
   EXPECT_EQ(meaningOf({GLFW_KEY_D, true, false, false}, Keymap::kMaya), "edit/duplicate");
 }
 
-TEST(Keymaps, BlenderHasGrabTurnAndSizeOnGRS) {
+TEST(Keymaps, BlenderHasGrabRotateAndScaleOnGRS) {
   const auto plain = [](int key) { return meaningOf({key, false, false, false}, Keymap::kBlender); };
   EXPECT_EQ(plain(GLFW_KEY_G), "tool/grab");
   EXPECT_EQ(plain(GLFW_KEY_R), "tool/turn");
@@ -95,7 +99,7 @@ TEST(Keymaps, BlenderHasGrabTurnAndSizeOnGRS) {
   EXPECT_EQ(meaningOf({GLFW_KEY_A, false, false, true}, Keymap::kBlender), "edit/select-none");
 }
 
-TEST(Keymaps, PaletteSheetAndFilesAreWhereTheyAreInBoth) {
+TEST(Keymaps, CommonShortcutsAreTheSameInBoth) {
   for (const Keymap keymap : kKeymaps) {
     EXPECT_EQ(meaningOf({GLFW_KEY_P, true, false, false}, keymap), "help/palette");
     EXPECT_EQ(meaningOf({GLFW_KEY_F1, false, false, false}, keymap), "help/keys");
@@ -105,7 +109,7 @@ TEST(Keymaps, PaletteSheetAndFilesAreWhereTheyAreInBoth) {
   }
 }
 
-TEST(Keymaps, TheChosenOneDecidesWhatAKeyDoes) {
+TEST(Keymaps, ActiveKeymapDecidesWhatAKeyDoes) {
   EditorState state;
   RawInput input;
   input.pressedKey = GLFW_KEY_F3;
@@ -115,7 +119,7 @@ TEST(Keymaps, TheChosenOneDecidesWhatAKeyDoes) {
   EXPECT_TRUE(state.dialogs.palette.shown);
 }
 
-TEST(Keymaps, ModifiersBelongToTheKey) {
+TEST(Keymaps, ExtraModifiersDoNotMatch) {
   EditorState state;
   RawInput input;
   input.pressedKey = GLFW_KEY_F1;
@@ -126,7 +130,7 @@ TEST(Keymaps, ModifiersBelongToTheKey) {
   EXPECT_TRUE(state.dialogs.keySheet);
 }
 
-TEST(KeyMeaning, LettersAndPunctuationAreWhatIsPrintedOnTheKey) {
+TEST(KeyMeaning, LettersAndPunctuationFollowTheLayout) {
   EXPECT_EQ(keyMeaning(GLFW_KEY_Q, "a"), GLFW_KEY_A);          // AZERTY
   EXPECT_EQ(keyMeaning(GLFW_KEY_SEMICOLON, "m"), GLFW_KEY_M);  // AZERTY
   EXPECT_EQ(keyMeaning(GLFW_KEY_M, ","), GLFW_KEY_COMMA);      // AZERTY
@@ -134,7 +138,7 @@ TEST(KeyMeaning, LettersAndPunctuationAreWhatIsPrintedOnTheKey) {
   EXPECT_EQ(keyMeaning(GLFW_KEY_A, "A"), GLFW_KEY_A);
 }
 
-TEST(KeyMeaning, DigitsFunctionKeysAndOtherScriptsKeepTheirPlace) {
+TEST(KeyMeaning, DigitsFunctionKeysAndOtherScriptsFollowThePhysicalKey) {
   EXPECT_EQ(keyMeaning(GLFW_KEY_1, "&"), GLFW_KEY_1);         // AZERTY: digits with Shift only.
   EXPECT_EQ(keyMeaning(GLFW_KEY_6, "-"), GLFW_KEY_6);         // AZERTY
   EXPECT_EQ(keyMeaning(GLFW_KEY_Q, "\xd0\xb9"), GLFW_KEY_Q);  // Cyrillic

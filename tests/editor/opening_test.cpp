@@ -1,4 +1,4 @@
-// tests/editor/opening_test.cpp: what a character that was made elsewhere looks like when it is opened.
+// tests/editor/opening_test.cpp: opening a character made elsewhere.
 
 #include <gtest/gtest.h>
 
@@ -24,7 +24,7 @@ namespace fs = std::filesystem;
 
 constexpr int kHip = 0, kKnee = 1, kTarget = 2, kPole = 3, kEnd = 4;  ///< Bones of the post.
 
-/// The post with three joints that no skin follows: a target with a pole on it, and the knee's end.
+/// The post with three joints without skin: a target with a pole, and the knee's end.
 test::Post postWithHelpers() {
   test::Post post = test::makePost();
   auto& json = post.file.json;
@@ -89,7 +89,7 @@ class Opening : public testing::Test {
   EditorState state;
 };
 
-TEST_F(Opening, AWalkPlaysThoughADeathStandsFirst) {
+TEST_F(Opening, WalkPlaysEvenIfADeathIsFirst) {
   test::Post post = test::makePost();
   auto& clips = post.file.json["animations"];
   clips[0]["name"] = "Armature|Death";
@@ -101,7 +101,7 @@ TEST_F(Opening, AWalkPlaysThoughADeathStandsFirst) {
   EXPECT_TRUE(state.open.transport.playing);
 }
 
-TEST_F(Opening, HelperBonesAreLeftOutUntilTheyAreAskedFor) {
+TEST_F(Opening, HelperBonesAreHiddenByDefault) {
   openPost();
   EXPECT_EQ(hidden(), (std::vector<int>{kTarget, kPole, kEnd}));
   EXPECT_EQ(bonesInTree(), (std::vector<int>{kHip, kKnee}));
@@ -112,7 +112,7 @@ TEST_F(Opening, HelperBonesAreLeftOutUntilTheyAreAskedFor) {
   EXPECT_EQ(bonesInTree(), (std::vector<int>{kHip, kTarget, kPole}));
 }
 
-TEST_F(Opening, AHelperWithAMuscleASelectedAndATurnedOneAreShown) {
+TEST_F(Opening, HelperBonesInUseAreShown) {
   openPost();
   addMuscle(state, kPole);
   EXPECT_EQ(hidden(), (std::vector<int>{kTarget, kEnd}));
@@ -125,7 +125,7 @@ TEST_F(Opening, AHelperWithAMuscleASelectedAndATurnedOneAreShown) {
   EXPECT_EQ(hidden(), (std::vector<int>{kEnd}));
 }
 
-// A bone keeps its length where its end is hidden, and draws no line to a target.
+// A bone keeps its length if its end is hidden, and draws no line to a target.
 TEST_F(Opening, HiddenBonesAreNeitherDrawnNorPicked) {
   openPost();
   state.open.transport.clip = -1;
@@ -152,7 +152,7 @@ TEST_F(Opening, HiddenBonesAreNeitherDrawnNorPicked) {
   }
 }
 
-TEST_F(Opening, TheChildJointIsOneThatIsSeen) {
+TEST_F(Opening, SelectChildJointSkipsHiddenBones) {
   openPost();
   state.document.selection.bone = kHip;
   selectChildJoint(state);
@@ -164,7 +164,7 @@ TEST_F(Opening, TheChildJointIsOneThatIsSeen) {
   EXPECT_EQ(state.document.selection.bone, kEnd);
 }
 
-TEST_F(Opening, AMissingCharacterIsAskedForAndTheOpenDocumentStays) {
+TEST_F(Opening, MissingCharacterPromptsAndTheOpenDocumentStays) {
   write("other.glb", test::makePost());
   write("moved.glb", test::makePost());
   writeRig("lost.rig.json", "gone/post.glb");
@@ -190,8 +190,8 @@ TEST_F(Opening, AMissingCharacterIsAskedForAndTheOpenDocumentStays) {
   EXPECT_TRUE(openDocument(folder / "lost.rig.json").ok());
 }
 
-// An absolute path is kept as typed otherwise (document.cpp); here it is what was wrong.
-TEST_F(Opening, AMissingAbsolutePathIsReplacedToo) {
+// An absolute path is normally kept as typed (document.cpp); here it was the broken one.
+TEST_F(Opening, MissingAbsolutePathIsReplaced) {
   write("moved.glb", test::makePost());
   writeRig("lost.rig.json", (folder / "gone.glb").string());
   EXPECT_EQ(openWithCharacter(state, folder / "lost.rig.json", folder / "moved.glb"), "");
@@ -199,7 +199,7 @@ TEST_F(Opening, AMissingAbsolutePathIsReplacedToo) {
   EXPECT_EQ(loadRig(folder / "lost.rig.json")->character, "moved.glb");
 }
 
-TEST_F(Opening, WhatElseIsMissingOrWrongIsAMessage) {
+TEST_F(Opening, OtherProblemsAreMessages) {
   test::Post post = test::makePost();
   ASSERT_TRUE(writeFileAtomically(folder / "post.gltf", post.file.gltfWithBufferAt("gone.bin")).ok());
   ASSERT_TRUE(writeFileAtomically(folder / "text.glb", "no character").ok());
@@ -214,14 +214,14 @@ TEST_F(Opening, WhatElseIsMissingOrWrongIsAMessage) {
     EXPECT_NE(state.session.messages.back().text.find(name), std::string::npos) << state.session.messages.back().text;
   }
   EXPECT_NE(state.session.messages.front().text.find("gone.bin"), std::string::npos);
-  // A folder of the character's name cannot be read.
+  // A folder named like the character cannot be read.
   fs::create_directory(folder / "folder.glb");
   writeRig("folder.rig.json", "folder.glb");
   EXPECT_FALSE(openFile(state, folder / "folder.rig.json"));
   EXPECT_FALSE(state.dialogs.locate.rigFile.empty());
 }
 
-TEST_F(Opening, ADamagedFileIsToldInPlainWords) {
+TEST_F(Opening, DamagedFileIsReportedInPlainLanguage) {
   writeRig("limb.rig.json", "post.glb");
   write("post.glb", test::makePost());
   const std::string whole = readWholeFile(folder / "limb.rig.json", 1 << 20).value();
@@ -255,7 +255,7 @@ TEST_F(Opening, ADamagedFileIsToldInPlainWords) {
   EXPECT_FALSE(openFile(state, folder / "broken.gltf"));
   EXPECT_TRUE(state.session.messages.back().text.starts_with("broken.gltf is damaged or not a character: line 1"))
       << state.session.messages.back().text;
-  // What is no question of syntax is told as before.
+  // Errors other than syntax errors are reported as before.
   ASSERT_TRUE(writeFileAtomically(folder / "limb.rig.json", std::string("[1, 2]")).ok());
   EXPECT_FALSE(openFile(state, folder / "limb.rig.json"));
   EXPECT_EQ(state.session.messages.back().text.find("damaged"), std::string::npos);

@@ -1,4 +1,4 @@
-// tests/editor/picture_commands_test.cpp: where pictures go.
+// tests/editor/picture_commands_test.cpp: destinations of pictures.
 
 #include "app/editor/picture_commands.h"
 
@@ -42,7 +42,7 @@ class PictureCommands : public testing::Test {
   EditorState state_;
 };
 
-TEST_F(PictureCommands, TheUsersFolderForPicturesIsFound) {
+TEST_F(PictureCommands, UsersPicturesFolderIsFound) {
   EXPECT_EQ(picturesFolder(), home_);
   fs::create_directories(home_ / "Pictures");
   EXPECT_EQ(picturesFolder(), home_ / "Pictures");
@@ -56,14 +56,14 @@ TEST_F(PictureCommands, TheUsersFolderForPicturesIsFound) {
   EXPECT_EQ(picturesFolder(), home_ / "Pictures");
 }
 
-TEST_F(PictureCommands, ADirectSaveNeverTakesAUsedName) {
+TEST_F(PictureCommands, DirectSaveNeverReusesAName) {
   savePictureNow(state_);
   ASSERT_TRUE(state_.session.pictureWanted);
   const fs::path first = *state_.session.pictureWanted;
   EXPECT_EQ(first.parent_path(), home_);
   EXPECT_TRUE(first.filename().string().starts_with("fox-2")) << first;
   EXPECT_EQ(first.extension(), ".png");
-  // Two in one second: the clock may also have moved on between them.
+  // At least two within one second: the clock may advance between them.
   for (int i = 0; i < 3; ++i) {
     savePictureNow(state_);
     EXPECT_FALSE(fs::exists(*state_.session.pictureWanted));
@@ -71,7 +71,7 @@ TEST_F(PictureCommands, ADirectSaveNeverTakesAUsedName) {
   }
 }
 
-TEST_F(PictureCommands, TheDialogBeginsWhereTheLastPictureWent) {
+TEST_F(PictureCommands, DialogStartsInTheLastPictureFolder) {
   showPictureDialog(state_);
   EXPECT_EQ(state_.dialogs.file.kind, DialogKind::kSavePicture);
   EXPECT_EQ(state_.dialogs.file.folder, home_);

@@ -1,4 +1,4 @@
-// tests/editor/session_test.cpp: from one start of the editor to the next, after a clean end and after a crash.
+// tests/editor/session_test.cpp: state kept from one session to the next, after a clean exit and after a crash.
 
 #include "app/editor/session.h"
 
@@ -44,7 +44,7 @@ class Session : public testing::Test {
   const fs::path folder = own.path();
 };
 
-TEST_F(Session, WhatWasSetIsThereAtTheNextStart) {
+TEST_F(Session, SettingsAreRestoredAtTheNextStart) {
   EditorState first;
   SessionKeeper one = keeper();
   one.start(first);
@@ -68,7 +68,7 @@ TEST_F(Session, WhatWasSetIsThereAtTheNextStart) {
   EXPECT_TRUE(second.session.messages.empty());
 }
 
-TEST_F(Session, DamagedPreferencesAreAMessageAndDefaults) {
+TEST_F(Session, DamagedPreferencesGiveAMessageAndDefaults) {
   std::ofstream(folder / "preferences.json") << "{ broken";
   EditorState state;
   keeper().start(state);
@@ -79,7 +79,7 @@ TEST_F(Session, DamagedPreferencesAreAMessageAndDefaults) {
   EXPECT_TRUE(fs::exists(folder / "preferences.json.bad"));
 }
 
-TEST_F(Session, FilesOfTwoEditorsAreAllRemembered) {
+TEST_F(Session, RecentFilesOfTwoEditorsAreMerged) {
   EditorState first;
   EditorState second;
   SessionKeeper one = keeper();
@@ -107,7 +107,7 @@ TEST_F(Session, TwoWindowsKeepEachOthersSettings) {
   second.session.preferences.keymap = Keymap::kBlender;
   two.tick(second, 0.0, kPlace);
   two.tick(second, 2.0, kPlace);
-  first.view.layout.left = 333.0f;  // It has never heard of the keymap, nor of the other file.
+  first.view.layout.left = 333.0f;  // It knows neither the keymap nor the other file.
   one.tick(first, 3.0, kPlace);
   one.tick(first, 5.0, kPlace);
   second.view.layout.left = 264.0f;
@@ -118,7 +118,7 @@ TEST_F(Session, TwoWindowsKeepEachOthersSettings) {
   EXPECT_EQ(onDisk().recentFiles, (std::vector<fs::path>{folder / "lizard.glb", folder / "other.glb"}));
 }
 
-TEST_F(Session, WorkOfTwoWindowsOnOneRigIsLeftTwice) {
+TEST_F(Session, TwoWindowsOnOneRigLeaveTwoRecoveryFiles) {
   {
     EditorState first;
     EditorState second;
@@ -144,7 +144,7 @@ TEST_F(Session, WorkOfTwoWindowsOnOneRigIsLeftTwice) {
   EXPECT_EQ(muscles, (std::vector<int>{1, 2}));
 }
 
-TEST_F(Session, RecoveredWorkAsksBeforeItGoesOverWhatWasSavedSince) {
+TEST_F(Session, SavingRecoveredWorkPromptsIfTheFileChangedSince) {
   {
     EditorState lost;
     SessionKeeper one = keeper();
@@ -170,7 +170,7 @@ TEST_F(Session, RecoveredWorkAsksBeforeItGoesOverWhatWasSavedSince) {
   EXPECT_EQ(state.dialogs.conflict.found, OnDisk::kChanged);
 }
 
-TEST_F(Session, SavingElsewhereRemembersTheNewFileAndSamplesAreNotRemembered) {
+TEST_F(Session, SaveAsRemembersTheNewFileButSamplesAreNotRemembered) {
   EditorState state;
   SessionKeeper one = keeper();
   one.start(state);
@@ -182,7 +182,7 @@ TEST_F(Session, SavingElsewhereRemembersTheNewFileAndSamplesAreNotRemembered) {
   EXPECT_EQ(state.session.preferences.recentFiles, std::vector<fs::path>{folder / "mine.rig.json"});
 }
 
-TEST_F(Session, AfterACrashTheWorkIsOfferedAndRecoveredItIsSafeAgain) {
+TEST_F(Session, CrashedWorkIsOfferedAndProtectedOnceRecovered) {
   {
     EditorState lost;
     SessionKeeper one = keeper();
@@ -207,7 +207,7 @@ TEST_F(Session, AfterACrashTheWorkIsOfferedAndRecoveredItIsSafeAgain) {
   EXPECT_FALSE(fs::exists(left));
   EXPECT_FALSE(state.session.recovered.has_value());
   {
-    EditorState third;  // Beside it: nothing to be offered, the work has a living owner.
+    EditorState third;  // A second instance: nothing to recover, since the owner of the work is alive.
     keeper().start(third);
     EXPECT_FALSE(third.dialogs.recovery);
   }
@@ -232,7 +232,7 @@ TEST_F(Session, SavedWorkIsNotOffered) {
   EXPECT_FALSE(next.dialogs.recovery);
 }
 
-TEST_F(Session, ASaveThatFailsPutsTheWorkIntoTheRecoveryFileAtOnce) {
+TEST_F(Session, FailedSaveWritesTheRecoveryFileImmediately) {
   fs::create_directory(folder / "taken.rig.json");
   Rig unsaved;
   {
@@ -249,7 +249,7 @@ TEST_F(Session, ASaveThatFailsPutsTheWorkIntoTheRecoveryFileAtOnce) {
     EXPECT_EQ(filesOfRecovery(), 1U);
     unsaved = lost.document.rig();
     change(lost);
-    one.tick(lost, 101.0, kPlace);  // From here on every interval again: this change is not in the file yet.
+    one.tick(lost, 101.0, kPlace);  // From here on at every interval: this change is not in the file yet.
   }
   const std::vector<LeftBehind> left = findLeftBehind(folder / "recovery");
   ASSERT_EQ(left.size(), 1U);
@@ -259,7 +259,7 @@ TEST_F(Session, ASaveThatFailsPutsTheWorkIntoTheRecoveryFileAtOnce) {
   EXPECT_EQ(recovered->rig(), unsaved);
 }
 
-TEST_F(Session, WhereNothingIsUnsavedAFailedSaveLeavesNothing) {
+TEST_F(Session, FailedSaveOfUnmodifiedWorkWritesNoRecoveryFile) {
   EditorState state;
   SessionKeeper one = keeper();
   one.start(state);
@@ -273,7 +273,7 @@ TEST_F(Session, WhereNothingIsUnsavedAFailedSaveLeavesNothing) {
   EXPECT_EQ(filesOfRecovery(), 0U) << "what is changed later waits for its interval";
 }
 
-TEST_F(Session, DiscardedWorkIsGone) {
+TEST_F(Session, DiscardedWorkIsRemoved) {
   {
     EditorState lost;
     SessionKeeper one = keeper();
@@ -281,7 +281,7 @@ TEST_F(Session, DiscardedWorkIsGone) {
     open(lost, "lizard.glb");
     change(lost);
     one.tick(lost, 0.0, kPlace);
-    lost.open.transport.clip = -1;  // Another clip writes at once.
+    lost.open.transport.clip = -1;  // Selecting another clip writes at once.
     one.tick(lost, 0.1, kPlace);
   }
   EditorState state;
@@ -293,7 +293,7 @@ TEST_F(Session, DiscardedWorkIsGone) {
   EXPECT_TRUE(findLeftBehind(folder / "recovery").empty());
 }
 
-TEST_F(Session, APlaceThatCannotBeWrittenIsToldAndTheEditorGoesOn) {
+TEST_F(Session, UnwritablePathsAreReportedAndTheEditorContinues) {
   EditorState state;
   SessionKeeper one("/proc/sinew-test/preferences.json", "/proc/sinew-test/recovery");
   one.start(state);
@@ -305,7 +305,7 @@ TEST_F(Session, APlaceThatCannotBeWrittenIsToldAndTheEditorGoesOn) {
   one.finish(state, kPlace);
 }
 
-TEST(Samples, AreThereWithNiceNamesEachOnce) {
+TEST(Samples, HaveReadableUniqueNames) {
   const std::vector<Sample> all = samples();
   const auto lizard = std::ranges::find(all, "Lizard", &Sample::name);
   ASSERT_NE(lizard, all.end());
@@ -320,7 +320,7 @@ TEST(Samples, AreThereWithNiceNamesEachOnce) {
   EXPECT_FALSE(isSample(""));
 }
 
-TEST_F(Session, JumpingSelectsAndWhatIsNotThereDoesNothing) {
+TEST_F(Session, JumpSelectsAndIgnoresMissingNames) {
   EditorState state;
   open(state, "lizard.glb");
   state.frame.viewportPixels = {800, 600};

@@ -1,4 +1,4 @@
-// tests/editor/step_names_test.cpp: the history says what each step changed, and new groups ask for their name.
+// tests/editor/step_names_test.cpp: history names of steps, and name fields of new groups.
 
 #include <gtest/gtest.h>
 
@@ -25,7 +25,7 @@ struct StepNames : HeadlessEditor {
   [[nodiscard]] std::string last() const { return state.document.commands.label(steps()); }
 };
 
-TEST_F(StepNames, AFieldNamesTheMuscle) {
+TEST_F(StepNames, FieldEditsNameTheMuscle) {
   const auto expect = [&](const std::string& number) {
     EXPECT_TRUE(last().starts_with(number + " ") && last().ends_with(" on biceps")) << last();
   };
@@ -39,9 +39,9 @@ TEST_F(StepNames, AFieldNamesTheMuscle) {
   EXPECT_EQ(last(), "Carve with biceps");
 }
 
-TEST_F(StepNames, ANumberThatChangedIsNamedWithBothValues) {
+TEST_F(StepNames, TypedNumberIsNamedWithBothValues) {
   const auto typed = [&](const std::string& id, const std::string& text) {
-    ImGui::GetIO().DeltaTime = 1.0f;  // Later: two double clicks, not four clicks.
+    ImGui::GetIO().DeltaTime = 1.0f;  // Later, so that clicks count as two double clicks, not as four clicks.
     frame();
     ImGui::GetIO().DeltaTime = 1.0f / 60.0f;
     doubleClick(id);
@@ -66,7 +66,7 @@ TEST_F(StepNames, ANumberThatChangedIsNamedWithBothValues) {
   EXPECT_EQ(last(), "Reach 1.750 to 2.000 on 3 muscles");
 }
 
-TEST_F(StepNames, SeveralAreCounted) {
+TEST_F(StepNames, SeveralMusclesAreCounted) {
   selectAll(state.document);
   settle();
   Rig rig = state.document.rig();
@@ -81,14 +81,14 @@ TEST_F(StepNames, SeveralAreCounted) {
   EXPECT_EQ(last(), "Delete 3 muscles");
 }
 
-TEST_F(StepNames, AddingNamesWhatIsAdded) {
+TEST_F(StepNames, AddNamesTheNewMuscle) {
   addMuscle(state, 3);
   EXPECT_EQ(last(), "Add " + state.document.activeName());
   duplicateSelection(state);
   EXPECT_TRUE(last().starts_with("Duplicate ")) << last();
 }
 
-TEST_F(StepNames, ANewGroupAsksForItsNameWhereGroupsAreListed) {
+TEST_F(StepNames, NewGroupIsRenamedInTheGroupList) {
   ASSERT_EQ(state.view.outliner.tab, LeftTab::kMuscles);
   groupSelection(state);
   EXPECT_EQ(last(), "Group biceps");

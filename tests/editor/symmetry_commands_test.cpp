@@ -1,4 +1,4 @@
-// tests/editor/symmetry_commands_test.cpp: twins, selecting many and the clipboard, by buttons and by keys' commands.
+// tests/editor/symmetry_commands_test.cpp: twins, multiple selection and the clipboard, through buttons and shortcuts.
 
 #include "app/editor/symmetry_commands.h"
 
@@ -11,7 +11,7 @@
 namespace sinew::app {
 namespace {
 
-/// The bundled character with a pair on its thighs and one muscle in the middle.
+/// The bundled character with a pair of muscles on its thighs and one in the middle.
 struct SymmetryCommands : HeadlessEditor {
   void SetUp() override {
     HeadlessEditor::SetUp();
@@ -31,7 +31,7 @@ struct SymmetryCommands : HeadlessEditor {
   std::string name;
 };
 
-TEST_F(SymmetryCommands, TheInspectorShowsTheTwinAndUnlinksIt) {
+TEST_F(SymmetryCommands, InspectorShowsTheTwinAndUnlinksIt) {
   EXPECT_TRUE(shown("inspector/twin"));
   click("inspector/unlink");
   EXPECT_EQ(rig().primitives[0].mirror, "");
@@ -43,7 +43,7 @@ TEST_F(SymmetryCommands, TheInspectorShowsTheTwinAndUnlinksIt) {
   EXPECT_EQ(twinOf(rig(), 0), 1);
 }
 
-TEST_F(SymmetryCommands, SymmetryIsAButtonAndDecidesWhatDeletingTakes) {
+TEST_F(SymmetryCommands, SymmetryButtonDecidesWhetherDeleteIncludesTheTwin) {
   click("toolstrip/symmetry");
   EXPECT_FALSE(state.document.symmetry);
   EXPECT_EQ(editedIndices(state.document), std::vector<int>{0});
@@ -55,7 +55,7 @@ TEST_F(SymmetryCommands, SymmetryIsAButtonAndDecidesWhatDeletingTakes) {
   EXPECT_EQ(rig().primitives.size(), 2u);
 }
 
-TEST_F(SymmetryCommands, DuplicatesAndPastesPairsAndSelectsTheCopies) {
+TEST_F(SymmetryCommands, DuplicateAndPasteKeepPairsAndSelectTheCopies) {
   duplicateSelection(state);
   ASSERT_EQ(rig().primitives.size(), 4u);
   EXPECT_EQ(twinOf(rig(), 2), 3);
@@ -74,14 +74,14 @@ TEST_F(SymmetryCommands, DuplicatesAndPastesPairsAndSelectsTheCopies) {
   EXPECT_EQ(rig().primitives.size(), 4u);
 }
 
-TEST_F(SymmetryCommands, ARenamedPairStaysAPairOfNames) {
+TEST_F(SymmetryCommands, RenamedPairKeepsMatchingNames) {
   EXPECT_TRUE(rename(state, idOf(state.document, name), "quad L"));
   EXPECT_EQ(rig().primitives[1].name, "quad R");
   EXPECT_EQ(state.document.activeName(), "quad L");
   EXPECT_EQ(state.document.commands.label(state.document.commands.position()), "Rename " + name);
 }
 
-TEST_F(SymmetryCommands, SelectsAllInvertsAndGoesToTheTwin) {
+TEST_F(SymmetryCommands, SelectTwinInvertAllAndOnBoneWork) {
   selectTwins(state.document);
   EXPECT_EQ(state.document.activeName(), rig().primitives[1].name);
   invertSelection(state.document);

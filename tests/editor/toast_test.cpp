@@ -1,4 +1,4 @@
-// tests/editor/toast_test.cpp: what is said of an edit, how long, and how often.
+// tests/editor/toast_test.cpp: toasts after edits: text, duration and frequency.
 
 #include "app/editor/editor_state.h"
 
@@ -15,7 +15,7 @@
 namespace sinew::app {
 namespace {
 
-TEST(Toast, IsFullyShownThenFadesThenIsGone) {
+TEST(Toast, IsOpaqueThenFadesThenDisappears) {
   const Toast toast{"Saved arm.rig.json", false, 100.0};
   float before = 1.0f;
   bool faded = false;
@@ -30,7 +30,7 @@ TEST(Toast, IsFullyShownThenFadesThenIsGone) {
   EXPECT_EQ(before, 0.0f);
 }
 
-TEST(Toast, WakingWhenItAsksToSeesItGoAndIsNeverAskedForAfterwards) {
+TEST(Toast, RequestedWakeUpsShowItUntilItIsGone) {
   for (const char* text :
        {"", "Saved", "Muscle \"biceps L\", radius Y: expected a number > 0, got -1, and so on and on"}) {
     for (const bool refusal : {false, true}) {
@@ -49,7 +49,7 @@ TEST(Toast, WakingWhenItAsksToSeesItGoAndIsNeverAskedForAfterwards) {
   }
 }
 
-TEST(Toast, ARefusalStaysLonger) {
+TEST(Toast, RefusalStaysLonger) {
   double now = 0.0;
   const Toast done{"text", false, 0.0};
   const Toast refused{"text", true, 0.0};
@@ -57,7 +57,7 @@ TEST(Toast, ARefusalStaysLonger) {
   EXPECT_EQ(opacity(refused, now), 1.0f);
 }
 
-class Said : public testing::Test {
+class EditorMessages : public testing::Test {
  protected:
   void SetUp() override {
     ASSERT_TRUE(openFile(state, std::filesystem::path(SINEW_SOURCE_DIR) / "assets" / "demo.glb"));
@@ -69,7 +69,7 @@ class Said : public testing::Test {
   EditorState state;
 };
 
-TEST_F(Said, UndoAndRedoSayWhat) {
+TEST_F(EditorMessages, UndoAndRedoNameTheStep) {
   addMuscle(state, 0);
   const std::string label = state.document.commands.label(1);
   undo(state);
@@ -82,13 +82,13 @@ TEST_F(Said, UndoAndRedoSayWhat) {
   EXPECT_EQ(toast(), "") << "nothing was redone";
 }
 
-TEST_F(Said, SavingNamesTheFile) {
+TEST_F(EditorMessages, SavingNamesTheFile) {
   const test::TemporaryFolder folder;
   ASSERT_EQ(saveTo(state, folder.path() / "arm.rig.json"), "");
   EXPECT_EQ(toast(), "Saved arm.rig.json");
 }
 
-TEST_F(Said, ADragThatIsRefusedInEveryFrameIsOneMessage) {
+TEST_F(EditorMessages, DragRefusedInEveryFrameIsOneMessage) {
   addMuscle(state, 0);
   Placement flat = state.document.rig().primitives[0].placement;
   flat.radii.y = -1.0f;
@@ -105,7 +105,7 @@ TEST_F(Said, ADragThatIsRefusedInEveryFrameIsOneMessage) {
   EXPECT_FALSE(state.session.messagesShown);
 }
 
-TEST_F(Said, MessagesCountRepeatsAndTheLastSaidIsTheNewest) {
+TEST_F(EditorMessages, RepeatedMessageIsCountedAndMovesToTheEnd) {
   addMessage(state.session, MessageKind::kNote, "a");
   addMessage(state.session, MessageKind::kNote, "b");
   addMessage(state.session, MessageKind::kNote, "a");
@@ -116,7 +116,7 @@ TEST_F(Said, MessagesCountRepeatsAndTheLastSaidIsTheNewest) {
   EXPECT_EQ(state.session.messages.size(), 3u) << "another kind is another message";
 }
 
-TEST_F(Said, WhatWasSaidOfADocumentGoesWithItAndOfTheProgramStays) {
+TEST_F(EditorMessages, OpeningADocumentClearsOnlyDocumentMessages) {
   addMessage(state.session, MessageKind::kWarning, "of the document");
   addMessage(state.session, MessageKind::kWarning, "of the program", MessageAbout::kProgram);
   const test::TemporaryFolder folder;

@@ -1,4 +1,4 @@
-// tests/editor/view_memory_test.cpp: a file opened again looks as it was left.
+// tests/editor/view_memory_test.cpp: reopening a file restores its view.
 
 #include "app/editor/view_memory.h"
 
@@ -37,7 +37,7 @@ class ViewMemory : public testing::Test {
     std::ifstream stream(file, std::ios::binary);
     return {std::istreambuf_iterator<char>(stream), {}};
   }
-  /// All that is to come back, as a designer sets it.
+  /// Sets everything that is restored.
   static void arrange(EditorState& state) {
     chooseClip(state.open.transport, 1, state.character());
     state.open.transport.playing = false;
@@ -93,7 +93,7 @@ class ViewMemory : public testing::Test {
   const fs::path folder = own.path();
 };
 
-TEST_F(ViewMemory, ComesBackAtTheNextStartAndTheRigFileKeepsItsBytes) {
+TEST_F(ViewMemory, IsRestoredAtTheNextStartWithoutTouchingTheRigFile) {
   const std::string before = bytesOf(folder / "demo.rig.json");
   {
     EditorState state;
@@ -113,7 +113,7 @@ TEST_F(ViewMemory, ComesBackAtTheNextStartAndTheRigFileKeepsItsBytes) {
   EXPECT_FALSE(fs::exists(folder / "demo.rig.json.view")) << "nothing beside it either";
 }
 
-TEST_F(ViewMemory, ComesBackWhenAnotherFileWasOpenInBetween) {
+TEST_F(ViewMemory, IsRestoredAfterAnotherFileWasOpen) {
   EditorState state;
   SessionKeeper one = keeper();
   one.start(state);
@@ -131,7 +131,7 @@ TEST_F(ViewMemory, ComesBackWhenAnotherFileWasOpenInBetween) {
   expectArranged(state);
 }
 
-TEST_F(ViewMemory, IsKeptWhileTheEditorRunsOnceItRests) {
+TEST_F(ViewMemory, IsStoredOnceTheViewRests) {
   EditorState state;
   SessionKeeper one = keeper();
   one.start(state);
@@ -141,7 +141,7 @@ TEST_F(ViewMemory, IsKeptWhileTheEditorRunsOnceItRests) {
   const auto kept = loadView(folder / "views", folder / "demo.rig.json");
   ASSERT_TRUE(kept.has_value()) << "a crash would lose it";
   EXPECT_EQ(kept->at("display").at("shading").text(""), "clay");
-  // Playing alone writes nothing: time never rests.
+  // Playback alone writes nothing, since the time keeps changing.
   state.open.transport.playing = true;
   for (double now = 4.0; now < 8.0; now += 0.25) one.tick(state, now, kWindowPlace);
   fs::remove_all(folder / "views");
@@ -152,7 +152,7 @@ TEST_F(ViewMemory, IsKeptWhileTheEditorRunsOnceItRests) {
   EXPECT_FALSE(fs::exists(folder / "views"));
 }
 
-TEST_F(ViewMemory, OfTwoEditorsEachKeepsItsOwnFile) {
+TEST_F(ViewMemory, TwoEditorsKeepTheirOwnFiles) {
   EditorState first, second;
   SessionKeeper one = keeper(), two = keeper();
   one.start(first);
@@ -172,7 +172,7 @@ TEST_F(ViewMemory, OfTwoEditorsEachKeepsItsOwnFile) {
   expectArranged(third);
 }
 
-TEST_F(ViewMemory, TheMadeRangeOfMotionIsMadeAgain) {
+TEST_F(ViewMemory, RangeOfMotionClipIsRecreated) {
   EditorState state;
   SessionKeeper one = keeper();
   one.start(state);
@@ -189,8 +189,8 @@ TEST_F(ViewMemory, TheMadeRangeOfMotionIsMadeAgain) {
   EXPECT_DOUBLE_EQ(next.open.transport.time, 3.0);
 }
 
-// Whatever stands in the file: the document opens, and what makes no sense is as at a first opening.
-TEST_F(ViewMemory, NonsenseIsAsIfItWereNotThere) {
+// Whatever the file contains, the document opens, and invalid values get their defaults.
+TEST_F(ViewMemory, InvalidValuesAreIgnored) {
   EditorState fresh;
   ASSERT_TRUE(openFile(fresh, folder / "demo.rig.json"));
   const Json nonsense[] = {
@@ -223,7 +223,7 @@ TEST_F(ViewMemory, NonsenseIsAsIfItWereNotThere) {
   }
 }
 
-TEST_F(ViewMemory, SamplesOpenAlikeEveryTime) {
+TEST_F(ViewMemory, SamplesAreNotRemembered) {
   const fs::path sample = fs::path(SINEW_SOURCE_DIR) / "assets" / "demo.rig.json";
   EditorState state;
   SessionKeeper one = keeper();

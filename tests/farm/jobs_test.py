@@ -62,7 +62,7 @@ class Jobs(unittest.TestCase):
         sinew(self.folder, "farm", *job, "--to", to, "--tasks", str(tasks), "--job", "job")
         return self.folder / "job"
 
-    def test_shards_together_are_the_whole(self):
+    def test_shards_add_up_to_the_whole_job(self):
         for count in (1, 2, 7, 16):
             with self.subTest(count=count):
                 for index in range(count):
@@ -71,19 +71,19 @@ class Jobs(unittest.TestCase):
                 shutil.rmtree(self.folder / "out file's")
                 (self.folder / "out file's").mkdir()
 
-    def test_shards_of_adaptive_meshes_on_any_number_of_cores(self):
+    def test_adaptive_meshes_do_not_depend_on_shard_or_thread_count(self):
         heads = {ply.split(b"end_header")[0] for ply in self.whole["adaptive"].values()}
         self.assertEqual(len(heads), 1, "as many vertices and faces in all frames")
         for index in range(3):
             sinew(self.folder, *ADAPTIVE, "--shard", "%d/3" % index, "--threads", str(index + 1))
         self.expect_whole("adaptive")
 
-    def test_shards_of_pictures_too(self):
+    def test_picture_shards_add_up_to_the_whole_job(self):
         for index in range(3):
             sinew(self.folder, *RENDER, "--shard", "%d/3" % index)
         self.expect_whole("render")
 
-    def test_every_item_is_in_one_shard_also_of_more_shards_than_items(self):
+    def test_every_item_is_in_exactly_one_shard(self):
         for count in (5, 14, 20):
             times = collections.Counter()
             for index in range(count):
@@ -93,7 +93,7 @@ class Jobs(unittest.TestCase):
             self.assertEqual(set(times.values()), {1})
         self.assertEqual(contents(self.folder), {}, "a dry run makes nothing")
 
-    def test_what_was_killed_is_resumed(self):
+    def test_killed_job_can_be_resumed(self):
         with subprocess.Popen([PROGRAM, *SMOOTH], cwd=self.folder, stdout=subprocess.PIPE, text=True) as process:
             for _ in range(9):
                 process.stdout.readline()
@@ -110,12 +110,12 @@ class Jobs(unittest.TestCase):
             self.assertEqual((self.folder / "out file's" / name).stat().st_mtime_ns, when, name)
         self.assertEqual(sinew(self.folder, *SMOOTH, "--resume").stdout, "")
 
-    def test_two_in_one_folder_do_not_disturb_each_other(self):
+    def test_two_jobs_in_one_folder_do_not_interfere(self):
         both = [subprocess.Popen([PROGRAM, *SMOOTH], cwd=self.folder, stdout=subprocess.DEVNULL) for _ in range(2)]
         self.assertEqual([process.wait() for process in both], [0, 0])
         self.expect_whole()
 
-    def test_a_bad_input_of_a_list_does_not_keep_the_others(self):
+    def test_bad_input_in_a_list_does_not_stop_the_others(self):
         out = ["--clip", "Walk", "--frames", "0:4:2", "--depth", "1", "-o", "out file's/{name}_%d.ply"]
         (self.folder / "list.txt").write_text("# two good ones\n%s\n\nmissing.glb\n %s \n" % (
             RIG, ROOT / "assets" / "horse.rig.json"))
@@ -127,7 +127,7 @@ class Jobs(unittest.TestCase):
         (self.folder / "list.txt").write_text("missing.glb\nabsent.glb\n")
         self.assertEqual(sinew(self.folder, "smooth", "--list", "list.txt", *out, check=False).returncode, 1)
 
-    def test_characters_for_games_are_shared_out(self):
+    def test_exports_of_a_list_can_be_sharded(self):
         (self.folder / "list.txt").write_text("".join("%s\n" % (ROOT / "assets" / name) for name in (
             "demo.rig.json", "horse.rig.json", "wrapped.glb")))
         job = ["export", "--list", "list.txt", "--as", "skinned", "--depth", "1", "--weights", "transferred", "-o",
@@ -140,14 +140,14 @@ class Jobs(unittest.TestCase):
         sinew(self.folder, *job)
         self.assertEqual(contents(self.folder), parts)
 
-    def test_command_lines(self):
+    def test_command_lines_run_the_whole_job(self):
         lines = self.farm("commands", 5, RENDER).read_text().splitlines()
         self.assertEqual(len(lines), 5)
         for line in lines:
             subprocess.run(["sh", "-c", line], cwd="/", check=True, capture_output=True)
         self.expect_whole("render")
 
-    def test_gnu_parallel(self):
+    def test_gnu_parallel_runs_the_whole_job(self):
         if shutil.which("parallel") is None:
             self.skipTest("left out: GNU parallel is not installed")
         job = self.farm("parallel", 7)
@@ -155,7 +155,7 @@ class Jobs(unittest.TestCase):
                        env={**os.environ, "HOME": str(self.folder)})
         self.expect_whole()
 
-    def test_an_array_jobs_script_and_variables(self):
+    def test_array_job_script_reads_the_schedulers_variables(self):
         job = self.farm("slurm", 3, RENDER)
         subprocess.run(["bash", "-n", str(job)], check=True)
         for index in (2, 0):
@@ -170,7 +170,7 @@ class Jobs(unittest.TestCase):
             none = sinew(self.folder, *RENDER, "--shard", "auto", environment=environment, check=False)
             self.assertEqual((none.returncode, len(none.stderr.splitlines())), (2, 1), none.stderr)
 
-    def test_a_slurm_array_job(self):
+    def test_slurm_array_job_runs_the_whole_job(self):
         reason = slurm_node.why_not()
         if reason:
             self.skipTest("left out: " + reason)
@@ -180,7 +180,7 @@ class Jobs(unittest.TestCase):
         self.assertEqual(len(list(self.folder.glob("sinew-smooth-*.log"))), 4)
         self.expect_whole()
 
-    def test_an_openjd_template(self):
+    def test_openjd_template_runs_the_whole_job(self):
         template = json.loads(self.farm("openjd", 3, RENDER).read_text())
         self.assertEqual(template["specificationVersion"], "jobtemplate-2023-09")
         step, = template["steps"]

@@ -1,4 +1,4 @@
-// tests/files/atomic_file_test.cpp: a file is old or new, never in between.
+// tests/files/atomic_file_test.cpp: a file has its old or new content, never anything in between.
 #include "core/files/disk/atomic_file.h"
 
 #include <array>
@@ -34,7 +34,7 @@ class AtomicFile : public ::testing::Test {
   const fs::path folder_ = own_.path();
 };
 
-/// No file of this process grows past `bytes` while this lives: a full disk that needs no disk.
+/// While alive, limits files of this process to `bytes`: simulates a full disk.
 class FileSizeLimit {
  public:
   explicit FileSizeLimit(rlim_t bytes) {
@@ -66,7 +66,7 @@ TEST_F(AtomicFile, WritesAnyBytesAndReplacesThem) {
   EXPECT_EQ(filesInFolder(), 1u);
 }
 
-TEST_F(AtomicFile, AFullDiskLeavesTheOldFileWhole) {
+TEST_F(AtomicFile, FullDiskKeepsTheOldFile) {
   const fs::path file = folder_ / "kept";
   ASSERT_TRUE(writeFileAtomically(file, "old").ok());
   {
@@ -80,7 +80,7 @@ TEST_F(AtomicFile, AFullDiskLeavesTheOldFileWhole) {
   EXPECT_EQ(filesInFolder(), 1u) << "nothing half written stays behind";
 }
 
-TEST_F(AtomicFile, ADeviceThatIsFullIsToldOf) {
+TEST_F(AtomicFile, FullDeviceIsReported) {
   if (!fs::exists("/dev/full")) GTEST_SKIP() << "left out: this system has no /dev/full";
   EXPECT_FALSE(writeFileAtomically("/dev/full", "text").ok());
   EXPECT_TRUE(fs::is_character_file("/dev/full")) << "a device must not be replaced by a file";
@@ -88,7 +88,7 @@ TEST_F(AtomicFile, ADeviceThatIsFullIsToldOf) {
   EXPECT_TRUE(fs::is_character_file("/dev/null"));
 }
 
-TEST_F(AtomicFile, WhereNoFileCanBeIsAnError) {
+TEST_F(AtomicFile, ImpossiblePathsAreErrors) {
   ASSERT_TRUE(writeFileAtomically(folder_ / "file", "old").ok());
   EXPECT_FALSE(writeFileAtomically(folder_ / "file" / "below", "x").ok());
   EXPECT_FALSE(writeFileAtomically(folder_ / "absent" / "file", "x").ok());
@@ -98,7 +98,7 @@ TEST_F(AtomicFile, WhereNoFileCanBeIsAnError) {
   EXPECT_EQ(filesInFolder(), 1u);
 }
 
-TEST_F(AtomicFile, AReadOnlyFolderKeepsTheOldFile) {
+TEST_F(AtomicFile, ReadOnlyFolderKeepsTheOldFile) {
   if (::geteuid() == 0) GTEST_SKIP() << "left out: the superuser writes anywhere";
   const fs::path file = folder_ / "file";
   ASSERT_TRUE(writeFileAtomically(file, "old").ok());
@@ -108,7 +108,7 @@ TEST_F(AtomicFile, AReadOnlyFolderKeepsTheOldFile) {
   EXPECT_EQ(contentOf(file), "old");
 }
 
-TEST_F(AtomicFile, ModeIsKeptAndNewFilesObeyTheMask) {
+TEST_F(AtomicFile, ModeIsKeptAndNewFilesObeyTheUmask) {
   const fs::path file = folder_ / "file";
   const mode_t mask = ::umask(027);
   ASSERT_TRUE(writeFileAtomically(file, "1").ok());
@@ -119,7 +119,7 @@ TEST_F(AtomicFile, ModeIsKeptAndNewFilesObeyTheMask) {
   EXPECT_EQ(fs::status(file).permissions(), fs::perms(0604));
 }
 
-TEST_F(AtomicFile, ALinkStaysALink) {
+TEST_F(AtomicFile, SymbolicLinkIsKept) {
   ASSERT_TRUE(writeFileAtomically(folder_ / "real", "old").ok());
   fs::create_symlink("real", folder_ / "link");
   ASSERT_TRUE(writeFileAtomically(folder_ / "link", "new").ok());
@@ -127,7 +127,7 @@ TEST_F(AtomicFile, ALinkStaysALink) {
   EXPECT_EQ(contentOf(folder_ / "real"), "new");
 }
 
-TEST_F(AtomicFile, FilesThatBelongTogetherAreAllNewOrAllOld) {
+TEST_F(AtomicFile, FileGroupsAreWrittenAllOrNone) {
   const fs::path first = folder_ / "a.bin";
   const fs::path second = folder_ / "a.gltf";
   ASSERT_TRUE(writeFilesAtomically({{first, "old bytes"}, {second, "old text"}}).ok());
@@ -149,7 +149,7 @@ TEST_F(AtomicFile, FilesThatBelongTogetherAreAllNewOrAllOld) {
   EXPECT_EQ(filesInFolder(), 2U);
 }
 
-TEST_F(AtomicFile, ThePreviousVersionStaysOnceInARun) {
+TEST_F(AtomicFile, PreviousVersionIsKeptOncePerRun) {
   const fs::path file = folder_ / "work.rig.json";
   const fs::path kept = folder_ / "work.rig.json~";
   own_.write("work.rig.json", "before this run");
@@ -163,14 +163,14 @@ TEST_F(AtomicFile, ThePreviousVersionStaysOnceInARun) {
   EXPECT_EQ(filesInFolder(), 2U);
 }
 
-TEST_F(AtomicFile, WhatTheProgramKeepsForItselfHasNoPreviousVersion) {
+TEST_F(AtomicFile, InternalFilesKeepNoPreviousVersion) {
   own_.write("view.json", "old");
   ASSERT_TRUE(writeFileAtomically(folder_ / "view.json", "new", Previous::kReplaced).ok());
   EXPECT_EQ(contentOf(folder_ / "view.json"), "new");
   EXPECT_EQ(filesInFolder(), 1U);
 }
 
-TEST_F(AtomicFile, AnOlderPreviousVersionGivesWayAndAFolderOfThatNameDoesNot) {
+TEST_F(AtomicFile, OlderPreviousVersionIsReplacedButAFolderIsNot) {
   own_.write("a", "old");
   own_.write("a~", "older");
   ASSERT_TRUE(writeFileAtomically(folder_ / "a", "new").ok());
@@ -183,8 +183,8 @@ TEST_F(AtomicFile, AnOlderPreviousVersionGivesWayAndAFolderOfThatNameDoesNot) {
   EXPECT_EQ(filesInFolder(), 4U);
 }
 
-TEST_F(AtomicFile, APreviousVersionThatIsTheFileItselfIsNoHindrance) {
-  // What a process leaves that was killed after it had kept the version and before it put the new one.
+TEST_F(AtomicFile, PreviousVersionMayBeAHardLinkToTheFile) {
+  // As left by a process that was killed after it kept the previous version and before it renamed the new one.
   own_.write("a", "old");
   fs::create_hard_link(folder_ / "a", folder_ / "a~");
   ASSERT_TRUE(writeFileAtomically(folder_ / "a", "new").ok());
@@ -193,7 +193,7 @@ TEST_F(AtomicFile, APreviousVersionThatIsTheFileItselfIsNoHindrance) {
   EXPECT_EQ(filesInFolder(), 2U);
 }
 
-TEST_F(AtomicFile, WhatAnotherProgramMadeIsPutInItsPlace) {
+TEST_F(AtomicFile, FileMadeByAnotherProgramIsMovedIntoPlace) {
   own_.write("film.gif", "old");
   const fs::path made = own_.write(".film.part.gif", "new");
   ASSERT_TRUE(putFileAtomically(made, folder_ / "film.gif").ok());
@@ -206,7 +206,7 @@ TEST_F(AtomicFile, WhatAnotherProgramMadeIsPutInItsPlace) {
 
 // Pipes -----------------------------------------------------------------------------------------------------------
 
-TEST_F(AtomicFile, APipeThatNobodyReadsIsToldOfAndNotWaitedForForEver) {
+TEST_F(AtomicFile, UnreadPipeIsAnErrorAfterATimeout) {
   const fs::path pipe = folder_ / "pipe";
   ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
   const auto written = writeFileAtomically(pipe, "text");
@@ -215,7 +215,7 @@ TEST_F(AtomicFile, APipeThatNobodyReadsIsToldOfAndNotWaitedForForEver) {
   EXPECT_TRUE(fs::is_fifo(pipe));
 }
 
-TEST_F(AtomicFile, ALateReaderOfAPipeGetsEveryByte) {
+TEST_F(AtomicFile, LateReaderOfAPipeGetsEveryByte) {
   const fs::path pipe = folder_ / "pipe";
   ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
   const std::string text(300'000, 'x');  // More than a pipe holds.
@@ -231,7 +231,7 @@ TEST_F(AtomicFile, ALateReaderOfAPipeGetsEveryByte) {
   EXPECT_EQ(read, text);
 }
 
-TEST_F(AtomicFile, AReaderThatLeavesIsAnErrorAndNotTheEnd) {
+TEST_F(AtomicFile, ReaderThatLeavesIsAnError) {
   const fs::path pipe = folder_ / "pipe";
   ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
   std::thread reader([&] {
@@ -244,14 +244,14 @@ TEST_F(AtomicFile, AReaderThatLeavesIsAnErrorAndNotTheEnd) {
   EXPECT_NE(written.error().reason.find("cannot be written"), std::string::npos);
 }
 
-// Killed at any moment --------------------------------------------------------------------------------------------
+// Killed at any time ----------------------------------------------------------------------------------------------
 
-/// Whether it is one version, from the first byte to the last.
+/// Whether it is a single complete version.
 bool isOneVersion(const std::string& bytes, std::size_t size) {
   return bytes.size() == size && bytes.find_first_not_of(bytes.front()) == std::string::npos;
 }
 
-/// Writes versions, as fast as it can, until it is killed. Closes `started` once each file has been replaced.
+/// Writes versions as fast as possible until killed. Closes `started` once each file has been replaced.
 [[noreturn]] void writeForEver(const fs::path& folder, std::size_t size, int started) {
   for (char version = 'a';; version = version == 'z' ? 'a' : static_cast<char>(version + 1)) {
     const std::string bytes(size, version);
@@ -262,8 +262,8 @@ bool isOneVersion(const std::string& bytes, std::size_t size) {
   }
 }
 
-/// A process that writes for ever. Every second one is handed over at once, the others after their first round, so
-/// that both the first and a later write are cut off, however slow the machine is.
+/// Starts a writer process. Every second one is returned at once, the others after their first round, so that both the
+/// first and a later write are interrupted, however slow the machine is.
 pid_t startWriter(const fs::path& folder, std::size_t size, bool afterRound) {
   std::array<int, 2> started{};
   if (::pipe(started.data()) != 0) return -1;
@@ -274,13 +274,13 @@ pid_t startWriter(const fs::path& folder, std::size_t size, bool afterRound) {
   }
   ::close(started[1]);
   char none = 0;
-  if (child > 0 && afterRound) static_cast<void>(::read(started[0], &none, 1));  // Its end, as nothing is written.
+  if (child > 0 && afterRound) static_cast<void>(::read(started[0], &none, 1));  // Nothing is written: its end.
   ::close(started[0]);
   return child;
 }
 
-/// SINEW_KILLS in the environment: how many times, 40 without it.
-TEST_F(AtomicFile, AKilledProcessLeavesWholeFiles) {
+/// Environment: SINEW_KILLS, number of kills (40).
+TEST_F(AtomicFile, KilledProcessLeavesWholeFiles) {
   constexpr std::size_t kSize = 200'000;
   const char* const asked = std::getenv("SINEW_KILLS");
   const int kills = asked == nullptr ? 40 : std::atoi(asked);
@@ -303,13 +303,13 @@ TEST_F(AtomicFile, AKilledProcessLeavesWholeFiles) {
     }
   }
   EXPECT_GT(previous, 0) << "no version was kept";
-  // What was not put in its place yet has a name for an instant; it is whole too.
+  // A version that is not in place yet briefly has its own name; it is complete too.
   for (const auto& each : fs::directory_iterator(folder_)) {
     EXPECT_TRUE(isOneVersion(contentOf(each.path()), kSize)) << each.path();
   }
 }
 
-TEST_F(AtomicFile, ReadingRefusesWhatIsNoFileOrTooLarge) {
+TEST_F(AtomicFile, ReadingRefusesNonFilesAndLargeFiles) {
   const fs::path file = folder_ / "ten";
   ASSERT_TRUE(writeFileAtomically(file, "0123456789").ok());
   EXPECT_TRUE(readWholeFile(file, 10).ok());

@@ -1,4 +1,4 @@
-// tests/files/clip_files_test.cpp: files without a mesh, and characters with the clips of other files.
+// tests/files/clip_files_test.cpp: files without a mesh, and characters with clips of other files.
 #include "core/files/clip_files.h"
 
 #include <algorithm>
@@ -41,7 +41,7 @@ class ClipFiles : public ::testing::Test {
   const std::filesystem::path folder_ = own_.path();
 };
 
-TEST_F(ClipFiles, AClipMovedToAFileWithoutMeshPlaysBitForBit) {
+TEST_F(ClipFiles, ClipFromAFileWithoutMeshPlaysBitForBit) {
   const auto whole = importGltf(write("whole.glb", test::makePost().file.glb()));
   ASSERT_TRUE(whole.ok()) << whole.error().text();
   write("motion.glb", motionOnly());
@@ -60,12 +60,12 @@ TEST_F(ClipFiles, AClipMovedToAFileWithoutMeshPlaysBitForBit) {
     EXPECT_EQ(samplePose(with.character->skeleton, clip, time),
               samplePose(whole.value()->skeleton, whole.value()->clips.front(), time));
   }
-  // Again: those that were added are exchanged, not added twice; without the entry they go.
+  // Loading again replaces the added clips; without the entry they are removed.
   EXPECT_EQ(withClipFiles(with.character, rig, folder_).character->clips.size(), 1u);
   EXPECT_TRUE(withClipFiles(with.character, Rig{}, folder_).character->clips.empty());
 }
 
-TEST_F(ClipFiles, AFileThatIsGoneLeavesTheOthers) {
+TEST_F(ClipFiles, MissingFileDoesNotAffectOthers) {
   write("motion.glb", motionOnly());
   const auto character = importGltf(write("still.glb", still()));
   Rig rig;
@@ -88,7 +88,7 @@ TEST_F(ClipFiles, BadFilesAreRefusedOnOneLine) {
   }
 }
 
-TEST_F(ClipFiles, TheRigRemembersThem) {
+TEST_F(ClipFiles, AreStoredInTheRig) {
   Rig rig;
   rig.character = "a.glb";
   EXPECT_EQ(rigToJson(rig).find("clips"), std::string::npos);

@@ -16,7 +16,7 @@
 namespace sinew {
 namespace {
 
-/// The tube with its seam, each wedge in a color of its own.
+/// The tube with its seam; each wedge has its own color.
 Character paintedTube() {
   Character character = *test::makeTube();
   std::mt19937 random(3);
@@ -49,7 +49,7 @@ class ColorExport : public testing::Test {
   const test::TemporaryFolder folder_;
 };
 
-TEST_F(ColorExport, GlbBringsEveryColorBack) {
+TEST_F(ColorExport, GlbRoundTripsEveryColor) {
   const Character tube = paintedTube();
   const Surface surface = surfaceOf(tube);
   exported(surface, tube, "tube.glb");
@@ -67,7 +67,7 @@ TEST_F(ColorExport, GlbBringsEveryColorBack) {
   }
 }
 
-TEST_F(ColorExport, PlyHasThemAsScreensShowThem) {
+TEST_F(ColorExport, PlyHasSrgbColors) {
   const Character tube = paintedTube();
   const Surface surface = surfaceOf(tube);
   const Refinement& refinement = *surface.refinement;
@@ -82,26 +82,26 @@ TEST_F(ColorExport, PlyHasThemAsScreensShowThem) {
       const double shown = static_cast<unsigned char>(bytes[header + d * 36 + 32 + channel]) / 255.0;
       const double linear = shown <= 0.04045 ? shown / 12.92 : std::pow((shown + 0.055) / 1.055, 2.4);
       const double expected = static_cast<double>(refinement.drawColor[d][static_cast<int>(channel)]);
-      // Half a step of eight bits, where the curve is steepest.
+      // Half a step of 8 bits where the curve is steepest.
       ASSERT_NEAR(channel < 3 ? linear : shown, expected, 0.0046) << d << ", " << channel;
     }
   }
 }
 
-TEST_F(ColorExport, CharactersWithoutColorsHaveNoneInTheirFiles) {
+TEST_F(ColorExport, CharactersWithoutColorsWriteNone) {
   const Character tube = *test::makeTube();
   const Surface surface = surfaceOf(tube);
   EXPECT_EQ(exported(surface, tube, "tube.glb").find("COLOR_0"), std::string::npos);
   EXPECT_EQ(exported(surface, tube, "tube.ply").find("uchar red"), std::string::npos);
 }
 
-TEST_F(ColorExport, ObjIsTheSameWithAndWithoutColors) {
+TEST_F(ColorExport, ObjIgnoresColors) {
   const Character plain = *test::makeTube();
   const Character painted = paintedTube();
   EXPECT_EQ(exported(surfaceOf(plain), plain, "tube.obj"), exported(surfaceOf(painted), painted, "tube.obj"));
 }
 
-// What is shown opaque is written as its author made it, and told again when it is opened again.
+// A material shown opaque is exported as its author made it, and reported again on import.
 TEST_F(ColorExport, HiddenMaterialsKeepTheirAlpha) {
   Character tube = *test::makeTube();
   tube.materials[0].alphaMode = AlphaMode::kMask;

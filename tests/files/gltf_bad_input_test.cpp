@@ -1,4 +1,4 @@
-// tests/files/gltf_bad_input_test.cpp: files that are damaged, wrong or hostile: one line a person can act on, never a
+// tests/files/gltf_bad_input_test.cpp: damaged, wrong or hostile files give an actionable one-line error, never a
 // crash.
 
 #include <array>
@@ -24,8 +24,8 @@ using test::Post;
 struct BadPost {
   const char* name;
   std::function<void(Post&)> bend;
-  const char* place;   ///< What the error's place must hold.
-  const char* reason;  ///< And its reason.
+  const char* place;   ///< Part of the error's place.
+  const char* reason;  ///< Part of its reason.
 };
 
 void PrintTo(const BadPost& bad, std::ostream* out) { *out << bad.name; }
@@ -36,7 +36,7 @@ ordered_json& positionAccessor(Post& post) {
 
 class BadGltf : public testing::TestWithParam<BadPost> {};
 
-TEST_P(BadGltf, IsRefusedWithItsPlaceAndReason) {
+TEST_P(BadGltf, IsRefusedWithPlaceAndReason) {
   Post post = makePost();
   GetParam().bend(post);
   const test::TemporaryFolder folder;
@@ -52,7 +52,7 @@ TEST_P(BadGltf, IsRefusedWithItsPlaceAndReason) {
   EXPECT_EQ(plain.find(": " + imported.error().place + ": "), std::string::npos) << plain;
 }
 
-/// No two vertices have the same weights, so that none are welded.
+/// All vertices have different weights, so that none are welded.
 void withoutExtent(Post& post, float size) {
   std::vector<float> positions(36, 0.0f);
   std::vector<float> weights;
@@ -262,7 +262,7 @@ INSTANTIATE_TEST_SUITE_P(Uris, BadGltf,
                                          uri("a%00.png", "control"), uri("a%0a.png", "control"), uri("%", "%"),
                                          uri("", "empty")));
 
-TEST(BadGltfFile, BuffersObeyTheFolderRuleToo) {
+TEST(BadGltfFile, BuffersObeyTheFolderRule) {
   const test::TemporaryFolder folder;
   const Post post = makePost();
   folder.write("outside.bin", post.file.binary());
@@ -274,7 +274,7 @@ TEST(BadGltfFile, BuffersObeyTheFolderRuleToo) {
   }
 }
 
-TEST(BadGltfFile, SymbolicLinksMayNotLeadOut) {
+TEST(BadGltfFile, SymbolicLinksMayNotLeaveTheFolder) {
   const test::TemporaryFolder folder;
   const Post post = makePost();
   const auto outside = folder.write("outside.bin", post.file.binary());
@@ -290,7 +290,7 @@ TEST(BadGltfFile, SymbolicLinksMayNotLeadOut) {
   EXPECT_TRUE(importGltf(file).ok()) << "a link within the folder is fine";
 }
 
-TEST(BadGltfFile, MissingFoldersAndEmptyFiles) {
+TEST(BadGltfFile, MissingAndEmptyFilesAreRefused) {
   const test::TemporaryFolder folder;
   for (const auto& file : {folder.path() / "absent.glb", folder.path(), folder.write("empty.glb", ""),
                            folder.write("text.gltf", "not JSON"), folder.write("list.gltf", "[]"),
@@ -317,7 +317,7 @@ TEST(BadGltfFile, DeepNestingAndManyValuesAreRefusedBeforeParsing) {
   }
 }
 
-TEST(BadGltfFile, CutOffAnywhere) {
+TEST(BadGltfFile, TruncatedFilesAreRefused) {
   const test::TemporaryFolder folder;
   const std::string whole = makePost().file.glb();
   for (std::size_t length = 0; length < whole.size(); length += 13) {
@@ -329,11 +329,11 @@ TEST(BadGltfFile, CutOffAnywhere) {
 }
 
 /// Random bytes changed, with fixed seeds.
-TEST(BadGltfFile, FlippedBytesOfAPost) { test::flipBytes(makePost().file.glb(), "flipped.glb", 500); }
-TEST(BadGltfFile, FlippedBytesOfATextFile) { test::flipBytes(makePost().file.gltf(), "flipped.gltf", 500); }
+TEST(BadGltfFile, FlippedBytesOfAGlbAreSafe) { test::flipBytes(makePost().file.glb(), "flipped.glb", 500); }
+TEST(BadGltfFile, FlippedBytesOfATextFileAreSafe) { test::flipBytes(makePost().file.gltf(), "flipped.gltf", 500); }
 
-/// Only the JSON's numbers change: the damage that gets past the parser.
-TEST(BadGltfFile, ChangedNumbers) {
+/// Changes only numbers in the JSON: damage that passes the parser.
+TEST(BadGltfFile, ChangedNumbersAreSafe) {
   const test::TemporaryFolder folder;
   const std::string whole = makePost().file.gltf();
   for (unsigned seed = 0; seed < 500; ++seed) {
@@ -352,7 +352,7 @@ TEST(BadGltfFile, ChangedNumbers) {
   }
 }
 
-TEST(BadGltfFile, FlippedBytesOfRealCharacters) {
+TEST(BadGltfFile, FlippedBytesOfRealCharactersAreSafe) {
   const auto file = test::characterFile("greenman.glb");
   if (!file) SINEW_SKIP_WITHOUT_CHARACTERS();
   const test::TemporaryFolder folder;

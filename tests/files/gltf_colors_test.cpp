@@ -1,4 +1,4 @@
-// tests/files/gltf_colors_test.cpp: COLOR_0 in all its types, where only some have it, and where it is wrong.
+// tests/files/gltf_colors_test.cpp: COLOR_0 in all its types, in some primitives only, and malformed.
 
 #include <algorithm>
 #include <cmath>
@@ -51,7 +51,7 @@ std::vector<Component> components(bool withAlpha, float one) {
   return result;
 }
 
-/// Vertex of the post at a place of the welded mesh.
+/// Vertex of the post at a position of the welded mesh.
 std::size_t postVertex(const Post& post, const glm::vec3& p) {
   for (std::size_t v = 0; v < 12; ++v) {
     if (p == glm::vec3(post.positions[3 * v], post.positions[3 * v + 1], post.positions[3 * v + 2])) return v;
@@ -71,7 +71,7 @@ void expectColors(const Post& post, const Character& character, bool withAlpha, 
   EXPECT_TRUE(character.ignored.empty()) << character.ignored.front();
 }
 
-TEST(GltfColors, EveryTypeThatGltfAllows) {
+TEST(GltfColors, AcceptEveryTypeGltfAllows) {
   for (const bool withAlpha : {false, true}) {
     const std::string type = withAlpha ? "VEC4" : "VEC3";
     Post floats = makePost();
@@ -95,7 +95,7 @@ TEST(GltfColors, FloatsBeyondTheRangeAreClamped) {
   for (const Wedge& wedge : character->mesh.wedges) EXPECT_EQ(wedge.color, glm::vec4(1.0f, 0.0f, 0.5f, 1.0f));
 }
 
-TEST(GltfColors, ColorsThatAreNotFiniteAreWhiteAndNoted) {
+TEST(GltfColors, NonFiniteColorsAreWhiteWithANote) {
   for (const float bad : {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity()}) {
     Post post = makePost();
     std::vector<float> colors(48, 0.25f);
@@ -109,8 +109,8 @@ TEST(GltfColors, ColorsThatAreNotFiniteAreWhiteAndNoted) {
   }
 }
 
-/// The lower half of the post in one primitive, the rest in another; which of them has colors, and in which order.
-TEST(GltfColors, PrimitivesWithoutThemAreWhite) {
+/// The lower half of the post in one primitive, the rest in another; colors in either one, in either order.
+TEST(GltfColors, PrimitivesWithoutColorsAreWhite) {
   for (const bool coloredFirst : {true, false}) {
     Post post = makePost();
     const std::vector<std::uint16_t> lower(post.indices.begin(), post.indices.begin() + 24);
@@ -125,7 +125,7 @@ TEST(GltfColors, PrimitivesWithoutThemAreWhite) {
     const auto character = imported(post);
     ASSERT_EQ(character->mesh.triangles.size(), 20u);
     EXPECT_EQ(character->mesh.positions.size(), 12u) << "colors never split vertices";
-    // Eight corners below in gray; twelve of the rest in white, of which the lower two rings are there twice.
+    // Eight lower corners in gray; twelve of the rest in white, of which the lower two rings are duplicated.
     EXPECT_EQ(character->mesh.wedges.size(), 20u);
     for (std::size_t t = 0; t < 20; ++t) {
       const bool gray = coloredFirst ? t < 8 : t >= 12;
@@ -141,7 +141,7 @@ struct BadColors {
   const char* name;
   std::function<void(Post&)> bend;
   const char* place;   ///< "#": the number of the newest accessor.
-  const char* reason;  ///< What the reason must hold.
+  const char* reason;  ///< Part of the reason.
 };
 
 void PrintTo(const BadColors& bad, std::ostream* out) { *out << bad.name; }

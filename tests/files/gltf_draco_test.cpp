@@ -1,5 +1,5 @@
-// tests/files/gltf_draco_test.cpp: meshes that Draco has compressed, whole, damaged, and at odds with what the file
-// declares.
+// tests/files/gltf_draco_test.cpp: Draco-compressed meshes: valid, damaged, and inconsistent with the file's
+// declarations.
 
 #include <functional>
 
@@ -40,16 +40,16 @@ class GltfDraco : public ::testing::TestWithParam<DracoMethod> {
 
 INSTANTIATE_TEST_SUITE_P(, GltfDraco, testing::Values(DracoMethod::kSequential, DracoMethod::kEdgebreaker));
 
-TEST_P(GltfDraco, ShowsWhatThePlainFileShows) { expectShown(compressedPost(GetParam())); }
+TEST_P(GltfDraco, MatchesThePlainFile) { expectShown(compressedPost(GetParam())); }
 
-TEST_P(GltfDraco, AStripIsTheTrianglesThatItIsCompressedAs) {
+TEST_P(GltfDraco, StripDecodesToItsCompressedTriangles) {
   Post post = compressedPost(GetParam());
   post.primitive()["mode"] = 5;
-  dracoIndices(post)["count"] = 31;  // Some way of joining twenty triangles.
+  dracoIndices(post)["count"] = 31;  // Some connectivity for twenty triangles.
   expectShown(post);
 }
 
-TEST_P(GltfDraco, WhatTheBytesHaveAndNoAccessorAsksForIsLeft) {
+TEST_P(GltfDraco, UnreferencedAttributesAreIgnored) {
   Post post = compressedPost(GetParam());
   post.attributes().erase("WEIGHTS_0");
   dracoOf(post)["attributes"]["COLOR_0"] = 7;
@@ -62,14 +62,14 @@ TEST_P(GltfDraco, JointsMayBeShortsInTheFile) {
   expectShown(post);
 }
 
-TEST_P(GltfDraco, PrimitivesMayShareTheirBytes) {
+TEST_P(GltfDraco, PrimitivesMayShareBytes) {
   Post post = compressedPost(GetParam());
   post.file.json["meshes"].push_back(post.file.json["meshes"][0]);
   expectShown(post);
 }
 
-/// The triangles of the post below or above its middle. What they do not use lies elsewhere, so that places are rounded
-/// to another grid.
+/// The triangles of the post below or above its middle. Unused vertices lie elsewhere, so that positions are rounded to
+/// another grid.
 Post halfPost(bool above) {
   Post post = makePost();
   std::vector<std::uint16_t> kept;
@@ -91,7 +91,7 @@ Post halfPost(bool above) {
   return post;
 }
 
-TEST_P(GltfDraco, PrimitivesThatWereRoundedApartStayOneSkin) {
+TEST_P(GltfDraco, PrimitivesSeparatedByRoundingStayOneSkin) {
   constexpr int kBits = 12;
   Post post = makePost();
   useDraco(post, dracoPost(halfPost(false), GetParam(), kBits));
@@ -115,7 +115,7 @@ TEST_P(GltfDraco, PrimitivesThatWereRoundedApartStayOneSkin) {
   for (const Edge& edge : mesh.edges) EXPECT_EQ(edge.triangleCount, 2);
 }
 
-TEST_P(GltfDraco, PrimitivesMayNotShareAccessorsThatTheyGiveDifferentValues) {
+TEST_P(GltfDraco, SharedAccessorsMustDecodeToEqualValues) {
   Post post = compressedPost(GetParam());
   Post moved = makePost();
   moved.positions[0] -= 0.25f;
@@ -127,7 +127,7 @@ TEST_P(GltfDraco, PrimitivesMayNotShareAccessorsThatTheyGiveDifferentValues) {
   EXPECT_NE(imported.error().reason.find("different values"), std::string::npos) << imported.error().text();
 }
 
-TEST_P(GltfDraco, APlainCopyIsUsedWhereTheExtensionIsNotRequired) {
+TEST_P(GltfDraco, PlainCopyIsUsedIfTheExtensionIsOptional) {
   Post post = makePost();
   ordered_json& draco = post.primitive()["extensions"]["KHR_draco_mesh_compression"];
   draco["bufferView"] = post.file.view("no Draco at all");
@@ -136,7 +136,7 @@ TEST_P(GltfDraco, APlainCopyIsUsedWhereTheExtensionIsNotRequired) {
   expectShown(post);
 }
 
-TEST_P(GltfDraco, OpensNoBytesThatAreCutOff) {
+TEST_P(GltfDraco, RefusesTruncatedBytes) {
   const Post plain = makePost();
   const DracoPost whole = dracoPost(plain, GetParam());
   for (std::size_t length = 0; length < whole.bytes.size(); ++length) {
@@ -146,13 +146,13 @@ TEST_P(GltfDraco, OpensNoBytesThatAreCutOff) {
     useDraco(post, cut);
     const auto file = folder_.write("cut.glb", post.file.glb());
     expectNoHarm(file);
-    // Padding at the end may be all that is gone.
+    // Maybe only padding at the end is missing.
     const bool opens = importGltf(file).ok();
     EXPECT_FALSE(opens && length + 8 < whole.bytes.size()) << length;
   }
 }
 
-TEST_P(GltfDraco, FlippedBytesDoNoHarm) {
+TEST_P(GltfDraco, FlippedBytesAreSafe) {
   const DracoPost whole = dracoPost(makePost(), GetParam());
   for (unsigned seed = 0; seed < 500; ++seed) {
     std::mt19937 random(seed);
@@ -168,7 +168,7 @@ TEST_P(GltfDraco, FlippedBytesDoNoHarm) {
   }
 }
 
-/// Draco's numbers of seven bits a byte.
+/// Draco's variable-length integer, seven bits a byte.
 std::string dracoVarint(std::uint64_t value) {
   std::string bytes;
   for (; value >= 0x80; value >>= 7U) bytes += static_cast<char>(0x80U | (value & 0x7fU));
@@ -181,14 +181,14 @@ Post postOfBytes(const std::string& bytes) {
   return post;
 }
 
-const std::string kEdgebreakerHead("DRACO\x02\x02\x01\x01\x00\x00\x00", 12);  // The last: how it goes around.
+const std::string kEdgebreakerHead("DRACO\x02\x02\x01\x01\x00\x00\x00", 12);  // The last byte: traversal method.
 const std::string kSequentialHead("DRACO\x02\x02\x01\x00\x00\x00", 11);
 
 struct DracoTrap {
   const char* name;
   std::function<Post()> make;
-  const char* place;   ///< What the error's place must hold.
-  const char* reason;  ///< And its reason.
+  const char* place;   ///< Part of the error's place.
+  const char* reason;  ///< Part of its reason.
 };
 
 void PrintTo(const DracoTrap& trap, std::ostream* out) { *out << trap.name; }
@@ -201,7 +201,7 @@ Post bentDraco(const std::function<void(Post&)>& bend) {
 
 class GltfDracoTrap : public ::testing::TestWithParam<DracoTrap> {};
 
-TEST_P(GltfDracoTrap, IsRefusedWithItsPlaceAndReason) {
+TEST_P(GltfDracoTrap, IsRefusedWithPlaceAndReason) {
   const TemporaryFolder folder;
   const auto file = folder.write("trap.glb", GetParam().make().file.glb());
   const auto imported = importGltf(file);

@@ -1,4 +1,5 @@
-// tests/files/gltf_guard_test.cpp: what tinygltf gets to see of a file, and what it would do without the guard.
+// tests/files/gltf_guard_test.cpp: the part of a file that tinygltf gets to see, and what it would do without the
+// guard.
 
 #include "core/files/gltf/guard.h"
 
@@ -23,7 +24,7 @@ using test::Post;
 
 Json parsed(const std::string& text) { return Json::parse(text).value(); }
 
-/// "place: reason" of the refusal; "" if there is none.
+/// "place: reason" of the error; "" if there is none.
 template <class Act>
 std::string refusalOf(Act act) {
   try {
@@ -34,7 +35,7 @@ std::string refusalOf(Act act) {
   return "";
 }
 
-TEST(GltfGuard, TakesOutWhatSinewDoesNotRead) {
+TEST(GltfGuard, RemovesUnusedMembers) {
   const Guarded guarded = guard(parsed(R"({"asset": {"version": "2.0", "generator": "x"}, "extras": [1], "a": {},
       "nodes": [{"name": "n", "extras": {"b": 1}, "camera": 7, "extensions": {"EXT_x": {}}}],
       "materials": [{"extensions": {"KHR_materials_unlit": {"deep": [[]]}, "EXT_y": 1}}]})"));
@@ -53,7 +54,7 @@ TEST(GltfGuard, WritesNumbersAsTinygltfReadsThem) {
             R"("meshes":[{},{}],"samplers":[{"wrapS":2147483647}]})");
 }
 
-TEST(GltfGuard, WrongElementsAreRefusedWhenTheyAreUsed) {
+TEST(GltfGuard, InvalidElementsAreRefusedWhenUsed) {
   const Guarded guarded = guard(parsed(R"({"asset": {"version": "2.0"}, "nodes": [{"mesh": 3}, {"name": 4}, {}]})"));
   EXPECT_EQ(guarded.text, R"({"asset":{"version":"2.0"},"nodes":[{},{},{}],"scene":-1})");
   EXPECT_EQ(refusalOf([&] { guarded.expectSound("nodes[0]"); }), "nodes[0].mesh: there is no mesh 3; the file has 0");
@@ -61,7 +62,7 @@ TEST(GltfGuard, WrongElementsAreRefusedWhenTheyAreUsed) {
   EXPECT_EQ(refusalOf([&] { guarded.expectSound("nodes[2]"); }), "");
 }
 
-TEST(GltfGuard, CountlessElementsAndFaultsAreRefusedAtOnce) {
+TEST(GltfGuard, TooManyElementsOrFaultsAreRefusedImmediately) {
   const auto file = [](const std::string& list, const std::string& element, int count) {
     std::string text = R"({"asset":{"version":"2.0"},")" + list + "\":[" + element;
     for (int i = 1; i < count; ++i) text += ',' + element;
@@ -73,24 +74,24 @@ TEST(GltfGuard, CountlessElementsAndFaultsAreRefusedAtOnce) {
   EXPECT_EQ(refusalOf([&] { (void)guard(file("textures", "5", 1001)); }), "textures[1000]: expected an object");
 }
 
-TEST(GltfGuard, KeysThatStandTwiceAreRefused) {
+TEST(GltfGuard, DuplicateKeysAreRefused) {
   const test::TemporaryFolder folder;
   const auto imported = importGltf(folder.write("a.gltf", R"({"asset": {"version": "2.0", "version": "2.1"}})"));
   ASSERT_FALSE(imported.ok());
   EXPECT_EQ(imported.error().place, "asset.version");
 }
 
-/// Files that are sound, or wrong only where nothing looks, and that tinygltf refuses or reads otherwise: why it gets
-/// neither uris nor all members to see.
+/// Files that are valid, or invalid only in unused places, and that tinygltf refuses or misreads: why it sees neither
+/// uris nor all members.
 struct Refused {
   const char* name;
   std::function<void(Post&)> bend;
 };
 void PrintTo(const Refused& refused, std::ostream* out) { *out << refused.name; }
 
-class TinygltfAlone : public testing::TestWithParam<Refused> {};
+class TinygltfWithoutGuard : public testing::TestWithParam<Refused> {};
 
-TEST_P(TinygltfAlone, RefusesWhatSinewReads) {
+TEST_P(TinygltfWithoutGuard, RefusesFilesThatSinewReads) {
   Post post = makePost();
   post.file.json["buffers"][0]["uri"] = "data:application/octet-stream;base64," + test::base64(post.file.binary());
   GetParam().bend(post);
@@ -110,7 +111,7 @@ TEST_P(TinygltfAlone, RefusesWhatSinewReads) {
 void withBufferAt(Post& post, const std::string& uri) { post.file.json["buffers"][0]["uri"] = uri; }
 
 INSTANTIATE_TEST_SUITE_P(
-    GltfGuard, TinygltfAlone,
+    GltfGuard, TinygltfWithoutGuard,
     testing::Values(
         Refused{"plus sign in a name", [](Post& p) { withBufferAt(p, "a+b.bin"); }},
         Refused{"file longer than its buffer", [](Post& p) { withBufferAt(p, "longer.bin"); }},

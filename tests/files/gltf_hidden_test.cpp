@@ -1,5 +1,5 @@
-// tests/files/gltf_hidden_test.cpp: alpha that hides a whole character is told and not shown; alpha that hides a part
-// is.
+// tests/files/gltf_hidden_test.cpp: alpha that hides a whole character is reported and ignored; alpha that hides a part
+// is kept.
 
 #include "core/files/gltf/node_tree.h"
 
@@ -13,11 +13,11 @@
 namespace sinew {
 namespace {
 
-/// One material of a character: its alpha from all three sources.
+/// Alpha of one material from all three sources.
 struct Alpha {
   AlphaMode mode = AlphaMode::kOpaque;
   float factor = 1.0f;
-  int texture = 255;  ///< The largest of a texture's pixels; 255: no texture.
+  int texture = 255;  ///< Largest alpha of a texture's pixels; 255: no texture.
   float vertices = 1.0f;
   float cutoff = 0.5f;
 };
@@ -32,7 +32,7 @@ Texture textureWith(int alpha) {
   return texture;
 }
 
-/// The cube, its triangles in equal parts of these materials.
+/// The cube, its triangles divided evenly between these materials.
 Character cubeOf(const std::vector<Alpha>& alphas) {
   Character cube = *test::makeCube();
   cube.materials.assign(alphas.size(), Material{});
@@ -54,7 +54,7 @@ Character cubeOf(const std::vector<Alpha>& alphas) {
     triangle.material = static_cast<int>(m);
     for (int& corner : triangle.wedges) {
       Wedge wedge = wedges[static_cast<std::size_t>(corner)];
-      wedge.color.a = corner % 2 == 0 ? 0.0f : alphas[m].vertices;  // The largest is what counts.
+      wedge.color.a = corner % 2 == 0 ? 0.0f : alphas[m].vertices;  // The largest one counts.
       corner = static_cast<int>(cube.mesh.wedges.size());
       cube.mesh.wedges.push_back(wedge);
     }
@@ -72,7 +72,7 @@ void PrintTo(const Case& each, std::ostream* out) { *out << each.name; }
 
 class HiddenCharacter : public testing::TestWithParam<Case> {};
 
-TEST_P(HiddenCharacter, IsShownOpaqueOnlyIfNothingElseIsSeen) {
+TEST_P(HiddenCharacter, IsShownOpaqueOnlyIfNothingIsVisible) {
   Character cube = cubeOf(GetParam().parts);
   gltf::Notes notes;
   gltf::showHiddenCharacter(cube, notes);
@@ -119,7 +119,7 @@ const Case kCases[] = {
 
 INSTANTIATE_TEST_SUITE_P(All, HiddenCharacter, testing::ValuesIn(kCases));
 
-TEST(HiddenImport, MaterialsThatNothingUsesAreLeftAlone) {
+TEST(HiddenImport, UnusedMaterialsAreUnchanged) {
   Character cube = cubeOf({{kBlend, 0.0f}});
   cube.materials.push_back({.name = "unused"});
   cube.materials.push_back({.name = "unused too", .baseColor = glm::vec4(0.0f), .alphaMode = kBlend});
@@ -130,7 +130,7 @@ TEST(HiddenImport, MaterialsThatNothingUsesAreLeftAlone) {
   EXPECT_FALSE(cube.materials[1].shownOpaque || cube.materials[2].shownOpaque);
 }
 
-TEST(HiddenImport, ComesOutOfTheImport) {
+TEST(HiddenImport, IsDetectedByTheImport) {
   test::Post post = test::makePost();
   post.file.json["materials"].push_back(
       {{"name", "skin"}, {"alphaMode", "BLEND"}, {"pbrMetallicRoughness", {{"baseColorFactor", {1, 1, 1, 0}}}}});

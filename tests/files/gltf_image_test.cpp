@@ -1,4 +1,4 @@
-// tests/files/gltf_image_test.cpp: textures, whole, damaged and made to exhaust memory.
+// tests/files/gltf_image_test.cpp: textures: valid, damaged and meant to exhaust memory.
 
 #include <algorithm>
 
@@ -15,7 +15,7 @@ using nlohmann::ordered_json;
 
 const std::string kTwoPixels("\x00\xff\x00\x00\x00\x00\xff", 7);  // red, blue
 
-/// A post whose material shows the image. @param webp  also an image, for those that can read it
+/// A post whose material uses the image. @param webp  additional image for readers that support it
 std::shared_ptr<const Character> importWith(const std::string& image, const std::string& webp = {}) {
   test::Post post = test::makePost();
   post.file.json["images"].push_back({{"bufferView", post.file.view(image)}, {"mimeType", "image/png"}});
@@ -46,7 +46,7 @@ void expectLeftOut(const std::string& image, const std::string& why) {
   EXPECT_NE(character->ignored[0].find(why), std::string::npos) << character->ignored[0];
 }
 
-TEST(GltfImage, PixelsSamplerAndFileArrive) {
+TEST(GltfImage, PixelsSamplerAndFileAreImported) {
   const std::string image = test::storedPng(2, 1, kTwoPixels);
   const auto character = importWith(image);
   ASSERT_EQ(character->textures.size(), 1u);
@@ -63,7 +63,7 @@ TEST(GltfImage, PixelsSamplerAndFileArrive) {
   EXPECT_EQ(character->materials[0].metallic, 0.5f);
 }
 
-TEST(GltfImage, UnreadableOnesAreLeftOut) {
+TEST(GltfImage, UnreadableImagesAreSkipped) {
   expectLeftOut("GIF89a", "not a PNG, JPEG or WebP");
   expectLeftOut("\xff\xd8\xff\xe0 broken", "damaged");
   expectLeftOut(test::storedPng(2, 1, "\x07"), "damaged");
@@ -74,13 +74,13 @@ TEST(GltfImage, HugeDimensionsAreRefusedBeforeDecoding) {
   expectLeftOut(test::storedPng(12000, 9000, kTwoPixels), "12000 x 9000");
 }
 
-TEST(GltfImage, ThatUnpacksToMoreThanItsPixelsIsRefused) {
+TEST(GltfImage, OversizedPngDataIsRefused) {
   expectLeftOut(test::storedPng(2, 1, std::string(400'000, '\0')), "unpacks to more");
 }
 
 const std::vector<std::uint8_t> kFourPixels{255, 0, 0, 255, 0, 255, 0, 128, 0, 0, 255, 7, 9, 8, 7, 255};
 
-TEST(GltfImage, WebpIsTakenBeforeThePngForOthers) {
+TEST(GltfImage, WebpIsPreferredOverThePngFallback) {
   const std::string image = test::losslessWebp(2, 2, kFourPixels);
   const auto character = importWith(test::storedPng(2, 1, kTwoPixels), image);
   ASSERT_EQ(character->textures.size(), 1u);
@@ -93,16 +93,16 @@ TEST(GltfImage, WebpIsTakenBeforeThePngForOthers) {
   EXPECT_TRUE(character->ignored.empty());
 }
 
-TEST(GltfImage, WebpThatIsCutOffIsLeftOut) {
+TEST(GltfImage, TruncatedWebpIsSkipped) {
   const std::string whole = test::losslessWebp(2, 2, kFourPixels);
   for (std::size_t length = 13; length + 2 < whole.size(); length += 3) {
     expectLeftOut(whole.substr(0, length), "damaged image");
   }
 }
 
-TEST(GltfImage, WebpOfTooManyPixelsIsLeftOutUnseen) {
+TEST(GltfImage, WebpOfTooManyPixelsIsSkippedBeforeDecoding) {
   std::string image = test::losslessWebp(2, 2, kFourPixels);
-  const std::size_t sizes = image.find("VP8L") + 9;  // Behind the length and a signature: 14 bits less one each.
+  const std::size_t sizes = image.find("VP8L") + 9;  // After length and signature: 14 bits each, minus one.
   image[sizes] = static_cast<char>(0xff);
   image[sizes + 1] = static_cast<char>(0x3f | (image[sizes + 1] & 0xc0));
   expectLeftOut(image, "16384 x 2");

@@ -1,4 +1,4 @@
-// tests/files/gltf_import_test.cpp: facts about real characters, and what a plain import holds.
+// tests/files/gltf_import_test.cpp: facts about real characters, and the contents of a plain import.
 
 #include "sinew/files/gltf_import.h"
 
@@ -32,7 +32,7 @@ void PrintTo(const Facts& facts, std::ostream* out) { *out << facts.file; }
 
 class RealFile : public testing::TestWithParam<Facts> {};
 
-TEST_P(RealFile, HasItsFacts) {
+TEST_P(RealFile, HasTheExpectedFacts) {
   const Facts& facts = GetParam();
   const auto file = test::characterFile(facts.file);
   if (!file) SINEW_SKIP_WITHOUT_CHARACTERS();
@@ -62,13 +62,13 @@ INSTANTIATE_TEST_SUITE_P(Files, RealFile,
                                          Facts{"greenman.glb", 356, 0, 180, true, 12, 4, 1, 2.032f},
                                          Facts{"cesium_man.gltf", 4672, 0, 2338, true, 19, 1, 1, 1.507f},
                                          Facts{"rigged_simple.gltf", 188, 0, 96, true, 2, 1, 0, 9.150f},
-                                         // 3,238 in the file, four of which have two corners in one place.
+                                         // 3,238 in the file; in four of them two corners coincide.
                                          Facts{"robot.glb", 3234, 4, 1820, false, 43, 14, 0, 4.559f},
                                          Facts{"SimpleSkin.gltf", 8, 0, 10, false, 2, 1, 0, 2.0f}));
 
-/// The robot's parts touch each other: welded by position alone, which would tie parts that different bones move,
-/// 14 edges get three or four triangles. Welded with their bindings, none.
-TEST(RealRobot, PartsTouchButStayApart) {
+/// The robot's parts touch: welded by position alone, which would join parts of different bones, 14 edges get three or
+/// four triangles. Welded with their bindings, none.
+TEST(RealRobot, TouchingPartsStaySeparate) {
   const auto file = test::characterFile("robot.glb");
   if (!file) SINEW_SKIP_WITHOUT_CHARACTERS();
   const auto imported = importGltf(*file);
@@ -87,7 +87,7 @@ TEST(RealRobot, PartsTouchButStayApart) {
   EXPECT_EQ(topologyOf(weld(soup, 1e-6f * imported.value()->height)).nonManifoldEdges.size(), 14u);
 }
 
-TEST(RealFox, HasNamesClipsAndItsTexture) {
+TEST(RealFox, HasNamesClipsAndATexture) {
   const auto file = test::characterFile("Fox.glb");
   if (!file) SINEW_SKIP_WITHOUT_CHARACTERS();
   const auto imported = importGltf(*file);
@@ -114,7 +114,7 @@ TEST(RealCesiumMan, StandsUpright) {
   EXPECT_GT(extent.y, extent.z);
 }
 
-/// Every invariant the rooms above rely on.
+/// All invariants that later stages rely on.
 void expectWellFormed(const Character& character) {
   const Skeleton& skeleton = character.skeleton;
   for (std::size_t n = 0; n < skeleton.nodes.size(); ++n) EXPECT_LT(skeleton.nodes[n].parent, static_cast<int>(n));
@@ -149,7 +149,7 @@ TEST_P(RealFile, IsWellFormed) {
   expectWellFormed(*imported.value());
 }
 
-TEST(GltfImport, PostArrivesWhole) {
+TEST(GltfImport, PostIsImportedCompletely) {
   const test::TemporaryFolder folder;
   const auto imported = importGltf(folder.write("my post.glb", test::makePost().file.glb()));
   ASSERT_TRUE(imported.ok()) << imported.error().text();
@@ -167,7 +167,7 @@ TEST(GltfImport, PostArrivesWhole) {
   EXPECT_EQ(post.clips[0].name, "bend");
   EXPECT_EQ(post.clips[0].duration, 1.0f);
   EXPECT_TRUE(post.ignored.empty());
-  // Outside is outside.
+  // Outward faces stay outward.
   for (const ControlTriangle& t : post.mesh.triangles) {
     const auto p = [&](std::size_t i) { return post.mesh.positions[static_cast<std::size_t>(t.vertices[i])]; };
     const glm::vec3 center = (p(0) + p(1) + p(2)) / 3.0f - glm::vec3(0, 1, 0);
@@ -176,7 +176,7 @@ TEST(GltfImport, PostArrivesWhole) {
 }
 
 /// The same file in its three containers gives the same character.
-TEST(GltfImport, ContainersAgree) {
+TEST(GltfImport, ContainersGiveTheSameCharacter) {
   const test::TemporaryFolder folder;
   const test::Post post = test::makePost();
   folder.write("sub/data 1.bin", post.file.binary());

@@ -1,4 +1,4 @@
-// tests/files/gltf_material_test.cpp: the maps of glTF's materials, and back into a file.
+// tests/files/gltf_material_test.cpp: material maps of glTF, read and written.
 
 #include <cmath>
 #include <string>
@@ -42,7 +42,7 @@ void expectWhole(const Character& character) {
   EXPECT_EQ(material.normalScale, -0.5f);
   EXPECT_EQ(material.occlusionStrength, 0.25f);
   EXPECT_EQ(material.emissive, glm::vec3(3.0f, 1.5f, 0.0f));
-  // Turned counter-clockwise, scaled, then moved (KHR_texture_transform).
+  // Rotated counter-clockwise, scaled, then translated (KHR_texture_transform).
   const float c = std::cos(0.5f), s = std::sin(0.5f);
   const std::array<glm::vec3, 2> place{{{2 * c, 4 * s, 0.5f}, {-2 * s, 4 * c, 0.25f}}};
   for (int i = 0; i < 3; ++i) {
@@ -51,14 +51,14 @@ void expectWhole(const Character& character) {
   }
 }
 
-TEST(GltfMaterial, AllMapsArrive) {
+TEST(GltfMaterial, AllMapsAreImported) {
   const auto character = importMaterial(wholeMaterial(), 3);
   ASSERT_TRUE(character.ok()) << character.error().text();
   expectWhole(*character.value());
   EXPECT_TRUE(character.value()->ignored.empty());
 }
 
-TEST(GltfMaterial, SurfacesInGlbKeepThem) {
+TEST(GltfMaterial, MapsSurviveAGlbExport) {
   const auto character = importMaterial(wholeMaterial(), 3);
   ASSERT_TRUE(character.ok());
   Smoother smoother(character.value());
@@ -75,8 +75,8 @@ TEST(GltfMaterial, SurfacesInGlbKeepThem) {
   expectWhole(*again.value());
 }
 
-/// Where the base color has its own transform, the surface's uv are what that makes; other maps are placed from there.
-TEST(GltfMaterial, MapsArePlacedFromTheBaseColor) {
+/// If the base color has its own transform, the surface's uv include it; other maps are transformed relative to that.
+TEST(GltfMaterial, MapTransformsAreRelativeToTheBaseColor) {
   const ordered_json base{{"scale", {2, 2}}, {"offset", {1, 0}}};
   ordered_json material{{"pbrMetallicRoughness", {{"baseColorTexture", mapAt(0, base)}}},
                         {"normalTexture", mapAt(1, {{"scale", {6, 2}}})},
@@ -89,7 +89,7 @@ TEST(GltfMaterial, MapsArePlacedFromTheBaseColor) {
   EXPECT_EQ(read.normalMap.place[1], glm::vec3(0.0f, 1.0f, 0.0f));
 }
 
-TEST(GltfMaterial, MapsOfOtherCoordinatesAreNamedAndLeftOut) {
+TEST(GltfMaterial, MapsWithOtherCoordinatesAreReportedAndSkipped) {
   for (const ordered_json& other : {ordered_json{{"index", 1}, {"texCoord", 1}}, mapAt(1)}) {
     const ordered_json collapsed{{"scale", {0, 1}}};
     const bool second = other.contains("texCoord");
@@ -109,7 +109,7 @@ TEST(GltfMaterial, MapsOfOtherCoordinatesAreNamedAndLeftOut) {
   }
 }
 
-TEST(GltfMaterial, WithoutABaseColorTheFirstMapHasTheCoordinates) {
+TEST(GltfMaterial, FirstMapSetsTheCoordinatesWithoutABaseColor) {
   const ordered_json moved{{"offset", {0.5, 0.5}}};
   const auto character = importMaterial({{"normalTexture", mapAt(0, moved)}}, 1);
   ASSERT_TRUE(character.ok());
@@ -117,7 +117,7 @@ TEST(GltfMaterial, WithoutABaseColorTheFirstMapHasTheCoordinates) {
   EXPECT_EQ(character.value()->mesh.wedges.at(0).uv, glm::vec2(0.75f, 1.25f));
 }
 
-TEST(GltfMaterial, UnlitOnesNeedNoMaps) {
+TEST(GltfMaterial, UnlitMaterialsHaveNoMaps) {
   ordered_json material = wholeMaterial();
   material["extensions"]["KHR_materials_unlit"] = ordered_json::object();
   const auto character = importMaterial(material, 3);
@@ -126,7 +126,7 @@ TEST(GltfMaterial, UnlitOnesNeedNoMaps) {
   EXPECT_TRUE(character.value()->textures.empty());
 }
 
-TEST(GltfMaterial, BrokenMapsAreLeftOutAndWrongOnesRefused) {
+TEST(GltfMaterial, BrokenMapsAreSkippedAndInvalidOnesRefused) {
   const auto character = importMaterial(wholeMaterial(), 3, "missing.png");
   ASSERT_TRUE(character.ok());
   const Material& read = character.value()->materials.at(0);
@@ -144,7 +144,7 @@ TEST(GltfMaterial, BrokenMapsAreLeftOutAndWrongOnesRefused) {
   }
 }
 
-/// Base colors of all materials first, whatever the order in the file: the limit takes away what is seen least.
+/// Base colors of all materials first, whatever the order in the file: the limit drops the least visible maps.
 TEST(GltfMaterial, BaseColorsAreReadFirst) {
   test::Post post = test::makePost();
   for (int i = 0; i < 2; ++i) {

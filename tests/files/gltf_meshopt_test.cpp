@@ -1,5 +1,4 @@
-// tests/files/gltf_meshopt_test.cpp: views that meshoptimizer has compressed, whole, damaged, and at odds with the
-// file.
+// tests/files/gltf_meshopt_test.cpp: views compressed by meshoptimizer: valid, damaged, and inconsistent with the file.
 
 #include <cmath>
 #include <functional>
@@ -29,12 +28,12 @@ class GltfMeshopt : public ::testing::Test {
   TemporaryFolder folder_;
 };
 
-TEST_F(GltfMeshopt, ShowsWhatThePlainFileShows) {
+TEST_F(GltfMeshopt, MatchesThePlainFile) {
   expectShown(meshoptPost(false), 1e-6);
   expectShown(meshoptPost(true), 1e-6);
 }
 
-TEST_F(GltfMeshopt, IsTheSameCharacterToTheBit) {
+TEST_F(GltfMeshopt, GivesTheSameCharacterBitForBit) {
   const auto plain = importGltf(folder_.write("plain.glb", makePost().file.glb()));
   const auto packed = importGltf(folder_.write("packed.glb", meshoptPost(true).file.glb()));
   ASSERT_TRUE(plain.ok() && packed.ok());
@@ -42,13 +41,13 @@ TEST_F(GltfMeshopt, IsTheSameCharacterToTheBit) {
   EXPECT_EQ(packed.value()->clips.at(0).channels.at(0).values, plain.value()->clips.at(0).channels.at(0).values);
 }
 
-TEST_F(GltfMeshopt, AFallbackIsNotOpened) {
+TEST_F(GltfMeshopt, FallbackBufferIsNotOpened) {
   Post post = meshoptPost();
   post.file.json["buffers"][1]["uri"] = "for-others.bin";
   expectShown(post, 1e-6);
 }
 
-TEST_F(GltfMeshopt, AViewWithoutTheExtensionNeedsBytesOfItsOwn) {
+TEST_F(GltfMeshopt, ViewWithoutTheExtensionNeedsItsOwnBytes) {
   Post post = meshoptPost();
   post.file.json["bufferViews"][0].erase("extensions");
   const auto imported = importGltf(folder_.write("post.glb", post.file.glb()));
@@ -56,7 +55,7 @@ TEST_F(GltfMeshopt, AViewWithoutTheExtensionNeedsBytesOfItsOwn) {
   EXPECT_EQ(imported.error().place, "buffers[1]");
 }
 
-TEST_F(GltfMeshopt, PositionsMayHaveExponents) {
+TEST_F(GltfMeshopt, PositionsMayUseTheExponentialFilter) {
   Post post = makePost();
   std::vector<float> packed(post.positions.size());
   meshopt_encodeFilterExp(packed.data(), 12, 12, 24, post.positions.data());
@@ -65,7 +64,7 @@ TEST_F(GltfMeshopt, PositionsMayHaveExponents) {
   expectShown(post, 1e-6);
 }
 
-TEST_F(GltfMeshopt, ClipsMayHaveFilteredRotations) {
+TEST_F(GltfMeshopt, RotationsMayUseTheQuaternionFilter) {
   Post post = makePost();
   const float half = std::sqrt(0.5f);
   const std::vector<float> turns{0, 0, 0, 1, half, 0, 0, half};
@@ -103,8 +102,8 @@ std::vector<float> undone(const std::vector<Number>& packed, std::size_t count, 
   return result;
 }
 
-/// Any number of elements, of which the library takes four at once.
-TEST(MeshoptView, FiltersComeBackWithinTheirStep) {
+/// Any number of elements; the library handles four at once.
+TEST(MeshoptView, FiltersRoundTripWithinTheirPrecision) {
   for (unsigned seed = 0; seed < 40; ++seed) {
     std::mt19937 random(seed);
     const std::size_t count = 1 + random() % 40;
@@ -113,7 +112,7 @@ TEST(MeshoptView, FiltersComeBackWithinTheirStep) {
     meshopt_encodeFilterQuat(shorts.data(), count, 8, 16, units.data());
     const std::vector<float> turns = undone(shorts, count, MeshoptFilter::kQuaternion);
     for (std::size_t i = 0; i < count; ++i) {
-      float along = 0.0f;  // A quaternion and its opposite are the same turn.
+      float along = 0.0f;  // A quaternion and its negative are the same rotation.
       for (std::size_t c = 0; c < 4; ++c) along += turns[4 * i + c] * units[4 * i + c];
       EXPECT_NEAR(std::abs(along), 1.0f, 1e-3f);
     }
@@ -138,7 +137,7 @@ TEST(MeshoptView, FiltersComeBackWithinTheirStep) {
   }
 }
 
-TEST_F(GltfMeshopt, OpensNoBytesThatAreCutOff) {
+TEST_F(GltfMeshopt, RefusesTruncatedBytes) {
   for (const char* part : {"POSITION", "indices"}) {
     Post whole = meshoptPost();
     const int view = viewOfPart(whole, part);
@@ -153,7 +152,7 @@ TEST_F(GltfMeshopt, OpensNoBytesThatAreCutOff) {
   }
 }
 
-TEST_F(GltfMeshopt, FlippedBytesDoNoHarm) {
+TEST_F(GltfMeshopt, FlippedBytesAreSafe) {
   flipBytes(meshoptPost(false).file.glb(), "flipped.glb", 400);
   flipBytes(meshoptPost(true).file.glb(), "flipped.glb", 400);
 }
@@ -169,7 +168,7 @@ void PrintTo(const MeshoptTrap& trap, std::ostream* out) { *out << trap.name; }
 
 class GltfMeshoptTrap : public ::testing::TestWithParam<MeshoptTrap> {};
 
-TEST_P(GltfMeshoptTrap, IsRefusedWithItsPlaceAndReason) {
+TEST_P(GltfMeshoptTrap, IsRefusedWithPlaceAndReason) {
   const TemporaryFolder folder;
   Post post = meshoptPost();
   const int view = viewOfPart(post, "POSITION");
@@ -184,7 +183,7 @@ TEST_P(GltfMeshoptTrap, IsRefusedWithItsPlaceAndReason) {
 
 constexpr const char* kMeshoptPlace = "bufferViews[0].extensions.EXT_meshopt_compression";
 
-/// As if the whole view were other elements.
+/// Declares the whole view as elements of another kind.
 void setMeshopt(ordered_json& view, ordered_json& compressed, std::uint64_t count, std::uint64_t stride,
                 const char* mode = "ATTRIBUTES", const char* filter = "NONE") {
   view["byteLength"] = count * stride;
@@ -256,7 +255,7 @@ TEST_F(GltfMeshopt, IndicesBeyondTheVerticesAreRefused) {
   }
 }
 
-/// A view that names the bytes of others must not multiply them without end.
+/// Views that share the same bytes must not multiply them without limit.
 TEST_F(GltfMeshopt, ManyViewsOfTheSameBytesAreCountedTogether) {
   Post post = meshoptPost();
   const std::vector<float> zeros(1 << 20, 0.0f);

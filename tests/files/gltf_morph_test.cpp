@@ -1,4 +1,5 @@
-// tests/files/gltf_morph_test.cpp: morph targets of files: the mesh that they give, and the clips that play them.
+// tests/files/gltf_morph_test.cpp: morph targets of files: the resulting mesh, and clips that animate them.
+
 #include <limits>
 
 #include <gtest/gtest.h>
@@ -27,7 +28,7 @@ std::vector<float> randomWeights(std::size_t count, Random& random) {
   return weights;
 }
 
-/// Positions and normals of every corner as an import of the file with moved base positions has them.
+/// Positions and normals of all corners match an import of the file with moved base positions.
 void expectAsMovedBase(const std::filesystem::path& file, std::uint64_t seed) {
   const auto character = importGltf(file).value();
   ASSERT_FALSE(character->morphTargets.empty());
@@ -55,14 +56,14 @@ void expectAsMovedBase(const std::filesystem::path& file, std::uint64_t seed) {
 
 class MorphForms : public ::testing::TestWithParam<DeltaForm> {};
 
-TEST_P(MorphForms, GiveTheMeshOfMovedBasePositions) {
+TEST_P(MorphForms, MatchAMeshWithMovedBasePositions) {
   const TemporaryFolder folder;
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
     expectAsMovedBase(folder.write("post.glb", makeMorphingPost(4, seed, GetParam()).file.glb()), seed + 100);
   }
 }
 
-TEST_P(MorphForms, PlayAsTheFileSays) {
+TEST_P(MorphForms, PlayAsInTheFile) {
   const TemporaryFolder folder;
   for (std::uint64_t seed = 0; seed < 10; ++seed) {
     expectSkinsLikeTheFile(folder.write("post.glb", makeMorphingPost(3, seed, GetParam()).file.glb()));
@@ -72,13 +73,13 @@ TEST_P(MorphForms, PlayAsTheFileSays) {
 INSTANTIATE_TEST_SUITE_P(Forms, MorphForms,
                          ::testing::Values(DeltaForm::kFloats, DeltaForm::kSparse, DeltaForm::kShorts));
 
-TEST(GltfMorphs, ARealFaceIsThatOfMovedBasePositions) {
+TEST(GltfMorphs, RealFaceMatchesMovedBasePositions) {
   const auto file = characterFile("RobotExpressive.glb");
   if (!file) SINEW_SKIP_WITHOUT_CHARACTERS();
   for (std::uint64_t seed = 0; seed < 5; ++seed) expectAsMovedBase(*file, seed);
 }
 
-TEST(GltfMorphs, SteppedAndCubicWeightsPlayAsTheFileSays) {
+TEST(GltfMorphs, StepAndCubicWeightsPlayAsInTheFile) {
   const TemporaryFolder folder;
   for (const bool cubic : {false, true}) {
     for (std::uint64_t seed = 0; seed < 10; ++seed) {
@@ -92,7 +93,7 @@ TEST(GltfMorphs, SteppedAndCubicWeightsPlayAsTheFileSays) {
   }
 }
 
-TEST(GltfMorphs, WeightsOfTheNodeCountBeforeThoseOfTheMesh) {
+TEST(GltfMorphs, NodeWeightsOverrideMeshWeights) {
   const TemporaryFolder folder;
   Post post = makeMorphingPost(2, 3);
   post.file.json["animations"][0]["channels"].erase(1);
@@ -106,7 +107,7 @@ TEST(GltfMorphs, WeightsOfTheNodeCountBeforeThoseOfTheMesh) {
   expectSkinsLikeTheFile(folder.path() / "node.glb");
 }
 
-TEST(GltfMorphs, NamesAreTheFilesOrTheNodesWithANumber) {
+TEST(GltfMorphs, NamesComeFromTheFileOrTheNode) {
   const TemporaryFolder folder;
   Post post = makeMorphingPost(3, 1);
   post.file.json["meshes"][0]["extras"]["targetNames"] = {"smile", 7};
@@ -117,8 +118,8 @@ TEST(GltfMorphs, NamesAreTheFilesOrTheNodesWithANumber) {
   EXPECT_EQ(character->morphTargets[2].name, "post.3");
 }
 
-/// Elsewhere than beside what has moved the normals keep their bits; positions everywhere.
-TEST(GltfMorphs, WhatDoesNotMoveKeepsItsBits) {
+/// Normals keep their bits except next to moved vertices; positions everywhere.
+TEST(GltfMorphs, UnmovedVerticesKeepTheirBits) {
   const TemporaryFolder folder;
   Post post = makeMorphingPost(0, 0);
   std::vector<float> deltas(post.positions.size(), 0.0f);
@@ -151,8 +152,8 @@ TEST(GltfMorphs, WhatDoesNotMoveKeepsItsBits) {
   EXPECT_GT(turned, 0);
 }
 
-/// The result is that of the weights at hand, whatever the memory held before.
-TEST(GltfMorphs, MemoryOfFormerWeightsChangesNothing) {
+/// The result depends on the current weights only, whatever the memory held before.
+TEST(GltfMorphs, ResultDoesNotDependOnPreviousWeights) {
   const TemporaryFolder folder;
   const auto character = importGltf(folder.write("post.glb", makeMorphingPost(3, 5).file.glb())).value();
   Random random(9);
@@ -170,7 +171,7 @@ TEST(GltfMorphs, MemoryOfFormerWeightsChangesNothing) {
   }
 }
 
-/// The faces of a fan, each by its angle, in double.
+/// Normals of a fan from its faces, weighted by angle, in double precision.
 std::vector<glm::dvec3> fanNormals(const ControlMesh& sharp, const std::vector<glm::vec3>& positions) {
   std::vector<glm::dvec3> sums(3 * sharp.triangles.size(), glm::dvec3(0.0));
   for (const ControlTriangle& triangle : sharp.triangles) {
@@ -185,7 +186,7 @@ std::vector<glm::dvec3> fanNormals(const ControlMesh& sharp, const std::vector<g
   return sums;
 }
 
-TEST(GltfMorphs, CreasesTurnWithTheirFaces) {
+TEST(GltfMorphs, CreasesRotateWithTheirFaces) {
   const TemporaryFolder folder;
   for (std::uint64_t seed = 0; seed < 10; ++seed) {
     const auto character = importGltf(folder.write("post.glb", makeMorphingPost(3, seed).file.glb())).value();
@@ -217,14 +218,14 @@ class BadMorphs : public ::testing::Test {
   Post post_ = makeMorphingPost(2, 1);
 };
 
-TEST_F(BadMorphs, CountsThatDoNotFitAreRefused) {
+TEST_F(BadMorphs, MismatchedCountsAreRefused) {
   post_.primitive()["targets"][0]["POSITION"] = post_.file.accessor(std::vector<float>(9, 0.5f), "VEC3");
   const auto imported = import();
   ASSERT_FALSE(imported.ok());
   EXPECT_NE(imported.error().reason.find("3 deltas for 12 positions"), std::string::npos) << imported.error().text();
 }
 
-TEST_F(BadMorphs, DeltasThatAreNotFiniteAreNoted) {
+TEST_F(BadMorphs, NonFiniteDeltasAreReported) {
   std::vector<float> deltas(36, 0.125f);
   deltas[4] = std::numeric_limits<float>::quiet_NaN();
   deltas[9] = 1e30f;
@@ -236,8 +237,8 @@ TEST_F(BadMorphs, DeltasThatAreNotFiniteAreNoted) {
   EXPECT_NE(notes.find("not finite or too large: 0 is used there (2 times)"), std::string::npos) << notes;
 }
 
-/// Whatever a file asks for, positions stay numbers.
-TEST_F(BadMorphs, HugeWeightsAreBrokenOff) {
+/// Whatever the file contains, positions stay finite.
+TEST_F(BadMorphs, HugeWeightsAreClamped) {
   post_.file.json["meshes"][0]["weights"] = {1e30, -1e30};
   setWeightKeys(post_, {0.0f, 1e-6f, 1.0f}, std::vector<float>(18, 1e15f), "CUBICSPLINE");
   const auto imported = import();
@@ -254,14 +255,14 @@ TEST_F(BadMorphs, HugeWeightsAreBrokenOff) {
   }
 }
 
-TEST_F(BadMorphs, MoreThanOneThousandAreRefused) {
+TEST_F(BadMorphs, TooManyTargetsAreRefused) {
   for (int i = 0; i < 1023; ++i) post_.primitive()["targets"].push_back(ordered_json::object());
   const auto imported = import();
   ASSERT_FALSE(imported.ok());
   EXPECT_NE(imported.error().text().find("1,024 morph targets"), std::string::npos) << imported.error().text();
 }
 
-TEST_F(BadMorphs, WeightKeysThatDoNotFitAreRefused) {
+TEST_F(BadMorphs, MismatchedWeightKeysAreRefused) {
   setWeightKeys(post_, {0.0f, 1.0f}, {0.0f, 1.0f, 0.5f}, "LINEAR");
   const auto imported = import();
   ASSERT_FALSE(imported.ok());

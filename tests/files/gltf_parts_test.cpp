@@ -1,4 +1,4 @@
-// tests/files/gltf_parts_test.cpp: pieces of the mesh have names, and each triangle one of them.
+// tests/files/gltf_parts_test.cpp: pieces of the mesh have names, and each triangle belongs to one.
 #include <algorithm>
 #include <set>
 
@@ -29,12 +29,12 @@ std::vector<std::string> namesOf(const Character& character) {
 
 using Names = std::vector<std::string>;
 
-TEST(GltfParts, AMeshIsAPartAndAMaterialIsOneWhereTheMeshHasSeveral) {
+TEST(GltfParts, PartsAreMeshesOrTheirMaterials) {
   test::Post post = test::makePost();
   EXPECT_EQ(namesOf(*importOf(post)), Names{"default"}) << "the mesh has no name";
   post.file.json["meshes"][0]["name"] = "Post";
   EXPECT_EQ(namesOf(*importOf(post)), Names{"Post"});
-  // The upper half is of another material.
+  // The upper half has another material.
   post.file.json["materials"] = {{{"name", "Wood"}}, {{"name", "Wood"}}, {{"name", ""}}};
   const std::vector<std::uint16_t> lower(post.indices.begin(), post.indices.begin() + 30);
   const std::vector<std::uint16_t> upper(post.indices.begin() + 30, post.indices.end());
@@ -54,7 +54,7 @@ TEST(GltfParts, AMeshIsAPartAndAMaterialIsOneWhereTheMeshHasSeveral) {
   EXPECT_EQ(namesOf(*importOf(post)), (Names{"Wood", "material 2"})) << "a material without a name gets one";
 }
 
-TEST(GltfParts, AMeshThatNodesShowTwiceIsOnePartAndWhatCollapsesIsNone) {
+TEST(GltfParts, MeshUsedTwiceIsOnePartAndACollapsedMeshIsNone) {
   test::Post post = test::makePost();
   post.file.json["meshes"][0]["name"] = "Post";
   auto& nodes = post.file.json["nodes"];
@@ -70,7 +70,7 @@ TEST(GltfParts, AMeshThatNodesShowTwiceIsOnePartAndWhatCollapsesIsNone) {
   EXPECT_EQ(namesOf(*character), Names{"Post"});
 }
 
-TEST(GltfParts, ADressedBodyHasItsClothesByName) {
+TEST(GltfParts, DressedBodyHasNamedClothes) {
   const auto dressed = test::dressedHumanoid();
   EXPECT_EQ(namesOf(*dressed), (Names{"humanoid", "Shirt", "Trousers", "Eyes", "Hair"}));
   std::set<int> used;
@@ -78,7 +78,7 @@ TEST(GltfParts, ADressedBodyHasItsClothesByName) {
   EXPECT_EQ(used.size(), dressed->parts.size());
 }
 
-TEST(GltfParts, RealCharactersHaveUniqueNamesForAllTheirTriangles) {
+TEST(GltfParts, RealCharactersHaveUniquePartNames) {
   for (const char* file : {"man.glb", "woman.glb", "fighter.glb", "RobotExpressive.glb", "Bull.glb", "Fox.glb"}) {
     const auto path = test::characterFile(file);
     if (!path) SINEW_SKIP_WITHOUT_CHARACTERS();

@@ -1,5 +1,5 @@
-// tests/files/gltf_quantized_test.cpp: a body in two meshes that were rounded to integers, each on its own grid, is one
-// skin again.
+// tests/files/gltf_quantized_test.cpp: a body in two meshes, each rounded to integers on its own grid, is joined to one
+// skin.
 
 #include <algorithm>
 #include <array>
@@ -19,9 +19,9 @@ using nlohmann::ordered_json;
 
 enum class Packed { kNo, kMeshopt };
 
-/// How numbers become integers.
+/// Conversion of numbers to integers.
 struct Rounding {
-  int bits = 14;  ///< Of 16 with the sign, the lower ones repeat the higher; 0: not normalized.
+  int bits = 14;  ///< Of 16 with the sign; lower bits repeat the higher ones; 0: not normalized.
   Packed packed = Packed::kNo;
 };
 
@@ -32,8 +32,8 @@ std::int16_t roundedTo(double value, int bits) {
   return static_cast<std::int16_t>(value < 0.0 ? -whole : whole);
 }
 
-/// The triangles of a post below or above its middle, on the grid that fits what they use, as the mesh and the skin of
-/// their own. Places are rounded there; the skin's matrices bring them back.
+/// Adds the triangles of a post below or above its middle, on the grid that fits their vertices, as a mesh with its own
+/// skin. Positions are rounded on the grid; the skin's matrices undo its scale.
 void addHalf(Post& post, bool above, const Rounding& rounding, double shift) {
   GltfBuilder& file = post.file;
   std::vector<std::uint16_t> kept;
@@ -53,7 +53,7 @@ void addHalf(Post& post, bool above, const Rounding& rounding, double shift) {
   std::vector<std::uint8_t> weights;
   for (const float weight : post.weights) weights.push_back(static_cast<std::uint8_t>(std::lround(255.0f * weight)));
   const double unit = rounding.bits == 0 ? scale / 4000.0 : scale;
-  // The matrices of the post (gltf_builder.h), after the grid's.
+  // The post's matrices (gltf_builder.h), after the grid's.
   std::vector<float> binds;
   for (const double knee : {0.0, 1.0}) {
     for (int column = 0; column < 4; ++column) {
@@ -123,7 +123,7 @@ INSTANTIATE_TEST_SUITE_P(, GltfQuantized,
                          testing::Values(Rounding{14}, Rounding{13}, Rounding{16}, Rounding{0},
                                          Rounding{14, Packed::kMeshopt}, Rounding{0, Packed::kMeshopt}));
 
-TEST_P(GltfQuantized, MeshesOnGridsOfTheirOwnStayOneSkin) {
+TEST_P(GltfQuantized, MeshesOnDifferentGridsStayOneSkin) {
   const Borders whole = bordersOf(folder_.write("whole.glb", makePost().file.glb()));
   ASSERT_EQ(whole.edges, 0);
   for (const double shift : {0.0, 0.0123, 0.04567, 0.0891}) {
@@ -133,8 +133,8 @@ TEST_P(GltfQuantized, MeshesOnGridsOfTheirOwnStayOneSkin) {
   }
 }
 
-TEST_P(GltfQuantized, WhatIsFartherApartThanRoundingGoesStaysApart) {
-  // The upper half is 0.15 % of the height up.
+TEST_P(GltfQuantized, MeshesBeyondRoundingStaySeparate) {
+  // The upper half is shifted up by 0.15 % of the height.
   Post moved = twoMeshes(GetParam());
   for (std::size_t i = 1; i < moved.positions.size(); i += 3) moved.positions[i] += 0.003f;
   moved.file.json["meshes"].erase(1);
@@ -143,12 +143,12 @@ TEST_P(GltfQuantized, WhatIsFartherApartThanRoundingGoesStaysApart) {
   EXPECT_EQ(bordersOf(folder_.write("apart.glb", moved.file.glb())).edges, 8);
 }
 
-/// On one grid, what met is in one place still, and what did not is not.
-TEST(GltfQuantizedTogether, OnOneGridNothingIsJoinedThatIsAStepApart) {
+/// On one grid, vertices that coincided still do, and others do not.
+TEST(GltfQuantizedOnOneGrid, VerticesOneStepApartAreNotJoined) {
   TemporaryFolder folder;
   Post post = twoMeshes({0});
   ordered_json& file = post.file.json;
-  // Both halves on the first one's grid, the second one step up.
+  // Both halves on the first one's grid, the second one a step up.
   std::vector<std::int16_t> places;
   const std::array<double, 3> origin{0.11, 0.9, -0.07};
   for (std::size_t i = 0; i < post.positions.size(); ++i) {

@@ -1,4 +1,4 @@
-// tests/files/gltf_skeleton_test.cpp: skeletons, binds and clips as real files bend them.
+// tests/files/gltf_skeleton_test.cpp: skeletons, binds and clips with the peculiarities of real files.
 
 #include <algorithm>
 #include <cmath>
@@ -53,12 +53,12 @@ void expectBindPoseIsTheMesh(const Character& character) {
   }
 }
 
-/// Two rigid matrices, columns first: the identity, and one that takes y = `height` to the origin.
+/// Two rigid matrices in column order: the identity, and one that moves y = `height` to the origin.
 std::vector<float> uprightBinds(float height) {
   return {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, -height, 0, 1};
 }
 
-TEST_F(GltfSkeleton, RootThatTurnsZUpUpright) {
+TEST_F(GltfSkeleton, RootMayRotateZUpToYUp) {
   Post post = makePost();
   for (std::size_t v = 0; v < 12; ++v) std::swap(post.positions[3 * v + 1], post.positions[3 * v + 2]);
   post.attributes()["POSITION"] = post.file.accessor(post.positions, "VEC3");
@@ -75,7 +75,7 @@ TEST_F(GltfSkeleton, RootThatTurnsZUpUpright) {
   expectBindPoseIsTheMesh(*character);
 }
 
-TEST_F(GltfSkeleton, RootScaledByAHundred) {
+TEST_F(GltfSkeleton, RootMayBeScaled) {
   Post post = makePost();
   post.file.json["nodes"].push_back({{"scale", {100, 100, 100}}, {"children", {1}}});
   post.file.json["scenes"][0]["nodes"] = {0, 3};
@@ -84,17 +84,17 @@ TEST_F(GltfSkeleton, RootScaledByAHundred) {
   expectBindPoseIsTheMesh(*character);
 }
 
-TEST_F(GltfSkeleton, NodesPlacedByMatrices) {
+TEST_F(GltfSkeleton, NodesMayHaveMatrices) {
   Post post = makePost();
   post.file.json["nodes"][1]["matrix"] = {0, 0, -2, 0, 0, 2, 0, 0, 2, 0, 0, 0, 3, 0, 5, 1};
-  post.file.json["nodes"][0]["translation"] = {9, 9, 9};  // of no effect on a skinned mesh
+  post.file.json["nodes"][0]["translation"] = {9, 9, 9};  // no effect on a skinned mesh
   const auto character = import(post);
   EXPECT_NEAR(character->height, 4.0f, 1e-4f);
   EXPECT_TRUE(character->skeleton.nodes[0].rest.matrix.has_value());
   expectBindPoseIsTheMesh(*character);
 }
 
-TEST_F(GltfSkeleton, MirroredBindTurnsTheWinding) {
+TEST_F(GltfSkeleton, MirroredBindReversesTheWinding) {
   Post post = makePost();
   post.file.json["nodes"][1]["scale"] = {-1, 1, 1};
   const auto character = import(post);
@@ -104,7 +104,7 @@ TEST_F(GltfSkeleton, MirroredBindTurnsTheWinding) {
   }
 }
 
-TEST_F(GltfSkeleton, NoInverseBindsAreIdentity) {
+TEST_F(GltfSkeleton, MissingInverseBindsAreIdentity) {
   Post post = makePost();
   post.file.json["skins"][0].erase("inverseBindMatrices");
   const auto character = import(post);
@@ -126,7 +126,7 @@ TEST_F(GltfSkeleton, SingularInverseBindFallsBackToTheRestPose) {
   }
 }
 
-TEST_F(GltfSkeleton, JointsListedChildFirst) {
+TEST_F(GltfSkeleton, JointsMayBeListedChildFirst) {
   Post post = makePost();
   post.file.json["skins"][0]["joints"] = {2, 1};
   for (std::uint8_t& joint : post.joints) joint = static_cast<std::uint8_t>(1 - joint);
@@ -150,8 +150,8 @@ TEST_F(GltfSkeleton, TwoSkinsShareJointsAndBindings) {
   EXPECT_EQ(character->mesh.positions.size(), 12u) << "both meshes lie in the same place and weld";
 }
 
-/// The second skin's mesh has another origin; its inverse binds say so, and both lie together in the bind pose.
-TEST_F(GltfSkeleton, SecondSkinWithItsOwnOriginNeedsNoOtherBinding) {
+/// The second skin's mesh has another origin, as its inverse binds show; in the bind pose both coincide.
+TEST_F(GltfSkeleton, SecondSkinWithItsOwnOriginSharesBindings) {
   Post post = makePost();
   std::vector<float> positions = post.positions;
   for (std::size_t v = 0; v < 12; ++v) positions[3 * v] += 10.0f;
@@ -169,7 +169,7 @@ TEST_F(GltfSkeleton, SecondSkinWithItsOwnOriginNeedsNoOtherBinding) {
   expectBindPoseIsTheMesh(*character);
 }
 
-TEST_F(GltfSkeleton, SecondSkinThatBindsDifferentlyGetsBindingsOfItsOwn) {
+TEST_F(GltfSkeleton, SecondSkinBoundDifferentlyGetsItsOwnBindings) {
   Post post = makePost();
   post.file.json["skins"].push_back(
       {{"joints", {1, 2}}, {"inverseBindMatrices", post.file.accessor(uprightBinds(1.5f), "MAT4")}});
@@ -182,7 +182,7 @@ TEST_F(GltfSkeleton, SecondSkinThatBindsDifferentlyGetsBindingsOfItsOwn) {
   EXPECT_TRUE(mentions(*character, "bound differently"));
 }
 
-TEST_F(GltfSkeleton, MeshBelowAJointRidesIt) {
+TEST_F(GltfSkeleton, MeshBelowAJointFollowsIt) {
   Post post = makePost();
   ordered_json hat{
       {"primitives",
@@ -198,7 +198,7 @@ TEST_F(GltfSkeleton, MeshBelowAJointRidesIt) {
   expectBindPoseIsTheMesh(*character);
 }
 
-TEST_F(GltfSkeleton, WithoutASkinEveryMeshNodeIsABone) {
+TEST_F(GltfSkeleton, MeshNodesAreBonesWithoutASkin) {
   Post post = makePost();
   post.file.json.erase("skins");
   post.file.json["nodes"] = {{{"mesh", 0}, {"children", {1}}},
@@ -215,7 +215,7 @@ TEST_F(GltfSkeleton, WithoutASkinEveryMeshNodeIsABone) {
   expectBindPoseIsTheMesh(*character);
 }
 
-TEST_F(GltfSkeleton, UnnamedThingsGetNames) {
+TEST_F(GltfSkeleton, UnnamedItemsGetNames) {
   Post post = makePost();
   post.file.json["nodes"][1].erase("name");
   post.file.json["nodes"][2]["name"] = "";
@@ -231,7 +231,7 @@ void setSampler(Post& post, const std::string& mode, const std::vector<float>& t
   post.file.json["animations"][0]["samplers"][0] = {{"input", input}, {"output", output}, {"interpolation", mode}};
 }
 
-TEST_F(GltfSkeleton, StepCubicAndIntegerKeys) {
+TEST_F(GltfSkeleton, StepCubicAndIntegerKeysAreImported) {
   Post step = makePost();
   setSampler(step, "STEP", {0.0f, 0.5f, 1.0f},
              step.file.accessor(std::vector<float>{0, 0, 0, 1, 0.6f, 0, 0, 0.8f, 1, 0, 0, 0}, "VEC4"));
@@ -249,7 +249,7 @@ TEST_F(GltfSkeleton, StepCubicAndIntegerKeys) {
   EXPECT_NEAR(import(shorts)->clips[0].channels[0].values[1].y, 0.6f, 1e-4f);
 }
 
-TEST_F(GltfSkeleton, KeyTimesOutOfOrderAreSortedAndTheLastOfEqualOnesCounts) {
+TEST_F(GltfSkeleton, KeyTimesAreSortedAndTheLastOfEqualTimesWins) {
   Post post = makePost();
   const std::vector<float> values{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
   setSampler(post, "LINEAR", {2.0f, 1.0f, 3.0f, 1.0f}, post.file.accessor(values, "VEC4"));

@@ -1,4 +1,5 @@
-// tests/files/gltf_traps_test.cpp: things glTF allows and real files do, each cut into the same small post.
+// tests/files/gltf_traps_test.cpp: unusual features that glTF allows and real files use, each added to the same small
+// post.
 
 #include <algorithm>
 #include <cmath>
@@ -26,7 +27,7 @@ using test::Post;
 
 class GltfTrap : public testing::Test {
  protected:
-  /// Imports a post; also holds it against the independent skinning unless told otherwise.
+  /// Imports a post; by default also compares it with an independent skinning.
   std::shared_ptr<const Character> import(const Post& post, bool compare = true) {
     const auto file = folder_.write("post.glb", post.file.glb());
     if (compare) test::expectSkinsLikeTheFile(file);
@@ -47,7 +48,7 @@ void expectPost(const Character& character) {
   EXPECT_TRUE(topologyOf(character.mesh).closed());
 }
 
-TEST_F(GltfTrap, SparsePositions) {
+TEST_F(GltfTrap, SparsePositionsAreImported) {
   Post post = makePost();
   ordered_json& accessor = post.file.json["accessors"][post.attributes()["POSITION"].get<std::size_t>()];
   const int indices = post.file.viewOf(std::vector<std::uint8_t>{8, 11});
@@ -60,7 +61,7 @@ TEST_F(GltfTrap, SparsePositions) {
   EXPECT_EQ(character->height, 3.0f);
 }
 
-TEST_F(GltfTrap, SparseWithoutABaseStartsFromZero) {
+TEST_F(GltfTrap, SparseAccessorWithoutABaseStartsFromZero) {
   Post post = makePost();
   std::vector<std::uint16_t> all(12);
   for (std::uint16_t i = 0; i < 12; ++i) all[i] = i;
@@ -73,13 +74,13 @@ TEST_F(GltfTrap, SparseWithoutABaseStartsFromZero) {
   expectPost(*import(post, false));
 }
 
-TEST_F(GltfTrap, MoreThanFourJointsAVertex) {
+TEST_F(GltfTrap, MoreThanFourJointsPerVertexAreImported) {
   Post post = makePost();
   std::vector<std::uint8_t> joints(48, 0);
   std::vector<float> weights(48, 0.0f);
   for (std::size_t v = 0; v < 12; ++v) {
     joints[4 * v] = 1;
-    weights[4 * v] = 1.0f;  // half of the whole, the first set sums to 1 already
+    weights[4 * v] = 1.0f;  // half of the total; the first set already sums to 1
   }
   post.attributes()["JOINTS_1"] = post.file.accessor(joints, "VEC4");
   post.attributes()["WEIGHTS_1"] = post.file.accessor(weights, "VEC4");
@@ -89,7 +90,7 @@ TEST_F(GltfTrap, MoreThanFourJointsAVertex) {
   EXPECT_NEAR(character->mesh.influencesOf(0)[1].weight, 0.5f, 1e-6f);
 }
 
-TEST_F(GltfTrap, NormalizedIntegerWeightsAndShortJoints) {
+TEST_F(GltfTrap, NormalizedIntegerWeightsAndShortJointsAreImported) {
   for (const bool bytes : {true, false}) {
     Post post = makePost();
     std::vector<std::uint8_t> asBytes;
@@ -106,7 +107,7 @@ TEST_F(GltfTrap, NormalizedIntegerWeightsAndShortJoints) {
   }
 }
 
-TEST_F(GltfTrap, WeightsThatDoNotSumToOneAreScaled) {
+TEST_F(GltfTrap, WeightsAreNormalized) {
   Post post = makePost();
   for (float& weight : post.weights) weight *= 3.0f;
   post.attributes()["WEIGHTS_0"] = post.file.accessor(post.weights, "VEC4");
@@ -114,7 +115,7 @@ TEST_F(GltfTrap, WeightsThatDoNotSumToOneAreScaled) {
   EXPECT_NEAR(character->mesh.influencesOf(0)[0].weight, 1.0f, 1e-6f);
 }
 
-TEST_F(GltfTrap, WeightsBelowZeroCountAsZeroAndAreToldOf) {
+TEST_F(GltfTrap, NegativeWeightsAreZeroWithANote) {
   Post post = makePost();
   for (std::size_t v = 0; v < 12; ++v) {
     post.weights[4 * v + 2] = -0.25f;
@@ -140,7 +141,7 @@ TEST_F(GltfTrap, ZeroWeightsFollowTheFirstJoint) {
   EXPECT_TRUE(mentions(*character, "weights are all zero"));
 }
 
-TEST_F(GltfTrap, InterleavedVertices) {
+TEST_F(GltfTrap, InterleavedVerticesAreImported) {
   Post post = makePost();
   std::vector<float> rows;
   for (std::size_t v = 0; v < 12; ++v) {
@@ -159,7 +160,7 @@ TEST_F(GltfTrap, InterleavedVertices) {
   expectPost(*import(post));
 }
 
-TEST_F(GltfTrap, NoIndices) {
+TEST_F(GltfTrap, UnindexedPrimitivesAreImported) {
   Post post = makePost();
   std::vector<float> positions;
   std::vector<float> weights;
@@ -178,7 +179,7 @@ TEST_F(GltfTrap, NoIndices) {
 
 TEST_F(GltfTrap, StripsAndFansKeepTheirWinding) {
   Post post = makePost();
-  const std::vector<std::uint8_t> around{0, 4, 1, 5, 2, 6, 3, 7, 0, 4};  // lower wall as a strip, turned outwards below
+  const std::vector<std::uint8_t> around{0, 4, 1, 5, 2, 6, 3, 7, 0, 4};  // lower wall as a strip, flipped below
   const std::vector<std::uint8_t> upper{4, 8, 5, 9, 6, 10, 7, 11, 4, 8};
   const auto reversed = [](std::vector<std::uint8_t> strip) {
     for (std::size_t i = 0; i + 1 < strip.size(); i += 2) std::swap(strip[i], strip[i + 1]);
@@ -205,7 +206,7 @@ TEST_F(GltfTrap, StripsAndFansKeepTheirWinding) {
   }
 }
 
-TEST_F(GltfTrap, PointsLinesAndFurtherColorsAreListed) {
+TEST_F(GltfTrap, PointsLinesAndFurtherColorsAreReported) {
   Post post = makePost();
   post.attributes()["COLOR_1"] = post.file.accessor(std::vector<float>(48, 1.0f), "VEC4");
   ordered_json points = post.primitive();
@@ -224,7 +225,7 @@ TEST_F(GltfTrap, PointsLinesAndFurtherColorsAreListed) {
   EXPECT_FALSE(mentions(*character, "KHR_texture_transform"));
 }
 
-TEST_F(GltfTrap, ScenesBesidesTheDefaultAreLeftOut) {
+TEST_F(GltfTrap, OnlyTheDefaultSceneIsImported) {
   Post post = makePost();
   post.file.json["nodes"].push_back({{"mesh", 0}});
   post.file.json["scenes"].push_back({{"nodes", {3}}});
@@ -235,7 +236,7 @@ TEST_F(GltfTrap, ScenesBesidesTheDefaultAreLeftOut) {
   EXPECT_TRUE(mentions(*character, "meshes outside"));
 }
 
-TEST_F(GltfTrap, QuantizedPositions) {
+TEST_F(GltfTrap, QuantizedPositionsAreImported) {
   Post post = makePost();
   std::vector<std::int16_t> positions;
   for (const float p : post.positions) positions.push_back(static_cast<std::int16_t>(std::lround(100.0f * p)));
@@ -248,8 +249,8 @@ TEST_F(GltfTrap, QuantizedPositions) {
   EXPECT_EQ(character->height, 200.0f);
 }
 
-/// KHR_texture_transform is taken into the uv: rotate a quarter turn, scale, shift.
-TEST_F(GltfTrap, TextureTransformMovesTheUv) {
+/// KHR_texture_transform is applied to the uv: rotation by 90 degrees, scale, translation.
+TEST_F(GltfTrap, TextureTransformIsAppliedToTheUv) {
   Post post = makePost();
   std::vector<std::uint16_t> uv;
   for (std::size_t v = 0; v < 12; ++v) uv.insert(uv.end(), {65535, 0});
@@ -269,7 +270,7 @@ TEST_F(GltfTrap, TextureTransformMovesTheUv) {
   EXPECT_TRUE(mentions(*character, "missing.png")) << "a missing texture does not stop the import";
 }
 
-TEST_F(GltfTrap, MaterialsTheyFallBackTo) {
+TEST_F(GltfTrap, MaterialsHaveFallbacks) {
   Post post = makePost();
   ordered_json glossy{{"diffuseFactor", {0.1, 0.2, 0.3, 1.0}}, {"glossinessFactor", 0.25}};
   post.file.json["materials"] = {{{"name", "skin"}, {"extensions", {{"KHR_materials_pbrSpecularGlossiness", glossy}}}},

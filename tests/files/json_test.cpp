@@ -1,4 +1,4 @@
-// tests/files/json_test.cpp: JSON values, their reading and writing.
+// tests/files/json_test.cpp: parsing and writing of JSON values.
 #include "core/files/json/json.h"
 
 #include <bit>
@@ -36,19 +36,19 @@ TEST(Json, WritesShortestDecimals) {
   EXPECT_EQ(Json(std::numeric_limits<float>::infinity()).dump(), "null");
 }
 
-TEST(Json, EveryDoubleReadsBackBitEqual) {
+TEST(Json, EveryDoubleRoundTrips) {
   test::Random random(11);
   for (int i = 0; i < 20000; ++i) {
     const double value = std::bit_cast<double>(random.next());
     if (!std::isfinite(value)) continue;
     const auto back = Json::parse(Json(value).dump());
     ASSERT_TRUE(back.ok()) << value;
-    // Denormals included; only the fallback differs from a number.
+    // Including denormals; only the fallback differs from a number.
     ASSERT_EQ(std::bit_cast<std::uint64_t>(back->number(-7.0)), std::bit_cast<std::uint64_t>(value)) << value;
   }
 }
 
-TEST(Json, ReadingWhatIsNotThereGivesTheFallback) {
+TEST(Json, MissingValuesGiveTheFallback) {
   const auto json = Json::parse(R"({"a": 1, "b": "text", "c": [true, null], "d": {"e": -2.5}})");
   ASSERT_TRUE(json.ok());
   EXPECT_EQ(json->at("a").number(0), 1.0);
@@ -64,7 +64,7 @@ TEST(Json, ReadingWhatIsNotThereGivesTheFallback) {
   EXPECT_TRUE(json->items().empty());
 }
 
-TEST(Json, IndentedTextReadsBackTheSame) {
+TEST(Json, IndentedTextRoundTrips) {
   const std::string text = R"({"a":[1,2,3],"b":{"c":{"d":[{"e":"x"},[],{}]}},"long":[)" + std::string(60, '1') + "," +
                            std::string(60, '2') + "]}";
   const auto json = Json::parse(text);
@@ -82,21 +82,21 @@ TEST(Json, InvalidUtf8IsReplacedWhenWritten) {
             "b\"");
 }
 
-TEST(Json, SyntaxErrorsNameBytePlaceAndPath) {
+TEST(Json, SyntaxErrorsNameByteLineAndPath) {
   const auto json = Json::parse("{\n  \"a\": [1, NaN]\n}");
   ASSERT_FALSE(json.ok());
   EXPECT_TRUE(json.error().place.starts_with("byte 14 (line 2, column 12)")) << json.error().text();
   EXPECT_NE(json.error().reason.find("a[1]"), std::string::npos) << json.error().text();
 }
 
-TEST(Json, RefusesWhatIsNoJson) {
+TEST(Json, RefusesInvalidJson) {
   for (const char* text :
        {"", " ", "{", "[1,]", "{\"a\":}", "{'a':1}", "[1] 2", "nul", "\"\xff\"", "// c\n1", "[01]", "+1"}) {
     EXPECT_FALSE(Json::parse(text).ok()) << text;
   }
 }
 
-TEST(Json, NumbersOutOfRangeAndRepeatedKeysArePlacedByPath) {
+TEST(Json, OutOfRangeNumbersAndDuplicateKeysAreLocatedByPath) {
   const auto huge = Json::parse(R"({"a": {"b": [0, 1e999]}})");
   ASSERT_FALSE(huge.ok());
   EXPECT_EQ(huge.error().place, "a.b[1]");
@@ -118,14 +118,14 @@ TEST(Json, DeepNestingIsRefusedWithoutOverflowingTheStack) {
   EXPECT_EQ(fits->dump().size(), 2u * kMaxJsonDepth);
 }
 
-TEST(Json, FilesOfCountlessTinyValuesAreRefused) {
+TEST(Json, TooManyValuesAreRefused) {
   std::string text = "[0";
   for (int i = 0; i < kMaxJsonValues; ++i) text += ",0";
   text += ']';
   EXPECT_FALSE(Json::parse(text).ok());
 }
 
-TEST(Json, LimitsAreThoseAsked) {
+TEST(Json, CustomLimitsApply) {
   const JsonLimits limits{.depth = 2, .values = 4, .leftOut = {}};
   EXPECT_TRUE(Json::parse("[[1, 2]]", limits).ok());
   const auto deep = Json::parse(R"({"a": {"b": []}})", limits);
@@ -137,7 +137,7 @@ TEST(Json, LimitsAreThoseAsked) {
   EXPECT_EQ(many.error().reason, "more than 4 JSON values");
 }
 
-TEST(Json, LeftOutMembersAreCheckedAndCountedButNotKept) {
+TEST(Json, SkippedMembersAreParsedAndCountedButNotKept) {
   const std::string text = R"({"a": {"extras": {"x": [1, {"extras": 2}], "y": 3}, "b": 1}, "extras": 4, "c": 5})";
   const auto json = Json::parse(text, {.leftOut = "extras"});
   ASSERT_TRUE(json.ok());
@@ -146,13 +146,13 @@ TEST(Json, LeftOutMembersAreCheckedAndCountedButNotKept) {
   EXPECT_FALSE(Json::parse(R"({"extras": [1, }, "b": 1})", {.leftOut = "extras"}).ok());
 }
 
-TEST(Json, LongKeysMakeNoLongPlaces) {
+TEST(Json, LongKeysAreShortenedInErrors) {
   const auto json = Json::parse(R"({")" + std::string(100000, 'k') + R"(": 1e999})");
   ASSERT_FALSE(json.ok());
   EXPECT_LT(json.error().text().size(), 300u);
 }
 
-TEST(Json, ValidUtf8StaysAndTheRestIsReplaced) {
+TEST(Json, ValidUtf8IsKeptAndTheRestReplaced) {
   EXPECT_EQ(validUtf8("M\xC3\xBCll\"er\n"), "M\xC3\xBCll\"er\n");
   EXPECT_EQ(validUtf8("a\xff"), "a\xEF\xBF\xBD");
 }

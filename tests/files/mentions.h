@@ -1,4 +1,4 @@
-// tests/files/mentions.h: what an import says that it left out.
+// tests/files/mentions.h: notes of an import about dropped content.
 #pragma once
 
 #include <algorithm>

@@ -1,5 +1,4 @@
-// tests/files/no_harm.h: what an import of a damaged file may come to: one line that a person can act on, or a
-// character.
+// tests/files/no_harm.h: allowed results of importing a damaged file: an actionable one-line error, or a character.
 #pragma once
 
 #include <filesystem>
@@ -13,7 +12,7 @@
 
 namespace sinew::test {
 
-/// One line, with the file's name, saying more than that.
+/// One line that contains the file's name and more.
 inline void expectOneLine(const Error& error, const std::filesystem::path& file) {
   const std::string line = error.text();
   EXPECT_EQ(line.find('\n'), std::string::npos) << line;
@@ -22,7 +21,7 @@ inline void expectOneLine(const Error& error, const std::filesystem::path& file)
   EXPECT_LT(line.size(), 600u) << line;
 }
 
-/// Whatever comes back, it is a character or a proper error.
+/// The result is either a character or a proper error.
 inline void expectNoHarm(const std::filesystem::path& file) {
   const auto imported = importGltf(file);
   if (!imported) {

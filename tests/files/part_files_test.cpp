@@ -1,4 +1,4 @@
-// tests/files/part_files_test.cpp: what killed programs left goes, what others are writing stays.
+// tests/files/part_files_test.cpp: temporary files of killed programs are deleted, files being written stay.
 #include "core/files/disk/atomic_file.h"
 
 #include <chrono>
@@ -25,7 +25,7 @@ class PartFiles : public testing::Test {
     fs::last_write_time(file, fs::file_time_type::clock::now() - age);
     return file;
   }
-  /// As if it were so much later.
+  /// Cleans up as if it were that much later.
   void clear(seconds later = seconds{0}) const { clearStrayParts(folder_, std::time(nullptr) + later.count()); }
 
   const test::TemporaryFolder own_;
@@ -59,7 +59,7 @@ class Program {
 constexpr seconds kOld = kStrayAge + seconds(60);
 constexpr seconds kYoung = kStrayAge - seconds(60);
 
-TEST_F(PartFiles, TheFirstWriteIntoAFolderRemovesOldOnes) {
+TEST_F(PartFiles, FirstWriteIntoAFolderRemovesOldOnes) {
   makeAged(".sinew-17-0.part", kOld);
   makeAged(".sinew-18-12.part", kYoung);
   ASSERT_TRUE(writeFileAtomically(folder_ / "file", "text").ok());
@@ -68,7 +68,7 @@ TEST_F(PartFiles, TheFirstWriteIntoAFolderRemovesOldOnes) {
   EXPECT_TRUE(has("file"));
 }
 
-TEST_F(PartFiles, NamesThatAreNotOursStay) {
+TEST_F(PartFiles, OtherNamesAreKept) {
   const std::vector<std::string> names{
       ".sinew-1-2.part.bak", "x.sinew-1-2.part", ".sinew-1.part", ".sinew--1.part", ".sinew-1-.part", ".sinew-a-2.part",
       ".sinew-1-2-3.part",   ".sinew-1-2.PART",  ".sinew-.part",  ".sinew-1-2",     "sinew-1-2.part"};
@@ -77,7 +77,7 @@ TEST_F(PartFiles, NamesThatAreNotOursStay) {
   for (const std::string& name : names) EXPECT_TRUE(has(name)) << name;
 }
 
-TEST_F(PartFiles, OnlyFilesGoNotLinksOrFolders) {
+TEST_F(PartFiles, LinksAndFoldersAreKept) {
   fs::create_directory(folder_ / ".sinew-1-1.part");
   const fs::path aimed = makeAged("work.rig.json", kOld);
   fs::create_symlink(aimed, folder_ / ".sinew-1-2.part");
@@ -87,8 +87,8 @@ TEST_F(PartFiles, OnlyFilesGoNotLinksOrFolders) {
   EXPECT_TRUE(has("work.rig.json"));
 }
 
-TEST_F(PartFiles, TheSecondNameOfAnOldFileIsAsOldAsTheName) {
-  // As a program leaves it that was killed while it kept the previous version.
+TEST_F(PartFiles, HardLinkAgeIsThatOfTheLink) {
+  // As left by a program killed while it kept the previous version.
   const fs::path work = makeAged("work.rig.json", 1000 * kOld);
   fs::create_hard_link(work, folder_ / ".sinew-1-0.part");
   clear();
@@ -98,7 +98,7 @@ TEST_F(PartFiles, TheSecondNameOfAnOldFileIsAsOldAsTheName) {
   EXPECT_EQ(readWholeFile(work, 100).value(), "left");
 }
 
-TEST_F(PartFiles, WhatIsLockedStaysHoweverOldUntilItsProgramIsKilled) {
+TEST_F(PartFiles, LockedFilesAreKeptUntilTheirProcessEnds) {
   makeAged(".sinew-1-0.part", 100 * kOld);
   const fs::path previous = own_.write("work.rig.json", "left");
   fs::create_hard_link(previous, folder_ / ".sinew-1-1.part");
@@ -125,12 +125,12 @@ TEST_F(PartFiles, WhatIsLockedStaysHoweverOldUntilItsProgramIsKilled) {
   ::close(ready[1]);
 }
 
-TEST_F(PartFiles, NamesAreNeverGivenTwice) {
+TEST_F(PartFiles, NamesAreUnique) {
   EXPECT_NE(freshPart(folder_), freshPart(folder_));
   EXPECT_EQ(freshPart(folder_).parent_path(), folder_);
 }
 
-TEST_F(PartFiles, NoWriteFailsWhileOtherProgramsClear) {
+TEST_F(PartFiles, WritesSucceedWhileOtherProcessesClear) {
   const auto clearForEver = [this] {
     for (;;) clear(100 * kOld);
   };

@@ -1,4 +1,4 @@
-// tests/files/preset_json_test.cpp: sets of muscles as files, good and bad.
+// tests/files/preset_json_test.cpp: valid and invalid muscle set files.
 #include "core/files/preset_json.h"
 
 #include <filesystem>
@@ -29,7 +29,7 @@ TEST(PresetJson, ReadsMarksLinesAndDefaults) {
   EXPECT_EQ(preset->muscles[1].halfLength, 0.12f);
 }
 
-TEST(PresetJson, ThoseThatShipAreGood) {
+TEST(PresetJson, BundledPresetsAreValid) {
   const auto folder = std::filesystem::path(SINEW_SOURCE_DIR) / "assets" / "presets";
   int count = 0;
   for (const auto& entry : std::filesystem::directory_iterator(folder)) {

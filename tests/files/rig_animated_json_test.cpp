@@ -1,5 +1,4 @@
-// tests/files/rig_animated_json_test.cpp: keys, drivers and channels in rig files: what is written, what is refused,
-// where.
+// tests/files/rig_animated_json_test.cpp: keys, drivers and channels in rig files: format, errors and their places.
 
 #include <gtest/gtest.h>
 
@@ -31,7 +30,7 @@ Rig animatedRig() {
   return rig;
 }
 
-TEST(RigAnimatedJson, SaysWhatItMustAndNoMore) {
+TEST(RigAnimatedJson, WritesOnlyNonDefaultValues) {
   const std::string text = squeezed(rigToJson(animatedRig()));
   EXPECT_TRUE(has(text, R"("version":2)")) << text;
   EXPECT_TRUE(has(text, R"("channels":[{"name":"effort","clip":"Lift","times":[0,0.5],"values":[0,1]}])")) << text;
@@ -49,14 +48,14 @@ TEST(RigAnimatedJson, SaysWhatItMustAndNoMore) {
   EXPECT_TRUE(has(squeezed(rigToJson(plain)), R"("version":2)"));
 }
 
-TEST(RigAnimatedJson, ReadsWhatItWrote) {
+TEST(RigAnimatedJson, RoundTrips) {
   const Rig rig = animatedRig();
   const Result<Rig> read = rigFromJson(rigToJson(rig));
   ASSERT_TRUE(read) << read.error().text();
   EXPECT_EQ(read.value(), rig);
 }
 
-TEST(RigAnimatedJson, KeepsWhatItDoesNotKnow) {
+TEST(RigAnimatedJson, KeepsUnknownKeys) {
   std::string text = squeezed(rigToJson(animatedRig()));
   for (const char* before :
        {R"("kind":"bend")", R"("parameter":"radii.x")", R"("times":[0.25])", R"("times":[0,0.5])", R"("input":)"}) {
@@ -81,7 +80,7 @@ struct BadPart {
 
 class BadAnimation : public testing::TestWithParam<BadPart> {};
 
-TEST_P(BadAnimation, IsRefusedByPlaceAndReason) {
+TEST_P(BadAnimation, IsRefusedWithPlaceAndReason) {
   std::string text = squeezed(rigToJson(animatedRig()));
   const std::size_t at = text.find(GetParam().from);
   ASSERT_NE(at, std::string::npos) << text;
@@ -117,7 +116,7 @@ INSTANTIATE_TEST_SUITE_P(
         BadPart{"\"clip\":\"Lift\"", "\"clip\":\"\"", "channels[0].clip", "the name of a clip"},
         BadPart{"\"name\":\"effort\"", "\"name\":\"\"", "channels[0].name", "expected a name"}));
 
-TEST(RigAnimatedJson, AParameterStandsOnce) {
+TEST(RigAnimatedJson, DuplicateParameterIsRefused) {
   Rig rig = animatedRig();
   rig.primitives[0].animated.push_back(rig.primitives[0].animated[0]);
   const Result<Rig> read = rigFromJson(rigToJson(rig));

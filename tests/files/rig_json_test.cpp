@@ -1,4 +1,4 @@
-// tests/files/rig_json_test.cpp: rig files: exact round trips, and a named place for everything refused.
+// tests/files/rig_json_test.cpp: rig files: exact round trips, and errors with a place.
 #include "sinew/files/rig_json.h"
 
 #include <filesystem>
@@ -24,7 +24,7 @@ class RigFiles : public ::testing::Test {
   const fs::path folder_ = own_.path();
 };
 
-TEST(RigJson, RandomRigsComeBackBitEqualAndWriteTheSameBytes) {
+TEST(RigJson, RandomRigsRoundTripByteForByte) {
   for (std::uint64_t seed = 0; seed < 1000; ++seed) {
     const Rig rig = test::randomDocument(seed);
     ASSERT_TRUE(validate(rig).ok()) << seed << ": " << validate(rig).error().text();
@@ -86,7 +86,7 @@ Rig rigOfOne(const Shape& shape) {
   return rig;
 }
 
-TEST(RigJson, ShapesAreWrittenAsVersion2AndOnlyWhatIsNot0) {
+TEST(RigJson, ShapesAreWrittenAsVersion2WithoutZeros) {
   EXPECT_NE(rigToJson(rigOfOne({})).find("\"version\": 1,"), std::string::npos);
   EXPECT_EQ(rigToJson(rigOfOne({})).find("\"core\""), std::string::npos);
   const std::string straight = rigToJson(rigOfOne({0.5f, 0.0f, {}}));
@@ -102,7 +102,7 @@ TEST(RigJson, ShapesAreWrittenAsVersion2AndOnlyWhatIsNot0) {
   EXPECT_TRUE(read.value() == all);
 }
 
-TEST(RigJson, CorrectedPartsOfTheBodyAreWrittenInTheirOrder) {
+TEST(RigJson, CorrectedBodyPartsKeepTheirOrder) {
   Rig rig;
   rig.character = "a.glb";
   rig.slots = {{"upperArm.L", "b_LeftUpperArm_09"}, {"tail", ""}};
@@ -114,7 +114,7 @@ TEST(RigJson, CorrectedPartsOfTheBodyAreWrittenInTheirOrder) {
   EXPECT_EQ(again->slots, rig.slots);
 }
 
-TEST(RigJson, LayersOfPartsAreWrittenInTheirOrderAndOnlyWhereThereAreAny) {
+TEST(RigJson, LayersKeepTheirOrderAndAreOptional) {
   Rig rig;
   rig.character = "a.glb";
   EXPECT_EQ(rigToJson(rig).find("layers"), std::string::npos);
@@ -155,7 +155,7 @@ TEST(RigJson, OpensTheFullFileOfVersion1) {
   EXPECT_EQ(rig.primitives[2].territory, (std::vector<std::string>{"b_Spine01_02", "b_Hip_01"}));
 }
 
-TEST(RigJson, TheCreaseAngleIsWrittenOnlyWhereThereIsOne) {
+TEST(RigJson, CreaseAngleIsWrittenOnlyIfSet) {
   const auto loaded = loadRig(dataFile("v1-creased.rig.json"));
   ASSERT_TRUE(loaded.ok()) << loaded.error().text();
   Rig rig = loaded.value();
@@ -168,7 +168,7 @@ TEST(RigJson, TheCreaseAngleIsWrittenOnlyWhereThereIsOne) {
   EXPECT_FALSE(rig == loaded.value());
 }
 
-TEST(RigJson, AutoDepthIsWrittenOnlyWhereItIsOn) {
+TEST(RigJson, AutoDepthIsWrittenOnlyIfOn) {
   const auto loaded = loadRig(dataFile("v1-auto.rig.json"));
   ASSERT_TRUE(loaded.ok()) << loaded.error().text();
   Rig rig = loaded.value();
@@ -181,7 +181,7 @@ TEST(RigJson, AutoDepthIsWrittenOnlyWhereItIsOn) {
   EXPECT_FALSE(rig == loaded.value());
 }
 
-TEST(RigJson, UnknownKeysOfAllLevelsAreWrittenBackDigitForDigit) {
+TEST(RigJson, UnknownKeysRoundTripDigitForDigit) {
   const auto rig = loadRig(dataFile("v1-full.rig.json"));
   ASSERT_TRUE(rig.ok());
   const std::string text = rigToJson(rig.value());
@@ -193,7 +193,7 @@ TEST(RigJson, UnknownKeysOfAllLevelsAreWrittenBackDigitForDigit) {
   EXPECT_EQ(rigToJson(rigFromJson(text).value()), text);
 }
 
-/// The full sample with one place of it changed.
+/// The full sample with one replacement.
 std::string fullWith(const std::string& from, const std::string& to) {
   std::string text = readWholeFile(dataFile("v1-full.rig.json"), 1 << 20).value();
   const std::size_t at = text.find(from);
@@ -201,7 +201,7 @@ std::string fullWith(const std::string& from, const std::string& to) {
   return text.replace(at, from.size(), to);
 }
 
-TEST(RigJson, OfTheSearchOfOldFilesOnlyTheLinesOfAnalyticStay) {
+TEST(RigJson, OldProjectionSettingsOnlySelectTheDirection) {
   Rig rig = loadRig(dataFile("v1-full.rig.json")).value();
   EXPECT_EQ(rigToJson(rig).find("projection"), std::string::npos);
   EXPECT_TRUE(rigFromJson(fullWith("\"bisection\"", "\"newton\"")).value() == rig);
@@ -219,15 +219,14 @@ struct BadRig {
 
 class BadRigs : public ::testing::TestWithParam<BadRig> {};
 
-TEST_P(BadRigs, IsRefusedByPlaceAndReason) {
+TEST_P(BadRigs, IsRefusedWithPlaceAndReason) {
   const auto& [from, to, place, reason] = GetParam();
   const auto rig = rigFromJson(fullWith(from, to));
   ASSERT_FALSE(rig.ok());
   EXPECT_EQ(rig.error().place, place);
   EXPECT_NE(rig.error().reason.find(reason), std::string::npos) << rig.error().text();
   EXPECT_EQ(rig.error().text().find('\n'), std::string::npos);
-  // For the interface: what it is about, without a path into the file. Only a name that stands twice has one in its
-  // reason.
+  // The interface shows the subject without a path into the file. Only a duplicate name has a path in its reason.
   EXPECT_FALSE(rig.error().subject.empty()) << rig.error().text();
   if (rig.error().place.find('[') != std::string::npos) {
     EXPECT_EQ(rig.error().plainText().find(rig.error().place), std::string::npos) << rig.error().plainText();
@@ -319,7 +318,7 @@ INSTANTIATE_TEST_SUITE_P(
         BadRig{"[\"b_Spine01_02\", \"b_Hip_01\"]", "[\"b_Hip_01\", 4]", "primitives[2].territory[1]", "got 4"},
         BadRig{"\"sign\": -1", "\"sign\": -1, \"sign\": 1", "primitives[2].sign", "stands twice"}));
 
-TEST(RigJson, BareNanIsPlacedByByteLineAndPath) {
+TEST(RigJson, BareNanIsLocatedByByteLineAndPath) {
   const auto rig = rigFromJson(fullWith("[1,2,3], \"sign\"", "[1,NaN,3], \"sign\""));
   ASSERT_FALSE(rig.ok());
   EXPECT_TRUE(rig.error().place.starts_with("byte ")) << rig.error().text();
@@ -327,11 +326,11 @@ TEST(RigJson, BareNanIsPlacedByByteLineAndPath) {
   EXPECT_NE(rig.error().reason.find("primitives[2].radii[1]"), std::string::npos) << rig.error().text();
 }
 
-TEST(RigJson, RootOfAnotherKindIsRefused) {
+TEST(RigJson, WrongRootIsRefused) {
   for (const char* text : {"[]", "null", "3", "\"sinew-rig\"", "{}", ""}) EXPECT_FALSE(rigFromJson(text).ok()) << text;
 }
 
-TEST(RigJson, EveryPrefixAndEveryChangedByteIsSurvived) {
+TEST(RigJson, PrefixesAndChangedBytesAreSafe) {
   const std::string text = readWholeFile(dataFile("v1-full.rig.json"), 1 << 20).value();
   for (std::size_t length = 0; length + 2 < text.size(); ++length) {
     ASSERT_FALSE(rigFromJson(text.substr(0, length)).ok()) << length;
@@ -346,7 +345,7 @@ TEST(RigJson, EveryPrefixAndEveryChangedByteIsSurvived) {
   }
 }
 
-TEST_F(RigFiles, SaveAndLoad) {
+TEST_F(RigFiles, SavedRigLoadsEqual) {
   const Rig rig = test::randomDocument(3);
   const fs::path file = folder_ / "a rig.rig.json";
   ASSERT_TRUE(saveRig(rig, file).ok());
@@ -355,7 +354,7 @@ TEST_F(RigFiles, SaveAndLoad) {
   EXPECT_TRUE(back.value() == rig);
 }
 
-TEST_F(RigFiles, InvalidRigsAreNotWrittenOverGoodOnes) {
+TEST_F(RigFiles, InvalidRigsDoNotOverwriteValidOnes) {
   const fs::path file = folder_ / "good.rig.json";
   Rig rig = test::randomDocument(3);
   ASSERT_TRUE(saveRig(rig, file).ok());
@@ -369,7 +368,7 @@ TEST_F(RigFiles, InvalidRigsAreNotWrittenOverGoodOnes) {
   EXPECT_FALSE(saveRig(Rig{}, file).ok()) << "a rig without a character is no file";
 }
 
-TEST_F(RigFiles, CharacterPathsComeBackToTheSameFile) {
+TEST_F(RigFiles, CharacterPathsResolveToTheSameFile) {
   fs::create_directories(folder_ / "rigs/deep");
   fs::create_directories(folder_ / "models");
   std::ofstream(folder_ / "models/fox.glb") << "fox";
@@ -390,7 +389,7 @@ TEST_F(RigFiles, CharacterPathsComeBackToTheSameFile) {
   EXPECT_EQ(characterPath(absolute, folder_ / "a.rig.json"), fs::path("/far/fox.glb"));
 }
 
-TEST_F(RigFiles, LoadingNamesTheFile) {
+TEST_F(RigFiles, LoadErrorsNameTheFile) {
   const auto absent = loadRig(folder_ / "none.rig.json");
   ASSERT_FALSE(absent.ok());
   EXPECT_EQ(absent.error().file, (folder_ / "none.rig.json").string());

@@ -1,4 +1,4 @@
-// tests/files/rig_lines_json_test.cpp: muscle lines in rig files: what is written, what is refused, and where.
+// tests/files/rig_lines_json_test.cpp: muscle lines in rig files: format, errors and their places.
 
 #include <gtest/gtest.h>
 
@@ -26,7 +26,7 @@ Rig withLine() {
   return rig;
 }
 
-TEST(RigLinesJson, DefaultsAreLeftOut) {
+TEST(RigLinesJson, DefaultsAreOmitted) {
   const std::string text = squeezed(rigToJson(withLine()));
   EXPECT_TRUE(has(text, R"("version":2)")) << text;
   EXPECT_TRUE(has(text, R"("lines":[{"name":"bicepsL","origin":{"bone":"upper_arm.L","point":[0,1,2]},)"
@@ -42,7 +42,7 @@ TEST(RigLinesJson, DefaultsAreLeftOut) {
   EXPECT_TRUE(has(more, R"("flex":[0.5,0.25],"activation":{"gain":0.5}})")) << more;
 }
 
-TEST(RigLinesJson, WithoutLinesTheVersionIsOne) {
+TEST(RigLinesJson, RigWithoutLinesIsVersion1) {
   Rig rig = withLine();
   rig.lines.clear();
   rig.primitives[0].line.clear();
@@ -60,7 +60,7 @@ struct BadLine {
 
 class BadLines : public testing::TestWithParam<BadLine> {};
 
-TEST_P(BadLines, IsRefusedByPlaceAndReason) {
+TEST_P(BadLines, IsRefusedWithPlaceAndReason) {
   Rig rig = withLine();
   rig.lines[0].via = rig.lines[0].origin;
   rig.lines[0].settings.tendons = {0.25f, 0.5f};
@@ -95,7 +95,7 @@ INSTANTIATE_TEST_SUITE_P(
         BadLine{"\"tendons\"", "\"mirror\": \"biceps R\", \"tendons\"", "lines[0].mirror",
                 "there is no \"biceps R\""}));
 
-TEST(RigLinesJson, ANameStandsForOneLine) {
+TEST(RigLinesJson, DuplicateNameIsRefused) {
   Rig rig = withLine();
   rig.lines.push_back(rig.lines[0]);
   const Result<Rig> read = rigFromJson(rigToJson(rig));

@@ -1,4 +1,4 @@
-// tests/files/same_triangles.h: a compressed post beside the plain one, as an independent reader has that.
+// tests/files/same_triangles.h: comparison of a compressed post with the plain one by an independent reader.
 #pragma once
 
 #include <algorithm>
@@ -15,7 +15,7 @@
 
 namespace sinew::test {
 
-/// Whether two triangles have the same corners, turned the same way, wherever they begin.
+/// Whether two triangles have the same corners and winding, starting anywhere.
 inline bool isSameTriangle(const RawTriangle& a, const RawTriangle& b, double tolerance) {
   for (std::size_t start = 0; start < 3; ++start) {
     bool same = true;
@@ -25,7 +25,7 @@ inline bool isSameTriangle(const RawTriangle& a, const RawTriangle& b, double to
   return false;
 }
 
-/// The compressed file shows the triangles of the plain one at every time of its clip, in any order.
+/// The compressed file has the plain one's triangles at every time of its clip, in any order.
 inline void expectShowsWhatThePlainFileShows(const std::filesystem::path& compressed,
                                              const std::filesystem::path& plain, double tolerance) {
   const auto imported = importGltf(compressed);

@@ -1,4 +1,5 @@
-// tests/files/surface_export_test.cpp: what lands in .obj, .ply and .glb, read back by other eyes.
+// tests/files/surface_export_test.cpp: contents of .obj, .ply and .glb exports, read back independently.
+
 #include "sinew/files/surface_export.h"
 
 #include <bit>
@@ -22,7 +23,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The tube with a seam, in two materials with awkward names, one of them textured by pixels without a file.
+/// The tube with a seam, in two materials with awkward names, one of them with an embedded texture.
 std::shared_ptr<const Character> twoMaterialTube() {
   Character character = *test::makeTube();
   character.name = "tube # 1";
@@ -33,7 +34,7 @@ std::shared_ptr<const Character> twoMaterialTube() {
   texture.rgba = {255, 0, 0, 255, 0, 255, 0, 255, 0, 0, 255, 255, 9, 8, 7, 255};
   texture.wrapU = TextureWrap::kClampToEdge;
   texture.wrapV = TextureWrap::kMirroredRepeat;
-  character.textures = {Texture{}, texture};  // The first is used by nobody.
+  character.textures = {Texture{}, texture};  // The first one is unused.
   character.materials.assign(3, Material{});
   character.materials[0].name = character.materials[2].name = "skin tone";
   character.materials[0].baseColorTexture = 1;
@@ -67,7 +68,7 @@ class SurfaceExport : public ::testing::Test {
   Surface surface_;
 };
 
-/// A plain reader of .obj, knowing only what the format says.
+/// A minimal reader of .obj written from its specification.
 struct Obj {
   std::vector<glm::vec3> positions;
   std::vector<glm::vec3> normals;
@@ -135,13 +136,13 @@ TEST_F(SurfaceExport, ObjKeepsSeamsInItsTextureCoordinates) {
     for (std::size_t corner = 0; corner < 3; ++corner) {
       const auto drawn = static_cast<std::size_t>(obj.uvFaces[t][corner]);
       ASSERT_EQ(refinement.drawVertex[drawn], obj.faces[t][corner]);
-      // Their v counts upwards, glTF's downwards.
+      // Its v points upwards, glTF's downwards.
       ASSERT_EQ(obj.uvs[drawn], glm::vec2(refinement.drawUv[drawn].x, 1.0f - refinement.drawUv[drawn].y));
     }
   }
 }
 
-TEST_F(SurfaceExport, ObjNamesMaterialsAndBringsTheirTextures) {
+TEST_F(SurfaceExport, ObjNamesMaterialsAndWritesTheirTextures) {
   const Obj obj = readObj(exported("my tube.obj"));
   ASSERT_EQ(obj.library, "my_tube.mtl");
   for (std::size_t t = 0; t < obj.faces.size(); ++t) {
@@ -164,7 +165,7 @@ Value readAt(const std::string& bytes, std::size_t at) {
   return value;
 }
 
-TEST_F(SurfaceExport, PlyHoldsEveryDrawnVertexAndTriangle) {
+TEST_F(SurfaceExport, PlyContainsEveryDrawnVertexAndTriangle) {
   const std::string bytes = exported("tube.PLY");
   const Refinement& refinement = *surface_.refinement;
   const std::string end = "end_header\n";
@@ -188,7 +189,7 @@ TEST_F(SurfaceExport, PlyHoldsEveryDrawnVertexAndTriangle) {
   }
 }
 
-TEST_F(SurfaceExport, GlbIsLaidOutAsItsHeaderSays) {
+TEST_F(SurfaceExport, GlbLayoutMatchesItsHeader) {
   const std::string bytes = exported("tube.glb");
   ASSERT_EQ(readAt<std::uint32_t>(bytes, 0), 0x46546C67u);
   EXPECT_EQ(readAt<std::uint32_t>(bytes, 4), 2u);
@@ -211,7 +212,7 @@ TEST_F(SurfaceExport, GlbIsLaidOutAsItsHeaderSays) {
   }
 }
 
-TEST_F(SurfaceExport, GlbComesBackThroughTheImporter) {
+TEST_F(SurfaceExport, GlbCanBeImported) {
   exported("tube.glb");
   const auto imported = importGltf(folder_ / "tube.glb");
   ASSERT_TRUE(imported.ok()) << imported.error().text();
@@ -232,7 +233,7 @@ TEST_F(SurfaceExport, GlbComesBackThroughTheImporter) {
   EXPECT_TRUE(back.ignored.empty()) << back.ignored.front();
 }
 
-TEST_F(SurfaceExport, NamesThatAreNoUtf8AreMended) {
+TEST_F(SurfaceExport, InvalidUtf8NamesAreRepaired) {
   Character named = *character_;
   named.name = "tube\xff";
   for (Material& material : named.materials) material.name = "skin\xfe";
@@ -243,7 +244,7 @@ TEST_F(SurfaceExport, NamesThatAreNoUtf8AreMended) {
   EXPECT_EQ(imported.value()->materials[0].name, "skin\xEF\xBF\xBD");
 }
 
-/// The same tube, shaded in facets: every format carries the split normals, and the .obj stays closed.
+/// The same tube, flat shaded: every format has the split normals, and the .obj stays closed.
 class CreasedExport : public SurfaceExport {
  protected:
   void SetUp() override {
@@ -297,7 +298,7 @@ TEST_F(CreasedExport, PlyAndGlbHaveTheSameNormals) {
   }
 }
 
-TEST_F(SurfaceExport, OtherEndingsAndUnwritablePlacesAreErrors) {
+TEST_F(SurfaceExport, OtherExtensionsAndUnwritablePathsAreErrors) {
   for (const char* name : {"tube.stl", "tube", "tube.obj.bak", ".obj"}) {
     EXPECT_FALSE(isExportName(name)) << name;
     EXPECT_FALSE(exportSurface(surface_, *character_, folder_ / name).ok()) << name;

@@ -1,5 +1,4 @@
-// tests/files/vrm_test.cpp: .vrm files of both versions: bones that are sure, expressions as shapes, faults without
-// harm.
+// tests/files/vrm_test.cpp: .vrm files of both versions: bone roles, expressions as shapes, tolerated faults.
 #include <gtest/gtest.h>
 
 #include "core/bodies/body_map.h"
@@ -27,7 +26,7 @@ class VrmFile : public ::testing::TestWithParam<bool> {
   Post post_ = makeMorphingPost(3, 1);
 };
 
-TEST_P(VrmFile, BonesAreSure) {
+TEST_P(VrmFile, BonesHaveSureConfidence) {
   const auto character = import().value();
   const BodySlots slots = bodySlots(*character, makeMirrorPlan(*character));
   const auto boneAt = [&](Slot slot) {
@@ -38,15 +37,15 @@ TEST_P(VrmFile, BonesAreSure) {
   EXPECT_EQ(boneAt(Slot::kHips), "hip");
   EXPECT_EQ(boneAt(Slot::kUpperLeg), "knee");
   EXPECT_EQ(slots.kind, BodyKind::kHumanoid);
-  // What the designer says counts before the file.
+  // The designer's corrections override the file.
   const std::array corrections{SlotCorrection{"hips", "knee"}};
   const BodySlots corrected = bodySlots(*character, makeMirrorPlan(*character), corrections);
   EXPECT_EQ(corrected[{Slot::kHips}].confidence, SlotConfidence::kGiven);
   EXPECT_TRUE(character->ignored.empty()) << character->ignored[0];
 }
 
-/// No bone is two parts, whatever the search has made of it.
-TEST_P(VrmFile, NoBoneIsTwoParts) {
+/// No bone has two roles, whatever the search found.
+TEST_P(VrmFile, BoneIsAtMostOnePart) {
   for (const char* as : {"spine", "chest", "upperChest", "neck", "head", "leftHand"}) {
     ordered_json& bones = vrm()["humanoid"]["humanBones"];
     bones = GetParam() ? ordered_json{{as, {{"node", 2}}}} : ordered_json::array({{{"bone", as}, {"node", 2}}});
@@ -57,7 +56,7 @@ TEST_P(VrmFile, NoBoneIsTwoParts) {
   }
 }
 
-TEST_P(VrmFile, AnExpressionIsAShapeThatSetsItsTargets) {
+TEST_P(VrmFile, ExpressionSetsItsTargets) {
   const auto character = import().value();
   EXPECT_EQ(morphNames(*character), (std::vector<std::string>{"happy", morphName(0), morphName(1), morphName(2)}));
   Rig rig;
@@ -69,14 +68,14 @@ TEST_P(VrmFile, AnExpressionIsAShapeThatSetsItsTargets) {
   EXPECT_FLOAT_EQ(weights[2], 0.9f);
 }
 
-TEST_P(VrmFile, AnExpressionCalledAsATargetIsToldApart) {
+TEST_P(VrmFile, ExpressionNamedLikeATargetIsDisambiguated) {
   post_.file.json["meshes"][0]["extras"]["targetNames"][1] = "happy";
   const auto character = import().value();
   EXPECT_EQ(morphNames(*character).front(), "happy (expression)");
 }
 
-/// Whatever stands in the extension, the character opens, and what is read of it names what is there.
-TEST_P(VrmFile, FaultsDoNoHarm) {
+/// Whatever the extension contains, the character opens, and only existing objects are referenced.
+TEST_P(VrmFile, FaultyExtensionsAreSafe) {
   const ordered_json sound = post_.file.json["extensions"];
   const std::vector<ordered_json> odd{nullptr,
                                       -1,
@@ -95,7 +94,7 @@ TEST_P(VrmFile, FaultsDoNoHarm) {
     for (int k = 0; k < spoilt; ++k) {
       auto item = flat.begin();
       std::advance(item, random.below(static_cast<int>(flat.size())));
-      // Any part of the path: the value itself or one of those around it.
+      // Any part of the path: the value itself or one that contains it.
       std::string path = item.key();
       for (int up = random.below(4); up > 0 && path.rfind('/') > 0; --up) path.erase(path.rfind('/'));
       ordered_json& at = vrm();

@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 class FuzzTarget : public testing::TestWithParam<Target> {};
 
 // A broken promise ends the process, so that the test fails with its line.
-TEST_P(FuzzTarget, KeepsItsPromisesWithWhatOnceBrokeOne) {
+TEST_P(FuzzTarget, FoundInputsKeepTheInvariants) {
   const fs::path folder = fs::path(SINEW_SOURCE_DIR) / "tests/fuzz/found" / GetParam().name;
   std::vector<fs::path> files;
   if (fs::exists(folder)) std::ranges::copy(fs::directory_iterator(folder), std::back_inserter(files));
@@ -42,7 +42,7 @@ std::string withFlips(std::string bytes, std::mt19937& random) {
   return bytes;
 }
 
-TEST_P(FuzzTarget, KeepsItsPromisesWithChangedSeeds) {
+TEST_P(FuzzTarget, MutatedSeedsKeepTheInvariants) {
   constexpr unsigned kChanges = 240;
   std::mt19937 random(7);
   const auto mutateBytes = [&](std::string bytes, std::size_t) { return withFlips(std::move(bytes), random); };
@@ -60,7 +60,7 @@ TEST_P(FuzzTarget, KeepsItsPromisesWithChangedSeeds) {
 INSTANTIATE_TEST_SUITE_P(All, FuzzTarget, testing::ValuesIn(allTargets().begin(), allTargets().end()),
                          [](const auto& of) { return std::string(of.param.name); });
 
-TEST(GltfMutator, KeepsTheLengthsOfAGlbRight) {
+TEST(GltfMutator, KeepsTheLengthsOfAGlbConsistent) {
   std::mt19937 random(3);
   const auto mutateBytes = [&](std::string bytes, std::size_t) { return withFlips(std::move(bytes), random); };
   int whole = 0;

@@ -1,4 +1,4 @@
-// tests/geometry/creases_test.cpp: fans and their normals, against shapes known by hand and a slow search.
+// tests/geometry/creases_test.cpp: fans and their normals, on known shapes and compared with a slow search.
 
 #include "core/geometry/normals.h"
 
@@ -21,7 +21,7 @@ namespace {
 
 std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
-/// Vertices given, all on one bone and with one texture coordinate.
+/// Given vertices, all on one bone and with one texture coordinate.
 ControlMesh meshOf(const std::vector<glm::vec3>& points, const std::vector<std::array<std::uint32_t, 3>>& triangles) {
   TriangleSoup soup;
   soup.positions = points;
@@ -51,7 +51,7 @@ ControlMesh prism(std::uint32_t sides) {
   return meshOf(points, triangles);
 }
 
-/// Sheet of n x n quads over the square, heights and places shaken.
+/// Sheet of n x n quads over the square, with random heights and positions.
 ControlMesh shakenSheet(int n, float height, std::uint32_t seed) {
   std::mt19937 random(seed);
   std::uniform_real_distribution<float> shake(-1.0f, 1.0f);
@@ -80,7 +80,7 @@ glm::dvec3 faceNormal(const ControlMesh& mesh, std::size_t triangle) {
   return glm::normalize(glm::cross(glm::dvec3(mesh.positions[at(b)]) - p, glm::dvec3(mesh.positions[at(c)]) - p));
 }
 
-/// What a corner is shaded with.
+/// Shading normal of a corner.
 glm::vec3 cornerNormal(const ControlMesh& mesh, std::size_t triangle, std::size_t corner) {
   const Wedge& wedge = mesh.wedges[at(mesh.triangles[triangle].wedges[corner])];
   return wedge.creased ? wedge.normal : mesh.normals[at(wedge.vertex)];
@@ -104,7 +104,7 @@ void expectSameGeometry(const ControlMesh& a, const ControlMesh& b) {
   }
 }
 
-TEST(Creases, EveryCornerOfACubeHasItsThreeFaces) {
+TEST(Creases, EveryCubeCornerIsSplitIntoThree) {
   const ControlMesh cube = test::makeCube()->mesh;
   ASSERT_EQ(cube.wedges.size(), 8u);
   for (const float degrees : {0.0f, 30.0f, 89.0f}) {
@@ -123,7 +123,7 @@ TEST(Creases, EveryCornerOfACubeHasItsThreeFaces) {
   }
 }
 
-TEST(Creases, CylindersAreSplitAtTheirCapsAlone) {
+TEST(Creases, CylindersAreSplitOnlyAtTheirCaps) {
   const ControlMesh round = prism(24);  // 15 degrees from side to side
   const ControlMesh sharp = creased(round, 40.0f);
   expectSameGeometry(round, sharp);
@@ -141,7 +141,7 @@ TEST(Creases, CylindersAreSplitAtTheirCapsAlone) {
   EXPECT_EQ(creased(round, 15.0f).wedges.size(), 2 * round.positions.size()) << "as sharp as the angle is no crease";
 }
 
-TEST(Creases, RoundMeshesStayAsTheyAre) {
+TEST(Creases, RoundMeshesAreUnchanged) {
   for (const auto& character : {test::makeLimb(), test::makeStrip()}) {
     const ControlMesh same = creased(character->mesh, 60.0f);
     expectSameGeometry(character->mesh, same);
@@ -150,8 +150,8 @@ TEST(Creases, RoundMeshesStayAsTheyAre) {
   }
 }
 
-TEST(Creases, ACreaseThatEndsInTheMeshSplitsNothingAtItsEnd) {
-  // A fold from the left border to the middle; to the right of it the sheet is one smooth fan.
+TEST(Creases, CreaseEndingInTheMeshDoesNotSplitItsEnd) {
+  // A fold from the left border to the middle; right of it the sheet is one smooth fan.
   const ControlMesh fold =
       meshOf({{0, 0, 0}, {-1, 0, 0}, {-0.3f, -1, -1}, {-0.3f, 1, -1}, {1, -1, -0.3f}, {1, 1, -0.3f}},
              {{0, 1, 2}, {0, 3, 1}, {0, 2, 4}, {0, 4, 5}, {0, 5, 3}});
@@ -160,7 +160,7 @@ TEST(Creases, ACreaseThatEndsInTheMeshSplitsNothingAtItsEnd) {
   for (const Wedge& wedge : sharp.wedges) EXPECT_EQ(wedge.creased, wedge.vertex == 1) << wedge.vertex;
 }
 
-TEST(Creases, TrianglesWithoutAreaGoWithTheirLongestEdge) {
+TEST(Creases, DegenerateTrianglesFollowTheirLongestEdge) {
   // Two halves of a square; one has a corner on their common diagonal, and a sliver closes the gap.
   const auto square = [](float lift) {
     return meshOf({{0, 0, 0}, {2, 2, 0}, {1, 1, 0}, {2, 0, lift}, {0, 2, 0}},
@@ -174,7 +174,7 @@ TEST(Creases, TrianglesWithoutAreaGoWithTheirLongestEdge) {
   EXPECT_EQ(folded.triangles[0].wedges[0], folded.triangles[1].wedges[0]);
 }
 
-TEST(Creases, EdgesOfManyTrianglesJoinThoseThatGoOnSmoothly) {
+TEST(Creases, NonManifoldEdgesJoinSmoothNeighbors) {
   // A floor of two halves with a wall on their common edge.
   const ControlMesh wall =
       meshOf({{0, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {1, 0, 0}, {0, 0, 1}}, {{0, 1, 2}, {1, 0, 3}, {0, 1, 4}});
@@ -206,7 +206,7 @@ TEST(Creases, SeamsAndCreasesSplitTogether) {
   EXPECT_EQ(next, static_cast<int>(sharp.wedges.size()));
 }
 
-/// Corners of each vertex joined by trying every pair of faces, again and again until nothing changes.
+/// Joins corners of each vertex by trying all pairs of faces until nothing changes.
 std::map<std::array<std::size_t, 2>, std::size_t> slowFans(const ControlMesh& mesh, double degrees) {
   std::map<std::array<std::size_t, 2>, std::size_t> fan;  // (triangle, vertex) -> smallest triangle of its fan
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
@@ -269,7 +269,7 @@ TEST(Creases, RandomSheetsMatchASlowSearch) {
   EXPECT_GT(creases, 200);
 }
 
-TEST(Creases, CrumpledMeshesGiveUnitNormalsAndTheSameEveryTime) {
+TEST(Creases, CrumpledMeshesGiveRepeatableUnitNormals) {
   for (std::uint32_t seed = 0; seed < 20; ++seed) {
     const ControlMesh mesh = shakenSheet(6, seed % 3 == 0 ? 1e-9f : 4.0f, seed);
     for (const float degrees : {0.0f, 1e-6f, 50.0f, 179.9f}) {

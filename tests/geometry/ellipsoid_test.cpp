@@ -1,4 +1,4 @@
-// tests/geometry/ellipsoid_test.cpp: the potential's promises and the unit-ball map.
+// tests/geometry/ellipsoid_test.cpp: properties of the potential and the unit-ball map.
 #include "sinew/geometry/ellipsoid.h"
 
 #include <random>
@@ -12,7 +12,7 @@
 namespace sinew {
 namespace {
 
-TEST(Potential, HasTheDefinedValuesAndSlope) {
+TEST(Potential, HasTheDefinedValuesAndDerivative) {
   EXPECT_EQ(potential(0.0f), 1.0f);
   EXPECT_EQ(potential(1.0f), 0.0f);
   EXPECT_EQ(potential(4.0f), 0.0f);
@@ -33,7 +33,7 @@ TEST(Potential, StrengthPutsTheIsoValueOnTheVisibleSurface) {
   EXPECT_NEAR(strengthFor(0.25f, std::sqrt(2.0f)), 1.0f, 1e-5f) << "docs/design.md: default reach, default iso";
 }
 
-TEST(UnitBallMap, TakesTheInfluenceSurfaceToTheUnitSphereUnderAnyBone) {
+TEST(UnitBallMap, MapsTheInfluenceSurfaceToTheUnitSphere) {
   std::mt19937 random(11);
   std::uniform_real_distribution<float> unit(-1.0f, 1.0f);
   for (int round = 0; round < 500; ++round) {
@@ -55,7 +55,7 @@ TEST(UnitBallMap, TakesTheInfluenceSurfaceToTheUnitSphereUnderAnyBone) {
   }
 }
 
-TEST(UnitBallMap, SlopesAndRaysAgreeWithItsValues) {
+TEST(UnitBallMap, DerivativesAndRaysMatchItsValues) {
   std::mt19937 random(12);
   std::uniform_real_distribution<float> unit(-1.0f, 1.0f);
   for (int round = 0; round < 500; ++round) {
@@ -81,12 +81,12 @@ TEST(UnitBallMap, SlopesAndRaysAgreeWithItsValues) {
   }
 }
 
-TEST(UnitBallMap, FlattenedBoneReachesNothing) {
+TEST(UnitBallMap, FlattenedBoneHasNoReach) {
   const glm::mat4 flat = glm::scale(glm::mat4(1.0f), {1.0f, 0.0f, 1.0f});
   EXPECT_EQ(unitBallMap({}, 2.0f, flat).boundingRadius, 0.0f);
 }
 
-TEST(UnitBallMap, ASphereIsOneHoweverItsBoneIsTurnedAndScaledEvenly) {
+TEST(UnitBallMap, SphereStaysASphereUnderRotationAndUniformScale) {
   std::mt19937 random(5);
   std::uniform_real_distribution<float> unit(-1.0f, 1.0f);
   for (int round = 0; round < 300; ++round) {
@@ -95,7 +95,7 @@ TEST(UnitBallMap, ASphereIsOneHoweverItsBoneIsTurnedAndScaledEvenly) {
     ball.rotation = glm::normalize(glm::quat(unit(random), unit(random), unit(random), 1.1f));
     ball.radii = glm::vec3(0.3f + 0.2f * unit(random));
     Placement nearly = ball;
-    nearly.radii.y *= 1.0001f;  // an ellipsoid, by as little as makes one
+    nearly.radii.y *= 1.0001f;  // barely an ellipsoid
     const glm::vec3 axis = glm::normalize(glm::vec3(unit(random), unit(random), 1.2f));
     glm::mat4 bone = glm::translate(glm::mat4(1.0f), 5.0f * glm::vec3(unit(random), unit(random), unit(random)));
     bone = glm::scale(glm::rotate(bone, 3.0f * unit(random), axis), glm::vec3(1.0f + 0.9f * unit(random)));

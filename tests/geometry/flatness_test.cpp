@@ -1,4 +1,4 @@
-// tests/geometry/flatness_test.cpp: which matrices span no volume.
+// tests/geometry/flatness_test.cpp: matrices that span no volume.
 
 #include "core/geometry/normals.h"
 
@@ -18,16 +18,16 @@ TEST(IsFlat, DoesNotDependOnScale) {
     const glm::dmat3 turned(glm::mat3_cast(random.rotation()));
     for (const double scale : {1e-20, 1e-4, 1.0, 1e4, 1e20}) {
       EXPECT_FALSE(isFlat(scale * turned));
-      // Columns need not be alike.
+      // Columns may differ in length.
       EXPECT_FALSE(isFlat(glm::dmat3(scale * turned[0], turned[1], turned[2])));
-      // Two columns in a line, up to what a float says.
+      // Two columns in a line, up to float precision.
       EXPECT_TRUE(isFlat(scale * glm::dmat3(turned[0], turned[0] + 1e-7 * turned[1], turned[2])));
       EXPECT_FALSE(isFlat(scale * glm::dmat3(turned[0], turned[0] + 1e-4 * turned[1], turned[2])));
     }
   }
 }
 
-TEST(IsFlat, WhatIsZeroOrNotFiniteIsFlat) {
+TEST(IsFlat, ZeroAndNonFiniteMatricesAreFlat) {
   EXPECT_TRUE(isFlat(glm::dmat3(0.0)));
   glm::dmat3 squashed(1.0);
   squashed[1] = glm::dvec3(0.0);

@@ -1,4 +1,4 @@
-// tests/geometry/instruction_set_test.cpp: which instructions are chosen, and machines that lack them.
+// tests/geometry/instruction_set_test.cpp: choice of the instruction set, and machines that lack some.
 #include "core/geometry/instruction_set.h"
 
 #include <gtest/gtest.h>
@@ -8,7 +8,7 @@
 namespace sinew::test {
 namespace {
 
-TEST(InstructionSetScope, LeavesWhatWasChosenBefore) {
+TEST(InstructionSetScope, RestoresThePreviousChoice) {
   const InstructionSet widest = chosenInstructionSet();
   {
     const InstructionSetScope outer(InstructionSet::kScalar);

@@ -73,7 +73,7 @@ std::vector<ControlTriangle> cubeFaces(int cuts) {
   return triangles;
 }
 
-TEST(Normals, DoNotDependOnHowACubeIsCut) {
+TEST(Normals, DoNotDependOnTriangulation) {
   const std::vector<glm::vec3> corners = cubeCorners();
   for (int cuts = 0; cuts < 64; ++cuts) {
     const std::vector<glm::vec3> normals = vertexNormals(corners, cubeFaces(cuts));
@@ -95,7 +95,7 @@ TEST(Normals, DoNotDependOnScale) {
   }
 }
 
-TEST(Normals, DegenerateFacesLeaveTheOthersAlone) {
+TEST(Normals, DegenerateFacesDoNotAffectOthers) {
   const std::vector<glm::vec3> positions{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {2, 0, 0}, {5, 5, 5}};
   const std::vector<ControlTriangle> faces{triangle(0, 1, 2), triangle(0, 1, 3), triangle(3, 3, 3)};
   const std::vector<glm::vec3> normals = vertexNormals(positions, faces);
@@ -104,7 +104,7 @@ TEST(Normals, DegenerateFacesLeaveTheOthersAlone) {
   EXPECT_EQ(normals[4], glm::vec3(0, 1, 0)) << "no face: +Y";
 }
 
-TEST(Normals, FacesThatCancelGivePlusY) {
+TEST(Normals, CancelingFacesGivePlusY) {
   const std::vector<glm::vec3> positions{{0, 0, 0}, {1, 0.1f, 0}, {0.3f, 1, 0.2f}};
   for (const glm::vec3& normal : vertexNormals(positions, std::vector{triangle(0, 1, 2), triangle(0, 2, 1)})) {
     EXPECT_EQ(normal, glm::vec3(0, 1, 0));

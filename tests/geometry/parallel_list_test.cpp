@@ -1,4 +1,4 @@
-// tests/geometry/parallel_list_test.cpp: what several threads list is what one loop would.
+// tests/geometry/parallel_list_test.cpp: a list built by several threads equals a single loop's.
 #include "core/geometry/parallel.h"
 
 #include <random>
@@ -9,7 +9,7 @@
 namespace sinew::test {
 namespace {
 
-TEST(ParallelList, IsThatOfOneLoopWhateverTheThreads) {
+TEST(ParallelList, MatchesASequentialLoop) {
   std::mt19937 random(7);
   for (const std::size_t count : {0u, 1u, 63u, 64u, 65u, 640u, 5'000u, 100'001u}) {
     for (const unsigned rarity : {1u, 3u, 1000u}) {

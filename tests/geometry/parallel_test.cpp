@@ -1,4 +1,4 @@
-// tests/geometry/parallel_test.cpp: every index once, whatever the threads; what is thrown comes back.
+// tests/geometry/parallel_test.cpp: every index is visited once for any number of threads; exceptions are rethrown.
 
 #include "core/geometry/parallel.h"
 
@@ -12,14 +12,14 @@
 namespace sinew::test {
 namespace {
 
-TEST(Parallel, EveryIndexComesOnceWhateverTheThreads) {
+TEST(Parallel, EveryIndexIsVisitedOnce) {
   for (const int most : {0, 1, 2, 3, 8}) {
     const ThreadLimit limit(most);
     for (const std::size_t count : {std::size_t{0}, std::size_t{1}, std::size_t{63}, std::size_t{10'000}}) {
       std::vector<int> seen(count, 0);
       std::atomic<bool> tooShort = false;
       forRanges(count, 16, [&](std::size_t begin, std::size_t end) {
-        if (end - begin < 8 && count > 16) tooShort = true;  // oneTBB halves ranges that are longer than that.
+        if (end - begin < 8 && count > 16) tooShort = true;  // oneTBB splits ranges longer than that.
         for (std::size_t i = begin; i < end; ++i) ++seen[i];
       });
       EXPECT_TRUE(std::ranges::all_of(seen, [](int times) { return times == 1; })) << most << ' ' << count;
@@ -28,7 +28,7 @@ TEST(Parallel, EveryIndexComesOnceWhateverTheThreads) {
   }
 }
 
-TEST(Parallel, LimitsHoldInsideAndEndWithTheirScope) {
+TEST(Parallel, ThreadLimitLastsForItsScope) {
   const int before = threadCount();
   {
     const ThreadLimit limit(2);
@@ -46,7 +46,7 @@ TEST(Parallel, LimitsHoldInsideAndEndWithTheirScope) {
   EXPECT_EQ(threadCount(), before);
 }
 
-TEST(Parallel, WhatIsThrownIsThrownAgain) {
+TEST(Parallel, ExceptionsPropagate) {
   for (const int most : {1, 4}) {
     const ThreadLimit limit(most);
     const auto thrower = [](std::size_t i) {

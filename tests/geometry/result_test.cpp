@@ -1,4 +1,4 @@
-// tests/geometry/result_test.cpp: what an error says, and the helpers of base/geometry.h.
+// tests/geometry/result_test.cpp: error texts, and the helpers of sinew/geometry/geometry.h.
 #include "sinew/geometry/result.h"
 
 #include <random>

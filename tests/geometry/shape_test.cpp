@@ -1,4 +1,4 @@
-// tests/geometry/shape_test.cpp: shapes against the formulas of docs/design.md, their bounds, and their images.
+// tests/geometry/shape_test.cpp: shapes match the formulas of docs/design.md, with their bounds and images.
 #include "sinew/geometry/shape.h"
 
 #include <cstdio>
@@ -36,12 +36,12 @@ glm::mat4 randomBone(Random& random) {
   return glm::scale(bone, {random.uniform(0.5f, 2.0f), random.uniform(0.5f, 2.0f), random.uniform(0.5f, 2.0f)});
 }
 
-/// In the primitive's space divided by its radii.
+/// A point in the muscle's space divided by its radii.
 glm::vec3 inRadii(const Placement& placement, const glm::mat4& bone, const glm::vec3& world) {
   return glm::vec3(glm::inverse(glm::dmat4(shapeInWorld(placement, 1.0f, bone))) * glm::dvec4(world, 1.0));
 }
 
-TEST(Shape, TheTableHasEveryMemberOnceInOrder) {
+TEST(Shape, TableListsEveryMemberOnceInOrder) {
   Shape shape;
   for (std::size_t i = 0; i < kShapeNumbers; ++i) {
     const ShapeNumber& number = shapeNumbers()[i];
@@ -58,7 +58,7 @@ TEST(Shape, TheTableHasEveryMemberOnceInOrder) {
   EXPECT_EQ(listed, static_cast<std::size_t>(kShapeNumbers)) << "numbers of a key stand side by side";
 }
 
-TEST(Shape, IsTheFormulaOfThePageAtEveryPointItReaches) {
+TEST(Shape, MatchesTheDocumentedFormula) {
   Random random(3);
   int inside = 0;
   for (int i = 0; i < kShapes; ++i) {
@@ -90,7 +90,7 @@ TEST(Shape, VisibleRadiiAreExact) {
     EXPECT_NEAR(oracle::widest(shape, 1.0), 1.0, 3e-5) << shape.core << ' ' << shape.belly;
     EXPECT_NEAR(oracle::rho(shape, {0, 1, 0}), 1.0, 1e-12);
     EXPECT_NEAR(oracle::rho(shape, {0, -1, 0}), 1.0, 1e-12);
-    // With no core the thickest place is at y = belly.
+    // Without a core the thickest place is at y = belly.
     shape.core = 0.0f;
     shape.belly = std::clamp(shape.belly, -0.5f, 0.5f);
     shape.bend = {};
@@ -101,7 +101,7 @@ TEST(Shape, VisibleRadiiAreExact) {
   }
 }
 
-TEST(Shape, BendMovesTheMiddleOfTheAxisByItsRadii) {
+TEST(Shape, BendMovesTheAxisMiddleInUnitsOfRadii) {
   Shape shape;
   shape.bend = {0.5f, -0.25f};
   EXPECT_NEAR(oracle::rho(shape, {1.5, 0, -0.25}), 1.0, 1e-12) << "visible extent sideways: 1 + |bend|";
@@ -111,7 +111,7 @@ TEST(Shape, BendMovesTheMiddleOfTheAxisByItsRadii) {
   EXPECT_NEAR(pole.z, -0.25f, 1e-6f);
 }
 
-TEST(Shape, PointsOnItAreWhereRhoIsTheScale) {
+TEST(Shape, SurfacePointsHaveRhoEqualToTheScale) {
   Random random(5);
   for (int i = 0; i < kShapes; ++i) {
     const float reach = random.uniform(1.05f, 3.0f);
@@ -124,7 +124,7 @@ TEST(Shape, PointsOnItAreWhereRhoIsTheScale) {
   }
 }
 
-TEST(Shape, BellyIsLimitedSoThatSectionsStayFinite) {
+TEST(Shape, BellyLimitKeepsSectionsFinite) {
   Random random(6);
   for (int i = 0; i < 20 * kShapes; ++i) {
     Shape shape;
@@ -143,7 +143,7 @@ TEST(Shape, BellyIsLimitedSoThatSectionsStayFinite) {
   EXPECT_NEAR(mostBelly(0.9f, std::sqrt(2.0f)), 0.71f, 5e-3f);
 }
 
-TEST(Shape, LegalShapesStayAndOthersAreBroughtIntoRange) {
+TEST(Shape, LegalShapesAreKeptAndOthersClamped) {
   const Shape wild{3.0f, -7.0f, {std::nanf(""), -2.0f}};
   const Shape legal = legalShape(wild, 1.5f);
   EXPECT_EQ(legal.core, kMostCore);
@@ -163,7 +163,7 @@ TEST(Shape, VolumeGivesTheMeanRadius) {
   EXPECT_NEAR(oracle::volume({0.6f, 0.0f, {0.3f, 0.2f}}), (4.0 + 1.2) / 4.0, 1e-4);
 }
 
-TEST(Shape, SlopesAgreeWithDifferencesAndHaveNoJumps) {
+TEST(Shape, DerivativesMatchDifferencesAndAreContinuous) {
   Random random(8);
   for (int i = 0; i < kShapes; ++i) {
     const float reach = random.uniform(1.1f, 2.5f);
@@ -186,7 +186,7 @@ TEST(Shape, SlopesAgreeWithDifferencesAndHaveNoJumps) {
   }
 }
 
-TEST(Shape, BoundsHoldItAndAreTight) {
+TEST(Shape, BoundsEncloseItTightly) {
   Random random(9);
   double loosest = 0.0;
   double meanLoose = 0.0;
@@ -215,7 +215,7 @@ TEST(Shape, BoundsHoldItAndAreTight) {
   EXPECT_LE(loosest, 2.2);
 }
 
-TEST(Shape, ImagesUnderTurnsAndReflectionsAreExact) {
+TEST(Shape, RotationsAndReflectionsAreExact) {
   Random random(10);
   for (int i = 0; i < kShapes; ++i) {
     float reach = 0.0f;
@@ -239,7 +239,7 @@ TEST(Shape, ImagesUnderTurnsAndReflectionsAreExact) {
   }
 }
 
-TEST(Shape, ImagesUnderUnevenStretchKeepAxisAndVolume) {
+TEST(Shape, NonuniformScaleKeepsAxisAndVolume) {
   Random random(11);
   for (int i = 0; i < kShapes; ++i) {
     float reach = 0.0f;
@@ -260,7 +260,7 @@ TEST(Shape, ImagesUnderUnevenStretchKeepAxisAndVolume) {
   }
 }
 
-TEST(Shape, NoShapeIsTheEllipsoidToTheBit) {
+TEST(Shape, DefaultShapeIsTheEllipsoidBitForBit) {
   Random random(12);
   for (int i = 0; i < kShapes; ++i) {
     float reach = 0.0f;

@@ -1,4 +1,4 @@
-// tests/geometry/soups.h: soups to be welded.
+// tests/geometry/soups.h: triangle soups to weld.
 #pragma once
 
 #include <cmath>
@@ -9,7 +9,7 @@
 
 namespace sinew {
 
-/// A soup grows vertex by vertex; every vertex follows binding 0 unless said otherwise.
+/// Appends a vertex, bound to binding 0 by default.
 inline void addVertex(TriangleSoup& soup, const glm::vec3& p, const glm::vec2& uv = {},
                       std::vector<Influence> influences = {{0, 1.0f}}) {
   if (soup.influenceBegin.empty()) soup.influenceBegin.push_back(0);
@@ -24,7 +24,7 @@ inline void addTriangle(TriangleSoup& soup, std::uint32_t a, std::uint32_t b, st
   soup.materials.push_back(0);
 }
 
-/// Closed torus, indexed, one vertex a point; weights vary over three bindings.
+/// Closed torus, indexed, one vertex per point; weights vary over three bindings.
 inline TriangleSoup torus(std::uint32_t around, std::uint32_t along) {
   TriangleSoup soup;
   for (std::uint32_t i = 0; i < around; ++i) {

@@ -1,4 +1,5 @@
-// tests/geometry/split_mix_test.cpp: the numbers of the published generator.
+// tests/geometry/split_mix_test.cpp: numbers of the published generator.
+
 #include "core/geometry/index_table.h"
 
 #include <array>
@@ -9,7 +10,7 @@ namespace sinew {
 namespace {
 
 TEST(SplitMix64, GivesThePublishedSequence) {
-  // What the authors' own code prints from the state 1234567.
+  // Output of the authors' own code from the state 1234567.
   constexpr std::array<std::uint64_t, 5> kExpected{6457827717110365317ULL, 3203168211198807973ULL,
                                                    9817491932198370423ULL, 4593380528125082431ULL,
                                                    16408922859458223821ULL};

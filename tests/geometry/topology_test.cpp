@@ -34,7 +34,7 @@ Triangles torusTriangles(int around, int along) {
   return triangles;
 }
 
-TEST(Topology, Tetrahedron) {
+TEST(Topology, TetrahedronIsClosed) {
   const Topology t = topologyOf(Triangles{{0, 1, 2}, {0, 3, 1}, {1, 3, 2}, {2, 3, 0}});
   EXPECT_EQ(t.vertices, 4);
   EXPECT_EQ(t.edges, 6);
@@ -43,7 +43,7 @@ TEST(Topology, Tetrahedron) {
   EXPECT_TRUE(t.closed());
 }
 
-TEST(Topology, Cube) {
+TEST(Topology, CubeIsClosed) {
   const Topology t = topologyOf(cubeTriangles());
   EXPECT_EQ(t.vertices, 8);
   EXPECT_EQ(t.edges, 18);
@@ -51,14 +51,14 @@ TEST(Topology, Cube) {
   EXPECT_TRUE(t.closed());
 }
 
-TEST(Topology, Torus) {
+TEST(Topology, TorusIsClosed) {
   const Topology t = topologyOf(torusTriangles(7, 5));
   EXPECT_EQ(t.vertices, 35);
   EXPECT_EQ(eulerCharacteristic(t), 0);
   EXPECT_TRUE(t.closed());
 }
 
-TEST(Topology, CubeWithoutLidHasABorder) {
+TEST(Topology, OpenCubeHasABorder) {
   Triangles open = cubeTriangles();
   open.erase(open.begin(), open.begin() + 2);  // the face 0 3 2 1
   const Topology t = topologyOf(open);
@@ -79,13 +79,13 @@ TEST(Topology, FinOnAnEdgeIsNonManifold) {
   EXPECT_EQ(t.borderEdges.size(), 2u);
 }
 
-TEST(Topology, NothingIsNotClosed) {
+TEST(Topology, EmptyMeshIsNotClosed) {
   const Topology t = topologyOf(Triangles{});
   EXPECT_FALSE(t.closed());
   EXPECT_EQ(t.vertices, 0);
 }
 
-TEST(Topology, UnusedVertexNumbersDoNotCount) {
+TEST(Topology, UnusedVertexNumbersAreNotCounted) {
   const Topology t = topologyOf(Triangles{{100, 7, 5000}});
   EXPECT_EQ(t.vertices, 3);
   EXPECT_EQ(t.borderEdges.size(), 3u);

@@ -1,4 +1,4 @@
-// tests/geometry/triangle_tree_test.cpp: rays against the triangles one by one.
+// tests/geometry/triangle_tree_test.cpp: rays compared with a test of all triangles.
 #include "core/geometry/triangle_tree.h"
 
 #include <cmath>
@@ -12,8 +12,8 @@
 namespace sinew {
 namespace {
 
-/// Whether the ray goes through a triangle, by the volumes that it makes with the sides; nullopt: too near an edge to
-/// say.
+/// Whether the ray passes through a triangle, by signed volumes with its sides; nullopt: too close to an edge to
+/// decide.
 std::optional<bool> goesThrough(const TriangleCorners& triangle, const glm::dvec3& from, const glm::dvec3& direction) {
   const glm::dvec3 a = glm::dvec3(triangle[0]) - from;
   const glm::dvec3 b = glm::dvec3(triangle[1]) - from;
@@ -34,7 +34,7 @@ std::optional<bool> goesThrough(const TriangleCorners& triangle, const glm::dvec
   return along > 0.0;
 }
 
-TEST(TriangleTree, RaysMeetWhatTheyMeet) {
+TEST(TriangleTree, RayHitsMatchASearch) {
   std::mt19937 random(3);
   std::uniform_real_distribution<float> anywhere(-1.0f, 1.0f);
   const auto point = [&](float size) { return size * glm::vec3(anywhere(random), anywhere(random), anywhere(random)); };

@@ -1,4 +1,4 @@
-// tests/geometry/weld_pieces_test.cpp: pieces that compression has rounded apart are one skin again.
+// tests/geometry/weld_pieces_test.cpp: pieces rounded apart by compression are joined to one skin.
 
 #include <gtest/gtest.h>
 
@@ -14,7 +14,7 @@ namespace {
 
 constexpr float kPieceTolerance = 1e-6f;
 
-/// A torus in two pieces, each with places and weights rounded to steps of its own.
+/// A torus in two pieces, positions and weights of each rounded to its own steps.
 TriangleSoup inRoundedPieces(const TriangleSoup& whole, std::uint32_t trianglesInFirst, float step, float weightStep) {
   TriangleSoup soup;
   soup.pieces.assign(2, {0.87f * step, 2.5f * weightStep});
@@ -49,7 +49,7 @@ TriangleSoup inRoundedPieces(const TriangleSoup& whole, std::uint32_t trianglesI
   return soup;
 }
 
-TEST(Weld, PiecesThatWereRoundedApartMeetAgain) {
+TEST(Weld, PiecesSeparatedByRoundingAreJoined) {
   const TriangleSoup whole = torus(40, 23);
   const ControlMesh expected = weld(whole, kPieceTolerance);
   for (const float step : {1e-5f, 1e-4f, 1e-3f}) {
@@ -66,7 +66,7 @@ TEST(Weld, PiecesThatWereRoundedApartMeetAgain) {
   }
 }
 
-TEST(Weld, WithinAPieceRoundingPartsNothing) {
+TEST(Weld, RoundingToleranceAppliesOnlyBetweenPieces) {
   TriangleSoup soup = hinge({{0, 1.0f}}, {{0, 1.0f}});
   for (const std::size_t v : {3u, 4u}) soup.positions[v].z = 1e-4f;
   soup.pieces.assign(2, {1e-3f, 0.01f});

@@ -1,4 +1,4 @@
-// tests/geometry/weld_test.cpp: welding split meshes back together.
+// tests/geometry/weld_test.cpp: welding of split meshes.
 
 #include "core/geometry/weld.h"
 
@@ -20,8 +20,7 @@ namespace {
 
 constexpr float kTolerance = 1e-6f;
 
-/// The same surface with corners split at random into vertices of their own, in random order, moved by `jitter` at
-/// most.
+/// The same surface with corners randomly split into separate vertices, in random order, displaced by at most `jitter`.
 TriangleSoup splitAtRandom(const TriangleSoup& soup, unsigned seed, float jitter) {
   std::mt19937 random(seed);
   std::uniform_real_distribution<float> offset(-jitter, jitter);
@@ -61,7 +60,7 @@ TEST(Weld, AnySplittingGivesTheSameGeometry) {
   EXPECT_EQ(expected.positions.size(), 17u * 9u);
   for (unsigned seed = 1; seed <= 40; ++seed) {
     const ControlMesh mesh = weld(splitAtRandom(whole, seed, 0.0f), kTolerance);
-    // Vertices are numbered by first use in triangle order, so the splitting leaves no trace at all.
+    // Vertices are numbered by first use in triangle order, so that splitting leaves no trace.
     EXPECT_EQ(mesh.positions, expected.positions) << seed;
     ASSERT_EQ(mesh.triangles.size(), expected.triangles.size());
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
@@ -77,7 +76,7 @@ TEST(Weld, AnySplittingGivesTheSameGeometry) {
 TEST(Weld, NoiseBelowTheToleranceStaysClosed) {
   const TriangleSoup whole = torus(23, 12);
   for (unsigned seed = 1; seed <= 40; ++seed) {
-    // Offsets of up to 0.25 an axis: any two copies lie within 0.87 tolerances.
+    // Offsets of up to 0.25 along each axis: any two copies lie within 0.87 tolerances.
     const ControlMesh mesh = weld(splitAtRandom(whole, seed, 0.25f * 1e-4f), 1e-4f);
     const Topology topology = topologyOf(mesh);
     EXPECT_TRUE(topology.closed()) << seed;
@@ -131,7 +130,7 @@ TEST(Weld, DifferentBindingsKeepVerticesApart) {
   EXPECT_EQ(weld(hinge({{0, 0.5f}, {1, 0.5f}}, {{0, 0.50005f}, {1, 0.49995f}}), kTolerance).positions.size(), 4u);
 }
 
-TEST(Weld, SeamsSplitWedgesAndNotVertices) {
+TEST(Weld, SeamsSplitWedgesButNotVertices) {
   const ControlMesh mesh = weld(hinge({{0, 1.0f}}, {{0, 1.0f}}, {0.5f, 0.25f}), kTolerance);
   EXPECT_EQ(mesh.positions.size(), 4u);
   EXPECT_EQ(mesh.wedges.size(), 6u);
@@ -142,7 +141,7 @@ TEST(Weld, SeamsSplitWedgesAndNotVertices) {
   }
 }
 
-TEST(Weld, DegenerateTrianglesAreCountedAndTheirVerticesVanish) {
+TEST(Weld, DegenerateTrianglesAreCountedAndTheirVerticesRemoved) {
   TriangleSoup soup = hinge({{0, 1.0f}}, {{0, 1.0f}});
   addVertex(soup, {7, 7, 7});
   addVertex(soup, {7, 7, 7 + 2e-7f});
@@ -156,7 +155,7 @@ TEST(Weld, DegenerateTrianglesAreCountedAndTheirVerticesVanish) {
   EXPECT_EQ(mesh.positions.size(), 4u);
 }
 
-TEST(Weld, EveryTriangleKnowsWhatBecomesOfIt) {
+TEST(Weld, EveryInputTriangleIsMappedToItsResult) {
   TriangleSoup soup = splitAtRandom(torus(12, 9), 5, 0.0f);
   const auto corner = soup.triangles[7];
   soup.triangles.insert(soup.triangles.begin() + 4, {corner[0], corner[0], corner[2]});
@@ -175,7 +174,7 @@ TEST(Weld, EveryTriangleKnowsWhatBecomesOfIt) {
   }
 }
 
-TEST(Weld, SliversStay) {
+TEST(Weld, SliversAreKept) {
   TriangleSoup soup;
   for (const float x : {0.0f, 1.0f, 2.0f}) addVertex(soup, {x, 0, 0});
   addTriangle(soup, 0, 1, 2);
@@ -184,7 +183,7 @@ TEST(Weld, SliversStay) {
   EXPECT_EQ(mesh.trianglesDropped, 0);
 }
 
-TEST(Weld, MinusZeroIsZero) {
+TEST(Weld, MinusZeroEqualsZero) {
   TriangleSoup soup = hinge({{0, 1.0f}}, {{0, 1.0f}});
   soup.positions[3].z = -0.0f;
   soup.uvs[4] = {-0.0f, 0.0f};
@@ -201,9 +200,8 @@ TEST(Weld, EmptySoupGivesAnEmptyMesh) {
   EXPECT_TRUE(mesh.positions.empty());
 }
 
-/// A hundred thousand vertices in one place, alike or each bound in its own way: a quadratic welder would not come
-/// back.
-TEST(Weld, CrowdsInOnePlaceAreNoTrouble) {
+/// A hundred thousand vertices in one place, equal or each with its own binding: a quadratic welder would take forever.
+TEST(Weld, ManyCoincidentVerticesAreFast) {
   for (const bool alike : {true, false}) {
     TriangleSoup soup;
     constexpr std::uint32_t kTriangles = 100'000;
@@ -220,9 +218,9 @@ TEST(Weld, CrowdsInOnePlaceAreNoTrouble) {
   }
 }
 
-/// Three sheets of different bones along one edge: no edge of the bound mesh has more than one triangle, the shape
-/// does.
-TEST(JoinedByPosition, ShowsWherePartsOfDifferentBonesMeet) {
+/// Three sheets of different bones along one edge: no edge of the bound mesh has more than one triangle, but one of the
+/// shape does.
+TEST(JoinedByPosition, JoinsPartsOfDifferentBones) {
   TriangleSoup soup;
   for (int sheet = 0; sheet < 3; ++sheet) {
     const auto base = static_cast<std::uint32_t>(soup.positions.size());
@@ -240,15 +238,15 @@ TEST(JoinedByPosition, ShowsWherePartsOfDifferentBonesMeet) {
   EXPECT_EQ(topologyOf(joined).nonManifoldEdges.size(), 1u);
 }
 
-TEST(JoinedByPosition, LeavesAWeldedMeshAsItIs) {
+TEST(JoinedByPosition, WeldedMeshIsUnchanged) {
   const ControlMesh mesh = weld(torus(7, 9), kTolerance);
   const ControlMesh joined = joinedByPosition(mesh, kTolerance);
   EXPECT_EQ(joined.positions, mesh.positions);
   EXPECT_EQ(joined.triangles.size(), mesh.triangles.size());
 }
 
-// Two triangles on one edge, each with vertices of its own: how many wedges depends on the colors there alone.
-TEST(Weld, ColorsSplitWedgesAndNothingElse) {
+// Two triangles on one edge, with separate vertices: the number of wedges depends only on the colors there.
+TEST(Weld, ColorsSplitOnlyWedges) {
   TriangleSoup soup;
   for (const glm::vec3& p : {glm::vec3(0, 0, 0), glm::vec3(1, 0, 0), glm::vec3(0, 1, 0), glm::vec3(1, 0, 0),
                              glm::vec3(1, 1, 0), glm::vec3(0, 1, 0)}) {

@@ -1,4 +1,5 @@
-// tests/panels/animation_test.cpp: keys and drivers of numbers: the fields' menu, driven keys, the section, its curves.
+// tests/panels/animation_test.cpp: keys and drivers of numbers: context menu of fields, driven keys, the inspector's
+// section and its curves.
 
 #include <cmath>
 
@@ -22,7 +23,7 @@ namespace {
 constexpr const char* kRadius = "inspector/radius.x";
 constexpr const char* kLower = "forearm.L";
 
-/// Over the bundled rig in its first clip, "biceps L" alone, and alone of its kind.
+/// Bundled rig in its first clip; only "biceps L" is selected.
 class Animation : public HeadlessEditor {
  protected:
   static constexpr int kKeyK = 75;
@@ -39,7 +40,7 @@ class Animation : public HeadlessEditor {
   [[nodiscard]] NumberRef radius() const { return {Parameter::kRadiusX, state.document.activePrimitive()}; }
   [[nodiscard]] const AnimatedNumber* animated() const { return animationOf(state.document.rig(), radius()); }
   [[nodiscard]] float drawn() const { return numberOf(state.document.rig(), radius()); }
-  /// By the definition, not by what the panels keep.
+  /// Computed from the definition, independent of the panels.
   [[nodiscard]] float now() const {
     return numberOf(test::drivenRig(state.document.rig(), state.character(), state.live->pose()), radius());
   }
@@ -66,7 +67,7 @@ class Animation : public HeadlessEditor {
     settle();
     settle();
   }
-  /// From submenu to submenu of the number's menu.
+  /// Walks through the submenus of a number's context menu.
   void choose(std::initializer_list<const char*> entries) {
     click(kRadius, 1);
     for (const char* entry : entries) {
@@ -85,7 +86,7 @@ class Animation : public HeadlessEditor {
   Rig opened;
 };
 
-TEST_F(Animation, AKeyHoldsWhatTheFieldShowsAtThisMomentOfTheClip) {
+TEST_F(Animation, KeyStoresTheFieldValueAtTheCurrentTime) {
   goTo(0.2);
   typeInto(kRadius, "0.1");
   hover(kRadius);
@@ -105,7 +106,7 @@ TEST_F(Animation, AKeyHoldsWhatTheFieldShowsAtThisMomentOfTheClip) {
   goTo(0.5);
   EXPECT_LT(now(), 0.1f);
   EXPECT_GT(now(), 0.05f);
-  // Between two keys: the menu's other key changes nothing.
+  // Between two keys: toggling the other key changes nothing.
   const float between = now();
   choose({"key-now"});
   EXPECT_EQ(animated()->keys.at(0).curve.points.size(), 3u);
@@ -113,7 +114,7 @@ TEST_F(Animation, AKeyHoldsWhatTheFieldShowsAtThisMomentOfTheClip) {
   choose({"key-remove"});
   EXPECT_EQ(animated()->keys.at(0).curve.points.size(), 2u);
   hover(kRadius);
-  press(kKeyK);  // Nothing was set since the last key: what is seen is keyed.
+  press(kKeyK);  // Nothing was set since the last key: the shown value is keyed.
   EXPECT_EQ(now(), between);
   choose({"key-remove"});
   const std::vector<glm::vec3> keyed = state.live->surface().positions;
@@ -124,7 +125,7 @@ TEST_F(Animation, AKeyHoldsWhatTheFieldShowsAtThisMomentOfTheClip) {
   EXPECT_EQ(state.document.rig(), opened);
 }
 
-TEST_F(Animation, TheFieldSaysWhatAnimatesItsNumber) {
+TEST_F(Animation, FieldShowsWhatAnimatesItsNumber) {
   const auto look = [&] {
     WidgetLog log;
     PanelUi ui(state, log, fonts);
@@ -144,19 +145,19 @@ TEST_F(Animation, TheFieldSaysWhatAnimatesItsNumber) {
   EXPECT_TRUE(look().driven && look().keyedElsewhere && !look().keyedHere);
 }
 
-TEST_F(Animation, TheBindPoseHasNoKeys) {
+TEST_F(Animation, BindPoseTakesNoKeys) {
   chooseClip(state.open.transport, -1, state.character());
   settle();
   hover(kRadius);
   const Action& key = action("edit/key");
   EXPECT_FALSE(key.enabled(state));
   EXPECT_STREQ(key.enabled(state).reason(), "Choose a clip first: the bind pose has no time");
-  choose({"key"});  // Gray.
+  choose({"key"});  // Grayed out.
   EXPECT_EQ(animated(), nullptr);
   EXPECT_EQ(steps(), 0u);
 }
 
-TEST_F(Animation, KeysOfSeveralAreOneStepEachWithItsOwnNumber) {
+TEST_F(Animation, KeyingSeveralMusclesIsOneStepWithEachMusclesOwnValue) {
   select(state.document, {"calf L", "biceps L"});
   settle();
   choose({"key"});
@@ -170,7 +171,7 @@ TEST_F(Animation, KeysOfSeveralAreOneStepEachWithItsOwnNumber) {
   }
 }
 
-TEST_F(Animation, TheMenuDrivesByABend) {
+TEST_F(Animation, MenuAddsABendDriver) {
   choose({"drive", "drive/bend", "drive/bend/near/forearm.L"});
   EXPECT_EQ(label(), "Drive radius X of biceps L by bend of forearm.L");
   ASSERT_NE(animated(), nullptr);
@@ -183,7 +184,7 @@ TEST_F(Animation, TheMenuDrivesByABend) {
   EXPECT_EQ(state.document.rig(), opened);
 }
 
-TEST_F(Animation, TheMenuDrivesByAnAxisAndByADistance) {
+TEST_F(Animation, MenuAddsAxisAndDistanceDrivers) {
   choose({"drive", "drive/axis", "drive/axis/near/forearm.L", "drive/axis/near/forearm.L/Z"});
   EXPECT_EQ(label(), "Drive radius X of biceps L by turn about Z of forearm.L");
   choose({"drive", "drive/distance", "drive/distance/near/upper_arm.L", "drive/distance/near/upper_arm.L/hand.L"});
@@ -194,14 +195,14 @@ TEST_F(Animation, TheMenuDrivesByAnAxisAndByADistance) {
   EXPECT_EQ(animated()->drivers.size(), 2u) << "a joint has no distance from itself";
 }
 
-TEST_F(Animation, AChannelIsMadeWithTheDriver) {
+TEST_F(Animation, NewChannelIsMadeWithItsDriver) {
   choose({"drive", "drive/channel", "drive/channel-new"});
   EXPECT_EQ(steps(), 1u);
   ASSERT_EQ(state.document.rig().channels.size(), 1u);
   EXPECT_EQ(animated()->drivers.at(0).input.channel, state.document.rig().channels[0].name);
 }
 
-TEST_F(Animation, DrivenKeysAreSetByPosingAndTheNumberStaysAsDrawn) {
+TEST_F(Animation, DrivenKeysAreSetByPosingWithoutChangingTheRestValue) {
   const float before = drawn();
   choose({"set-driven", "set-driven/bend", "set-driven/bend/near/forearm.L"});
   ASSERT_TRUE(shown("driven-key/now"));
@@ -217,7 +218,7 @@ TEST_F(Animation, DrivenKeysAreSetByPosingAndTheNumberStaysAsDrawn) {
   ASSERT_EQ(curve.points.size(), 2u);
   EXPECT_NEAR(curve.points[0].x, straight, 1e-3f);
   EXPECT_EQ(curve.points[0].y, before);
-  // A drag at the same pose is the same point, in one step.
+  // A drag at the same pose replaces the point, in one step.
   const std::size_t stepsBefore = steps();
   drag(kRadius, {30.0f, 0.0f});
   EXPECT_EQ(steps(), stepsBefore + 1);
@@ -235,7 +236,7 @@ TEST_F(Animation, DrivenKeysAreSetByPosingAndTheNumberStaysAsDrawn) {
   EXPECT_EQ(state.document.rig(), opened);
 }
 
-TEST_F(Animation, DrivenKeysOfSeveralKeepTheirProportions) {
+TEST_F(Animation, DrivenKeysOfSeveralMusclesKeepTheirProportions) {
   select(state.document, {"calf L", "biceps L"});
   settle();
   const auto valueOf = [&](const char* name) {
@@ -255,7 +256,7 @@ TEST_F(Animation, DrivenKeysOfSeveralKeepTheirProportions) {
   EXPECT_NEAR(valueOf("biceps L"), 0.08f, 1e-6f);
 }
 
-TEST_F(Animation, TheModeEndsWithItsMuscle) {
+TEST_F(Animation, DrivenKeyModeEndsWhenItsMuscleIsDeleted) {
   choose({"set-driven", "set-driven/bend", "set-driven/bend/near/forearm.L"});
   ASSERT_TRUE(state.open.animate.drivenKey.isOn());
   press(kDelete);
@@ -263,7 +264,7 @@ TEST_F(Animation, TheModeEndsWithItsMuscle) {
   EXPECT_FALSE(state.open.animate.drivenKey.isOn());
 }
 
-TEST_F(Animation, TheCurveIsChangedByThePointer) {
+TEST_F(Animation, CurveIsEditedWithThePointer) {
   choose({"drive", "drive/bend", "drive/bend/near/forearm.L"});
   choose({"drivers"});
   const std::string curve = "inspector/animation/radii.x/0/curve";
@@ -287,7 +288,7 @@ TEST_F(Animation, TheCurveIsChangedByThePointer) {
   EXPECT_EQ(state.document.rig().primitives.size(), muscles);
 }
 
-TEST_F(Animation, TheSectionChangesModeAndKindAndRemoves) {
+TEST_F(Animation, SectionSetsModeAndKindAndRemovesDrivers) {
   choose({"drive", "drive/bend", "drive/bend/near/forearm.L"});
   choose({"drivers"});
   const std::string driver = "inspector/animation/radii.x/0";
@@ -302,7 +303,7 @@ TEST_F(Animation, TheSectionChangesModeAndKindAndRemoves) {
   EXPECT_FALSE(shown("inspector/animation"));
 }
 
-TEST_F(Animation, RowsOfTheTimelineMoveAndRemoveKeys) {
+TEST_F(Animation, TimelineRowsMoveAndRemoveKeys) {
   EXPECT_EQ(keyRowsHeight(state), 0.0f);
   const float height = state.frame.viewport.w;
   goTo(0.2);
@@ -318,7 +319,7 @@ TEST_F(Animation, RowsOfTheTimelineMoveAndRemoveKeys) {
   drag(row + "/key/1", {0.2f * perSecond, 0.0f});
   EXPECT_EQ(steps(), stepsBefore + 1) << "a drag is one step";
   EXPECT_NEAR(animated()->keys.at(0).curve.points.at(1).x, 0.8f, 0.02f);
-  // Past the other one, which stays.
+  // Past the other key, which stays.
   drag(row + "/key/1", {-0.7f * perSecond, 0.0f});
   ASSERT_EQ(animated()->keys.at(0).curve.points.size(), 2u);
   EXPECT_NEAR(animated()->keys.at(0).curve.points.at(0).x, 0.1f, 0.02f);
@@ -335,7 +336,7 @@ TEST_F(Animation, RowsOfTheTimelineMoveAndRemoveKeys) {
   EXPECT_EQ(state.document.rig(), opened);
 }
 
-TEST_F(Animation, AChannelsRowHasItsValueAndTakesKeys) {
+TEST_F(Animation, ChannelRowShowsItsValueAndTakesKeys) {
   choose({"drive", "drive/channel", "drive/channel-new"});
   settle();
   const std::string row = "timeline/row/channel effort";
@@ -361,22 +362,22 @@ TEST_F(Animation, AChannelsRowHasItsValueAndTakesKeys) {
   EXPECT_EQ(state.document.rig(), opened);
 }
 
-TEST_F(Animation, AChosenPointIsTyped) {
+TEST_F(Animation, SelectedCurvePointTakesTypedNumbers) {
   choose({"drive", "drive/bend", "drive/bend/near/forearm.L"});
   choose({"drivers"});
   const std::string driver = "inspector/animation/radii.x/0";
   click(driver + "/curve/1");
   typeInto(driver + "/point.x", "120");
   EXPECT_EQ(animated()->drivers.at(0).curve.points.at(1).x, 120.0f);
-  for (int i = 0; i < 30; ++i) frame();  // Else it is a click of the same row of clicks.
-  typeInto(driver + "/point.x", "-5");   // Would stand before the first.
+  for (int i = 0; i < 30; ++i) frame();  // Long enough not to count as a multiple click.
+  typeInto(driver + "/point.x", "-5");   // Would precede the first point.
   EXPECT_EQ(animated()->drivers.at(0).curve.points.at(1).x, 120.0f);
   EXPECT_FALSE(state.session.messages.empty());
   click(driver + "/curve/0", 1);
   EXPECT_EQ(animated()->drivers.at(0).curve.points.size(), 1u);
 }
 
-TEST_F(Animation, TheSkinBlendIsKeyedInItsOwnPanel) {
+TEST_F(Animation, SkinBlendIsKeyedInItsOwnPanel) {
   const auto pointAt = [&](const std::string& id) {
     queue.move(center(id));
     settle();

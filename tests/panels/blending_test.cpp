@@ -1,4 +1,4 @@
-// tests/panels/blending_test.cpp: groups: the matrix and the graph change the same rig and show each other's
+// tests/panels/blending_test.cpp: work groups: the matrix and the graph edit the same rig and show each other's
 // changes.
 
 #include "tests/support/editor/headless_editor.h"
@@ -15,7 +15,7 @@
 namespace sinew::app {
 namespace {
 
-/// Over the bundled rig: legs - torso - arms, in the Groups tab.
+/// Bundled rig with legs - torso - arms, in the Groups tab.
 class Blending : public HeadlessEditor {
  protected:
   void SetUp() override {
@@ -32,12 +32,12 @@ class Blending : public HeadlessEditor {
     queue.move(center(id));
     settle();
   }
-  /// From the middle of one control to the middle of another.
+  /// Drags from the middle of one control to the middle of another.
   void dragTo(const std::string& from, const std::string& to) { drag(from, center(to) - center(from)); }
   [[nodiscard]] bool allValid() const { return validate(rig()).ok(); }
 };
 
-TEST_F(Blending, ACellLinksAndUnlinksAsOneStepEach) {
+TEST_F(Blending, CellLinksAndUnlinksInOneStepEach) {
   ASSERT_TRUE(linked("legs", "torso"));
   ASSERT_FALSE(linked("legs", "arms"));
   click("blending/cell/arms/legs");
@@ -52,7 +52,7 @@ TEST_F(Blending, ACellLinksAndUnlinksAsOneStepEach) {
   EXPECT_FALSE(linked("legs", "arms"));
 }
 
-TEST_F(Blending, HoverLightsUpTheMusclesOfBothGroups) {
+TEST_F(Blending, HoveredCellHighlightsTheMusclesOfBothGroups) {
   hover("blending/cell/torso/legs");
   std::vector<int> both = membersOf(rig(), "legs");
   const std::vector<int> torso = membersOf(rig(), "torso");
@@ -66,7 +66,7 @@ TEST_F(Blending, HoverLightsUpTheMusclesOfBothGroups) {
   EXPECT_EQ(state.frame.highlighted.size() % membersOf(rig(), "arms").size(), 0u);
 }
 
-TEST_F(Blending, TheGraphShowsTheMatrixChangesAndTheReverse) {
+TEST_F(Blending, GraphAndMatrixShowEachOthersChanges) {
   click("blending/cell/arms/legs");
   click("blending/view/graph");
   EXPECT_TRUE(shown("blending/edge/legs/arms") || shown("blending/edge/arms/legs"));
@@ -81,7 +81,7 @@ TEST_F(Blending, TheGraphShowsTheMatrixChangesAndTheReverse) {
   EXPECT_TRUE(allValid());
 }
 
-TEST_F(Blending, ANodeIsMovedWithoutTouchingTheRig) {
+TEST_F(Blending, MovingANodeLeavesTheRigUnchanged) {
   click("blending/view/graph");
   const glm::vec2 before = center("blending/node/torso");
   drag("blending/node/torso", {24.0f, 30.0f});
@@ -121,7 +121,7 @@ TEST_F(Blending, GroupsAreAddedNamedRenamedAndDeleted) {
   EXPECT_TRUE(allValid());
 }
 
-TEST_F(Blending, ADeletedGroupsMusclesGoWhereTheDesignerSays) {
+TEST_F(Blending, MusclesOfADeletedGroupMoveToTheChosenGroup) {
   const std::size_t legs = membersOf(rig(), "legs").size();
   const std::size_t torso = membersOf(rig(), "torso").size();
   click("blending/group/legs", 1);
@@ -144,7 +144,7 @@ TEST_F(Blending, SelectedMusclesMoveIntoAGroup) {
   EXPECT_EQ(state.document.selection.primitives.size(), membersOf(rig(), "legs").size());
 }
 
-TEST_F(Blending, AMuscleCanBeDraggedFromTheListOntoAGroup) {
+TEST_F(Blending, MuscleIsDraggedFromTheOutlinerOntoAGroup) {
   click("outliner/tab");
   queue.move(center("outliner/muscle/glute L"));
   settle();
@@ -160,7 +160,7 @@ TEST_F(Blending, AMuscleCanBeDraggedFromTheListOntoAGroup) {
   EXPECT_EQ(rig().primitives[static_cast<std::size_t>(findPrimitive(rig(), "glute L"))].group, "arms");
 }
 
-TEST_F(Blending, SixtyGroupsHaveRoomInBothViews) {
+TEST_F(Blending, SixtyGroupsFitInBothViews) {
   Rig many = rig();
   for (int i = 0; i < 57; ++i) many = addGroup(many, "group number " + std::to_string(i)).value();
   for (int i = 0; i + 1 < 60; ++i) many = setLink(many, i, i + 1, true).value();
@@ -173,8 +173,8 @@ TEST_F(Blending, SixtyGroupsHaveRoomInBothViews) {
   EXPECT_EQ(nodes, 60);
 }
 
-TEST_F(Blending, MoreCliquesThanAllowedAreRefusedWithTheReason) {
-  // The complement of disjoint triangles has three to the power of their number cliques: eight are too many.
+TEST_F(Blending, TooManyCliquesAreRefusedWithAReason) {
+  // The complement of n disjoint triangles has 3^n cliques: eight triangles are too many.
   Rig many = rig();
   while (many.groups.size() < 24) many = addGroup(many, "g" + std::to_string(many.groups.size())).value();
   many.links.clear();
@@ -194,7 +194,7 @@ TEST_F(Blending, MoreCliquesThanAllowedAreRefusedWithTheReason) {
   EXPECT_NE(refusal.find(std::to_string(kMaxCliques)), std::string::npos);
 }
 
-TEST(BlendingColors, NeighborsDifferAndAreTheSameEveryTime) {
+TEST(BlendingColors, NeighborsDifferAndColorsAreRepeatable) {
   Rig rig;
   for (int i = 0; i < 61; ++i) rig.groups.push_back({"group " + std::to_string(i), {}, {}});
   for (int i = 0; i < 60; ++i) {
@@ -205,7 +205,7 @@ TEST(BlendingColors, NeighborsDifferAndAreTheSameEveryTime) {
   }
 }
 
-TEST(BlendingLayout, NodesKeepTheirDistanceAndLinkedOnesAreNearer) {
+TEST(BlendingLayout, NodesKeepTheirDistanceAndLinkedNodesAreCloser) {
   std::vector<std::array<int, 2>> links;
   for (int i = 0; i < 29; ++i) links.push_back({i, i + 1});
   for (const int count : {1, 2, 3, 7, 30, 60}) {
@@ -223,7 +223,7 @@ TEST(BlendingLayout, NodesKeepTheirDistanceAndLinkedOnesAreNearer) {
   EXPECT_LT(glm::length(chain[0] - chain[1]), 0.5f * glm::length(chain[0] - chain[7]));
 }
 
-TEST(BlendingLayout, ANewNodeIsPutWhereThereIsRoom) {
+TEST(BlendingLayout, NewNodeIsPlacedInFreeSpace) {
   std::vector<glm::vec2> places;
   for (int i = 0; i < 40; ++i) places.push_back(freePlace(places));
   for (std::size_t i = 0; i < places.size(); ++i) {

@@ -1,4 +1,5 @@
-// tests/panels/body_parts_test.cpp: Muscles > Parts of the body by hand: what was found, corrections, undo.
+// tests/panels/body_parts_test.cpp: Muscles > Parts of the body through the dialog: detected parts, corrections, undo.
+
 #include "app/editor/actions.h"
 #include "app/editor/muscle_set_commands.h"
 #include "tests/support/editor/headless_editor.h"
@@ -25,7 +26,7 @@ class BodyPartsPanel : public HeadlessEditor {
   }
 };
 
-TEST_F(BodyPartsPanel, ListsWhatThisKindOfBodyHas) {
+TEST_F(BodyPartsPanel, ListsThePartsOfTheKindOfBody) {
   open("humanoid.glb");
   EXPECT_TRUE(shown("body-parts/upperArm.L"));
   EXPECT_TRUE(shown("body-parts/upperArm.R"));
@@ -38,7 +39,7 @@ TEST_F(BodyPartsPanel, ListsWhatThisKindOfBodyHas) {
   EXPECT_EQ(steps(), 0u);
 }
 
-TEST_F(BodyPartsPanel, ACorrectionIsOneStepOfTheRig) {
+TEST_F(BodyPartsPanel, CorrectionIsOneUndoStep) {
   open("humanoid.glb");
   const int found = boneOf(kLeftFoot);
   const int shin = boneCalled("shin.L");
@@ -58,7 +59,7 @@ TEST_F(BodyPartsPanel, ACorrectionIsOneStepOfTheRig) {
   EXPECT_EQ(state.open.bodyParts.slots[kLeftFoot].bone, found);
 }
 
-TEST_F(BodyPartsPanel, APartMayBeNoneAndAsFoundAgain) {
+TEST_F(BodyPartsPanel, PartCanBeSetToNoneAndBackToTheDetectedBone) {
   open("humanoid.glb");
   const int found = boneOf(kLeftFoot);
   click("body-parts/foot.L");
@@ -72,7 +73,7 @@ TEST_F(BodyPartsPanel, APartMayBeNoneAndAsFoundAgain) {
   EXPECT_EQ(steps(), 2u);
 }
 
-TEST_F(BodyPartsPanel, ABodyThatIsNoneListsThePartsOfEither) {
+TEST_F(BodyPartsPanel, UnknownBodyListsThePartsOfTheChosenKind) {
   open("tangle.glb");
   EXPECT_TRUE(shown("body-parts/upperArm.L"));
   click("body-parts/kind/animal");
@@ -80,7 +81,7 @@ TEST_F(BodyPartsPanel, ABodyThatIsNoneListsThePartsOfEither) {
   EXPECT_FALSE(shown("body-parts/upperArm.L"));
 }
 
-TEST_F(BodyPartsPanel, SharesThePictureWithOnePanelAtATime) {
+TEST_F(BodyPartsPanel, OnlyOneOverlayPanelIsOpenAtATime) {
   open("humanoid.glb");
   run(action("muscles/add-set"), state);
   settle();

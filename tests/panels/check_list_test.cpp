@@ -1,4 +1,5 @@
-// tests/panels/check_list_test.cpp: Play > Check muscles by hand: the list, going to a finding, mending, undo.
+// tests/panels/check_list_test.cpp: Play > Check muscles through the panel: the list, jumping to a finding, mending,
+// undo.
 #include <algorithm>
 
 #include "app/editor/actions.h"
@@ -23,7 +24,7 @@ class CheckList : public HeadlessEditor {
   }
 };
 
-TEST_F(CheckList, OfAGoodRigIsEmpty) {
+TEST_F(CheckList, IsEmptyForASoundRig) {
   open("humanoid-flex.rig.json");
   check();
   EXPECT_TRUE(shown("check/heading"));
@@ -32,7 +33,7 @@ TEST_F(CheckList, OfAGoodRigIsEmpty) {
   EXPECT_FALSE(shown("check/heading"));
 }
 
-TEST_F(CheckList, AClickGoesToTheMoment) {
+TEST_F(CheckList, ClickJumpsToTheTimeOfTheFinding) {
   open("horse.rig.json");
   state.document.selection.set(state.document.idAt(4));
   check();
@@ -46,7 +47,7 @@ TEST_F(CheckList, AClickGoesToTheMoment) {
   EXPECT_FALSE(state.open.transport.playing);
 }
 
-TEST_F(CheckList, NothingLiesUnderIt) {
+TEST_F(CheckList, HidesLegendsWhileOpen) {
   open("horse.rig.json");
   run(action("view/anatomy"), state);
   settle();
@@ -57,7 +58,7 @@ TEST_F(CheckList, NothingLiesUnderIt) {
   EXPECT_TRUE(shown("legend/anatomy"));
 }
 
-TEST_F(CheckList, MendIsOneStepAndFindsLess) {
+TEST_F(CheckList, RepairIsOneStepAndLeavesFewerFindings) {
   open("horse.rig.json");
   check();
   const std::size_t found = state.open.check.findings.size();
@@ -69,7 +70,7 @@ TEST_F(CheckList, MendIsOneStepAndFindsLess) {
   run(action("edit/undo"), state);
   settle();
   EXPECT_EQ(state.document.rig(), before);
-  // The rig is another one than was checked: the button checks again.
+  // The rig has changed since the check: the button checks again.
   click("check/mend");
   EXPECT_EQ(state.open.check.findings.size(), found);
 }

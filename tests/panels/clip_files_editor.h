@@ -1,5 +1,4 @@
-// tests/panels/clip_files_editor.h: the editor beside a folder with a post in several files, for clips that are
-// added.
+// tests/panels/clip_files_editor.h: editor with a folder that holds a post in several files, to add clips from.
 #pragma once
 
 #include <algorithm>
@@ -16,7 +15,7 @@
 
 namespace sinew::app {
 
-/// A post in several files: still.glb without a clip, others with.
+/// A post in several files: still.glb has no clip, the others have.
 class ClipFilesInEditor : public HeadlessEditor {
  protected:
   void SetUp() override {
@@ -31,7 +30,7 @@ class ClipFilesInEditor : public HeadlessEditor {
   void write(const std::string& name, const std::string& bytes) {
     std::ofstream(folder_ / name, std::ios::binary) << bytes;
   }
-  /// No mesh, and one clip of each name.
+  /// Writes a file without a mesh and with one clip of each name.
   void motion(const std::string& name, const std::vector<std::string>& clips) {
     test::Post post = test::makePost();
     for (const char* list : {"meshes", "skins"}) post.file.json.erase(list);
@@ -44,7 +43,7 @@ class ClipFilesInEditor : public HeadlessEditor {
     }
     write(name, post.file.glb());
   }
-  /// The knee is called otherwise, and both joints turn. @param mesh  whether it has one
+  /// Writes a relative: the knee has another name, and both joints rotate. @param mesh  whether it has a mesh
   void relative(const std::string& name, bool mesh) {
     test::Post post = test::makePost();
     nlohmann::ordered_json& json = post.file.json;

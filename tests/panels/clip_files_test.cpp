@@ -1,5 +1,4 @@
-// tests/panels/clip_files_test.cpp: clips of other files in the editor: dropped, listed, chosen in dialogs,
-// located.
+// tests/panels/clip_files_test.cpp: clips of other files in the editor: dropped, listed, selected in dialogs, located.
 #include "app/editor/edit.h"
 #include "sinew/files/rig_json.h"
 #include "tests/panels/clip_files_editor.h"
@@ -9,7 +8,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-TEST_F(ClipFilesInEditor, WhatIsLetGoOverTheWindowIsAddedAskedAboutOrOpened) {
+TEST_F(ClipFilesInEditor, DroppedFilesAreAddedQueriedOrOpened) {
   relative("other.glb", true);
   open("still.glb");
   drop("walk.glb");
@@ -25,7 +24,7 @@ TEST_F(ClipFilesInEditor, WhatIsLetGoOverTheWindowIsAddedAskedAboutOrOpened) {
   EXPECT_FALSE(shown("keep-muscles/keep"));
   EXPECT_EQ(files(), (Names{"walk.glb", "whole.glb", "other.glb"}));
   EXPECT_EQ(state.document.rig().primitives.size(), 1u);
-  // Without clips there is nothing to add; the character's own file is no other.
+  // Without clips there is nothing to add, nor from the character's own file.
   state.document.commands.markSaved();
   fs::copy_file(folder_ / "still.glb", folder_ / "again.glb");
   for (const char* name : {"again.glb", "still.glb"}) {
@@ -39,7 +38,7 @@ TEST_F(ClipFilesInEditor, WhatIsLetGoOverTheWindowIsAddedAskedAboutOrOpened) {
   EXPECT_EQ(state.document.characterFile.filename(), "other.glb") << "nothing to keep: it is opened";
 }
 
-TEST_F(ClipFilesInEditor, WhatDoesNotMatchIsListed) {
+TEST_F(ClipFilesInEditor, UnmatchedBonesAreListed) {
   relative("relative.glb", false);
   open("still.glb");
   act("play/clip-files");
@@ -70,7 +69,7 @@ TEST_F(ClipFilesInEditor, WhatDoesNotMatchIsListed) {
   EXPECT_FALSE(state.open.clipList.shown);
 }
 
-TEST_F(ClipFilesInEditor, TheDialogStaysWhereAFileCannotBeAdded) {
+TEST_F(ClipFilesInEditor, DialogStaysOpenIfAFileCannotBeAdded) {
   write("bad.glb", "no file of this kind");
   open("still.glb");
   state.session.messages.clear();
@@ -89,17 +88,17 @@ TEST_F(ClipFilesInEditor, TheDialogStaysWhereAFileCannotBeAdded) {
   press(kEnter);
   EXPECT_FALSE(shown("dialog/path"));
   EXPECT_EQ(files(), Names{"walk.glb"});
-  // Once more: it is read again, which is no step.
+  // Adding it again rereads it, which is no step.
   motion("walk.glb", {"Walk", "Run", "Jump"});
   add("walk.glb");
   EXPECT_EQ(clips(), (Names{"Walk", "Run", "Jump"}));
   EXPECT_EQ(steps(), 1u);
-  // What follows is opened again.
+  // Reopened below.
   act("file/open");
   EXPECT_EQ(state.dialogs.file.then.kind, IntentKind::kNone);
 }
 
-TEST_F(ClipFilesInEditor, NothingOfAnotherBodyIsAdded) {
+TEST_F(ClipFilesInEditor, ClipsOfADifferentBodyAreNotAdded) {
   test::Post post = test::makePost();
   post.file.json["nodes"][1]["name"] = "wheel";
   post.file.json["nodes"][2]["name"] = "crank";
@@ -112,7 +111,7 @@ TEST_F(ClipFilesInEditor, NothingOfAnotherBodyIsAdded) {
   EXPECT_EQ(messagesWith("wheel.glb"), 1);
 }
 
-TEST_F(ClipFilesInEditor, AFileThatIsGoneIsLocated) {
+TEST_F(ClipFilesInEditor, MissingFileCanBeLocated) {
   fs::create_directories(folder_ / "moved");
   Rig rig;
   rig.character = "still.glb";
@@ -126,7 +125,7 @@ TEST_F(ClipFilesInEditor, AFileThatIsGoneIsLocated) {
   EXPECT_EQ(clips(), Names{"Walk"});
   click("clip-files/locate/0");
   ASSERT_TRUE(shown("dialog/path"));
-  type("more.glb");  // That one is there already.
+  type("more.glb");  // Already added.
   press(kEnter);
   EXPECT_FALSE(state.dialogs.file.error.empty());
   press(kKeyA, true);
@@ -142,7 +141,7 @@ TEST_F(ClipFilesInEditor, AFileThatIsGoneIsLocated) {
   EXPECT_EQ(clips(), Names{"Walk"});
 }
 
-TEST_F(ClipFilesInEditor, TheyAreSavedAndOpenedAgain) {
+TEST_F(ClipFilesInEditor, ClipFilesAreSavedAndReopened) {
   fs::create_directories(folder_ / "rigs");
   open("still.glb");
   add("walk.glb");
@@ -160,7 +159,7 @@ TEST_F(ClipFilesInEditor, TheyAreSavedAndOpenedAgain) {
   EXPECT_FALSE(state.open.clipList.shown);
 }
 
-TEST_F(ClipFilesInEditor, ThePickerSaysWhereClipsComeFrom) {
+TEST_F(ClipFilesInEditor, PickerShowsWhichFileClipsComeFrom) {
   open("whole.glb");
   add("walk.glb");
   click("timeline/clip");
@@ -171,7 +170,7 @@ TEST_F(ClipFilesInEditor, ThePickerSaysWhereClipsComeFrom) {
   EXPECT_TRUE(shown("dialog/path"));
 }
 
-TEST_F(ClipFilesInEditor, CorrectedPartsOfTheBodyMoveThemAnew) {
+TEST_F(ClipFilesInEditor, CorrectedBodyPartsRetargetClipsAgain) {
   relative("relative.glb", false);
   open("still.glb");
   add("relative.glb");

@@ -1,4 +1,4 @@
-// tests/panels/clip_steps_test.cpp: files of clips as steps of the history: what plays, ranges and keys.
+// tests/panels/clip_steps_test.cpp: adding and removing clip files as history steps: playback, ranges and keys.
 #include "app/editor/edit.h"
 #include "core/rig/animated_edit.h"
 #include "sinew/character/pose.h"
@@ -8,7 +8,7 @@
 namespace sinew::app {
 namespace {
 
-TEST_F(ClipFilesInEditor, AFileIsOneStepAndItsFirstClipPlays) {
+TEST_F(ClipFilesInEditor, AddingAFileIsOneStepAndPlaysItsFirstClip) {
   open("still.glb");
   EXPECT_EQ(addClips(state, folder_ / "walk.glb"), "");
   EXPECT_TRUE(state.open.transport.playing);
@@ -20,7 +20,7 @@ TEST_F(ClipFilesInEditor, AFileIsOneStepAndItsFirstClipPlays) {
   state.open.transport.playing = false;
   state.open.transport.time = 0.7;
   settle();
-  // Bit for bit as the clip plays in its own file.
+  // Plays bit for bit as in its own file.
   const auto own = importClips(folder_ / "walk.glb");
   const Pose theirs = samplePose(own.value()->skeleton, own.value()->clips.front(), 0.7f);
   const auto theirKnee = static_cast<std::size_t>(own.value()->skeleton.findBone("knee").value());
@@ -41,7 +41,7 @@ TEST_F(ClipFilesInEditor, AFileIsOneStepAndItsFirstClipPlays) {
   EXPECT_EQ(state.live->surface().positions, bent);
 }
 
-TEST_F(ClipFilesInEditor, WhatPlaysGoesOnWhereItsClipIsStillThere) {
+TEST_F(ClipFilesInEditor, PlaybackContinuesWhileItsClipExists) {
   open("whole.glb");
   add("walk.glb");
   add("more.glb");
@@ -66,7 +66,7 @@ TEST_F(ClipFilesInEditor, WhatPlaysGoesOnWhereItsClipIsStillThere) {
   EXPECT_EQ(playing(), "Walk") << "of walk.glb: a walk is shown where there is one";
 }
 
-TEST_F(ClipFilesInEditor, AFileThatIsGoneWhenItComesBackIsTold) {
+TEST_F(ClipFilesInEditor, RedoReportsAFileThatIsMissing) {
   open("still.glb");
   add("walk.glb");
   act("edit/undo");
@@ -100,7 +100,7 @@ TEST_F(ClipFilesInEditor, RangesBelongToTheirClip) {
   EXPECT_TRUE(state.open.transport.ranges.contains(0));
 }
 
-TEST_F(ClipFilesInEditor, TheRangeOfMotionStaysWhatPlays) {
+TEST_F(ClipFilesInEditor, RangeOfMotionKeepsPlaying) {
   std::filesystem::copy_file(state.document.characterFile, folder_ / "copy.glb");
   add("copy.glb");
   EXPECT_EQ(clips(), (Names{"Walk", "Idle", "Walk 2", "Idle 2"}));

@@ -1,5 +1,4 @@
-// tests/panels/dialogs_test.cpp: palette, key sheet, preferences, recovery, messages and files, by hand and
-// keyboard.
+// tests/panels/dialogs_test.cpp: palette, key sheet, preferences, recovery, messages and files, by mouse and keyboard.
 
 #include "app/editor/edit.h"
 #include "tests/support/editor/headless_editor.h"
@@ -27,7 +26,7 @@ class DialogBoxes : public HeadlessEditor {
     ASSERT_TRUE(shown("palette/query"));
     type(query);
   }
-  /// Takes what was said so far away, so that only new messages count.
+  /// Drops the messages so far, so that only new ones count.
   void quiet() {
     state.session.messages.clear();
     settle();
@@ -36,7 +35,7 @@ class DialogBoxes : public HeadlessEditor {
   const fs::path folder = own.path();
 };
 
-TEST_F(DialogBoxes, ThePaletteDoesWhatIsTypedWithTheKeyboardAlone) {
+TEST_F(DialogBoxes, PaletteRunsTheTypedActionFromTheKeyboard) {
   const bool wire = state.view.display.wire;
   palette("wire");
   EXPECT_TRUE(shown("palette/view/wire"));
@@ -49,7 +48,7 @@ TEST_F(DialogBoxes, ThePaletteDoesWhatIsTypedWithTheKeyboardAlone) {
   EXPECT_EQ(state.view.display.wire, wire) << "what was used last comes first";
 }
 
-TEST_F(DialogBoxes, ThePaletteWalksWithTheArrowsAndEscapeChangesNothing) {
+TEST_F(DialogBoxes, ArrowKeysMoveThroughThePaletteAndEscapeCancels) {
   palette("frame");
   EXPECT_EQ(state.dialogs.palette.chosen, -1) << "none by hand";
   press(GLFW_KEY_DOWN);
@@ -62,7 +61,7 @@ TEST_F(DialogBoxes, ThePaletteWalksWithTheArrowsAndEscapeChangesNothing) {
   EXPECT_TRUE(state.session.preferences.recentActions.empty());
 }
 
-TEST_F(DialogBoxes, ThePaletteGoesToMusclesBonesAndSamples) {
+TEST_F(DialogBoxes, PaletteJumpsToMusclesBonesAndSamples) {
   addOne();
   const std::string name = muscle().name;
   state.document.selection.clear();
@@ -79,7 +78,7 @@ TEST_F(DialogBoxes, ThePaletteGoesToMusclesBonesAndSamples) {
   EXPECT_EQ(state.document.rigFile.filename(), "demo.rig.json");
 }
 
-TEST_F(DialogBoxes, WhatCannotBeDoneLeavesThePaletteOpen) {
+TEST_F(DialogBoxes, UnavailableActionLeavesThePaletteOpen) {
   palette("undo");
   press(kEnter);
   EXPECT_TRUE(state.dialogs.palette.shown);
@@ -89,7 +88,7 @@ TEST_F(DialogBoxes, WhatCannotBeDoneLeavesThePaletteOpen) {
   EXPECT_FALSE(state.dialogs.palette.shown);
 }
 
-TEST_F(DialogBoxes, TheKeySheetShowsAndChangesTheKeymap) {
+TEST_F(DialogBoxes, KeySheetShowsAndChangesTheKeymap) {
   press(GLFW_KEY_F1);
   ASSERT_TRUE(shown("keys/close"));
   click("keys/blender");
@@ -101,7 +100,7 @@ TEST_F(DialogBoxes, TheKeySheetShowsAndChangesTheKeymap) {
   EXPECT_TRUE(state.document.rig().primitives.empty());
 }
 
-TEST_F(DialogBoxes, PreferencesAreSetAndEscapeClosesTheListBeforeTheWindow) {
+TEST_F(DialogBoxes, PreferencesAreSetAndEscapeClosesTheListFirst) {
   press(GLFW_KEY_COMMA, true);
   ASSERT_TRUE(shown("preferences/close"));
   click("preferences/keymap/blender");
@@ -124,7 +123,7 @@ TEST_F(DialogBoxes, PreferencesAreSetAndEscapeClosesTheListBeforeTheWindow) {
   EXPECT_FALSE(state.dialogs.preferences);
 }
 
-TEST_F(DialogBoxes, PanelsAreResizedPutAwayAndBroughtBack) {
+TEST_F(DialogBoxes, PanelsAreResizedHiddenAndRestored) {
   const float before = state.view.layout.bottom;
   drag("layout/bottom", {0.0f, -50.0f});
   EXPECT_NEAR(state.view.layout.bottom, before + 50.0f, 1.0f);
@@ -147,7 +146,7 @@ TEST_F(DialogBoxes, PanelsAreResizedPutAwayAndBroughtBack) {
   EXPECT_TRUE(state.view.layout.folded.empty());
 }
 
-TEST_F(DialogBoxes, MessagesStayUntilReadAndTheirNumberIsInTheStatusLine) {
+TEST_F(DialogBoxes, MessagesStayUntilDismissedAndAreCountedInTheStatusBar) {
   quiet();
   EXPECT_FALSE(shown("status/messages"));
   addMessage(state.session, MessageKind::kNote, "left out");
@@ -173,7 +172,7 @@ TEST_F(DialogBoxes, MessagesStayUntilReadAndTheirNumberIsInTheStatusLine) {
   EXPECT_TRUE(state.session.messages.empty());
 }
 
-TEST_F(DialogBoxes, RecoveryIsOfferedAndLaterKeepsIt) {
+TEST_F(DialogBoxes, RecoveryIsOfferedAndLaterKeepsTheFile) {
   Document lost = openDocument(fs::path(SINEW_SOURCE_DIR) / "assets" / "demo.rig.json").value();
   Rig rig = lost.rig();
   rig.primitives.pop_back();
@@ -198,7 +197,7 @@ TEST_F(DialogBoxes, RecoveryIsOfferedAndLaterKeepsIt) {
   EXPECT_EQ(state.document.rigFile.filename(), "demo.rig.json");
 }
 
-TEST_F(DialogBoxes, RecoveringOverUnsavedChangesAsksFirst) {
+TEST_F(DialogBoxes, RecoveryPromptsBeforeDiscardingUnsavedChanges) {
   {
     Document lost = openDocument(fs::path(SINEW_SOURCE_DIR) / "assets" / "demo.glb").value();
     Result<RecoveryFile> crashed = RecoveryFile::claim(folder);
@@ -215,7 +214,7 @@ TEST_F(DialogBoxes, RecoveringOverUnsavedChangesAsksFirst) {
   EXPECT_EQ(state.session.leftBehind.size(), 1u);
 }
 
-TEST_F(DialogBoxes, FilesAreFoundWithTheKeyboardAlone) {
+TEST_F(DialogBoxes, FilesAreFoundFromTheKeyboard) {
   fs::create_directory(folder / "animals");
   fs::copy_file(fs::path(SINEW_SOURCE_DIR) / "assets" / "demo.glb", folder / "animals" / "lizard.glb");
   showOpenDialog(state);
@@ -233,7 +232,7 @@ TEST_F(DialogBoxes, FilesAreFoundWithTheKeyboardAlone) {
   EXPECT_EQ(state.document.characterFile, folder / "animals" / "lizard.glb");
 }
 
-TEST_F(DialogBoxes, TheBrowserGoesBackForwardAndUp) {
+TEST_F(DialogBoxes, FileBrowserGoesBackForwardAndUp) {
   fs::create_directory(folder / "animals");
   showOpenDialog(state);
   state.dialogs.file.folder = folder;
@@ -256,7 +255,7 @@ TEST_F(DialogBoxes, TheBrowserGoesBackForwardAndUp) {
   EXPECT_EQ(state.dialogs.file.kind, DialogKind::kNone);
 }
 
-TEST_F(DialogBoxes, ANewFolderIsMadeAndEntered) {
+TEST_F(DialogBoxes, NewFolderIsCreatedAndEntered) {
   showOpenDialog(state);
   state.dialogs.file.folder = folder;
   settle();
@@ -267,7 +266,7 @@ TEST_F(DialogBoxes, ANewFolderIsMadeAndEntered) {
   EXPECT_EQ(state.dialogs.file.folder, folder / "rigs");
 }
 
-TEST_F(DialogBoxes, AFileThatIsThereIsReplacedOnlyWhenToldSo) {
+TEST_F(DialogBoxes, ExistingFileIsReplacedOnlyAfterConfirmation) {
   addOne();
   std::ofstream(folder / "old.rig.json") << "precious";
   showSaveDialog(state, {});
@@ -287,7 +286,7 @@ TEST_F(DialogBoxes, AFileThatIsThereIsReplacedOnlyWhenToldSo) {
   EXPECT_FALSE(state.document.commands.modified());
 }
 
-TEST_F(DialogBoxes, AFailedSaveKeepsTheDocumentModified) {
+TEST_F(DialogBoxes, FailedSaveKeepsTheDocumentModified) {
   addOne();
   quiet();
   EXPECT_NE(saveTo(state, "/proc/sinew-test.rig.json"), "");
@@ -313,7 +312,7 @@ TEST_F(DialogBoxes, RecentFilesAndSamplesAreInTheMenu) {
   EXPECT_TRUE(isSample(state.document.rigFile.empty() ? state.document.characterFile : state.document.rigFile));
 }
 
-TEST_F(DialogBoxes, AutoDepthIsSwitchedOverThePicture) {
+TEST_F(DialogBoxes, AutoDepthIsToggledInTheOverlay) {
   const bool before = state.document.rig().smoothing.autoDepth;
   EXPECT_FALSE(shown("overlay/auto-depth")) << "the numbers begin with the few that say most";
   click("overlay/fold");

@@ -1,4 +1,4 @@
-// tests/panels/drags_test.cpp: a drag in the picture between panels: what it keeps, what its refusals leave.
+// tests/panels/drags_test.cpp: a viewport drag interrupted by panels: what is kept, and what a refused edit leaves.
 
 #include "app/editor/edit.h"
 #include "tests/support/editor/headless_editor.h"
@@ -6,9 +6,9 @@
 namespace sinew::app {
 namespace {
 
-using Drags = HeadlessEditor;
+using PanelDrags = HeadlessEditor;
 
-TEST_F(Drags, APressOnAPanelKeepsAGrabAsItsOwnStep) {
+TEST_F(PanelDrags, PressOnAPanelCommitsTheGrabAsItsOwnStep) {
   addOne();
   const std::size_t before = steps();
   const glm::vec3 center = muscle().placement.center;
@@ -21,7 +21,7 @@ TEST_F(Drags, APressOnAPanelKeepsAGrabAsItsOwnStep) {
   ASSERT_TRUE(ownsKeyboard(state.view.tools));
   const glm::vec3 moved = muscle().placement.center;
   ASSERT_NE(moved, center);
-  // The pointer on its way to the field drags the muscle along: only the field's own change comes after it.
+  // Moving the pointer to the field drags the muscle along: only the field's own change comes after that.
   drag("inspector/radius.x", {40.0f, 0.0f});
   EXPECT_FALSE(ownsKeyboard(state.view.tools));
   EXPECT_EQ(steps(), before + 2);
@@ -33,7 +33,7 @@ TEST_F(Drags, APressOnAPanelKeepsAGrabAsItsOwnStep) {
   EXPECT_EQ(muscle().placement.radii, kept.radii);
 }
 
-TEST_F(Drags, ARefusalGoesWithTheNextAcceptedDrag) {
+TEST_F(PanelDrags, AcceptedDragClearsTheLastRefusal) {
   addOne();
   refuse(state, Error{"file", "place", "not possible"});
   ASSERT_FALSE(state.open.refusal.empty());

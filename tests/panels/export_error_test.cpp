@@ -1,4 +1,4 @@
-// tests/panels/export_error_test.cpp: the last export's distance in the picture, from the status line and the
+// tests/panels/export_error_test.cpp: the last export's error in the viewport, opened from the status line and the
 // menu.
 
 #include <algorithm>
@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kSkinnedKind = 1;  // Index into exportKinds(): the quickest.
+constexpr std::size_t kSkinnedKind = 1;  // Index into exportKinds(): the fastest.
 
 class ExportErrorView : public HeadlessEditor {
  protected:
@@ -55,7 +55,7 @@ class ExportErrorView : public HeadlessEditor {
   const fs::path folder = own.path();
 };
 
-TEST_F(ExportErrorView, AClickOnTheFigureShowsItsMomentAndPlace) {
+TEST_F(ExportErrorView, ClickOnTheErrorShowsItsTimeAndVertex) {
   EXPECT_FALSE(shown("status/export-error"));
   exportNow();
   ASSERT_TRUE(hasExportError(state));
@@ -67,19 +67,19 @@ TEST_F(ExportErrorView, AClickOnTheFigureShowsItsMomentAndPlace) {
   EXPECT_EQ(state.character().clips.at(static_cast<std::size_t>(transport.clip)).name, largest.farthest.clip);
   EXPECT_FLOAT_EQ(static_cast<float>(transport.time), largest.farthest.time);
   EXPECT_FALSE(transport.playing);
-  // In the moment of the largest distance the picture's largest is that, at its vertex.
+  // At the time of the largest error, the picture's maximum is that error, at its vertex.
   const std::vector<float>& shownError = shownSurface(state).displacement;
   const auto most = std::ranges::max_element(shownError);
   EXPECT_EQ(most - shownError.begin(), largest.farthest.vertex);
   EXPECT_NEAR(100.0f * *most / state.character().height, largest.largest, 1e-3 * largest.largest);
   EXPECT_NEAR(error().largestNow, largest.largest, 1e-3 * largest.largest);
-  for (int i = 0; i < 60; ++i) frame();  // The camera goes there.
+  for (int i = 0; i < 60; ++i) frame();  // The camera moves there.
   const glm::vec3 place = shownSurface(state).positions.at(static_cast<std::size_t>(largest.farthest.vertex));
   EXPECT_LT(glm::distance(state.view.tools.camera.stand.target, place), 0.1f * state.character().height);
   EXPECT_NE(state.session.messages.back().text.find("\" at "), std::string::npos) << "the message says where, too";
 }
 
-TEST_F(ExportErrorView, TheExportedMeshIsShownInPlaceOfTheLiveOne) {
+TEST_F(ExportErrorView, ExportedMeshReplacesTheLiveMesh) {
   exportNow();
   run(action("view/export-error"), state);
   settle();
@@ -107,7 +107,7 @@ TEST_F(ExportErrorView, TheExportedMeshIsShownInPlaceOfTheLiveOne) {
   EXPECT_FALSE(shown("legend/export-error"));
 }
 
-TEST_F(ExportErrorView, TheExportedMeshStandsBesideTheLiveOneAsItIs) {
+TEST_F(ExportErrorView, ExportedMeshStandsBesideTheLiveMesh) {
   exportNow();
   state.open.transport.time = 0.4;
   run(action("view/export-error"), state);
@@ -136,13 +136,13 @@ TEST_F(ExportErrorView, TheExportedMeshStandsBesideTheLiveOneAsItIs) {
   EXPECT_TRUE(showsExportError(state)) << "the live one alone is left";
 }
 
-TEST_F(ExportErrorView, NeitherMeshHidesTheOtherFromAnyStandardView) {
+TEST_F(ExportErrorView, MeshesDoNotOverlapInAnyStandardView) {
   exportNow();
   run(action("view/export-beside"), state);
   for (const char* from : {"view/front", "view/left", "view/back", "view/right", "view/top", "view/frame-all"}) {
     if (std::string(from) == "view/frame-all") state.view.tools.camera.stand.yaw = 2.3f;  // As a drag would.
     run(action(from), state);
-    for (int i = 0; i < 60; ++i) frame();  // The camera goes there.
+    for (int i = 0; i < 60; ++i) frame();  // The camera moves there.
     const View& view = state.frame.route.view;
     glm::vec2 size(view.size);
     float liveRight = 0.0f, besideLeft = size.x;
@@ -157,7 +157,7 @@ TEST_F(ExportErrorView, NeitherMeshHidesTheOtherFromAnyStandardView) {
   }
 }
 
-TEST_F(ExportErrorView, TheLargestIsShownOnBoth) {
+TEST_F(ExportErrorView, LargestErrorIsInViewOnBothMeshes) {
   exportNow();
   run(action("view/export-beside"), state);
   settle();
@@ -172,7 +172,7 @@ TEST_F(ExportErrorView, TheLargestIsShownOnBoth) {
   }
 }
 
-TEST_F(ExportErrorView, InASmallWindowTheToastLeavesThePlateFree) {
+TEST_F(ExportErrorView, ToastDoesNotCoverTheLegendInASmallWindow) {
   ImGui::GetIO().DisplaySize = {900.0f, 600.0f};
   settle();
   exportNow();
@@ -186,7 +186,7 @@ TEST_F(ExportErrorView, InASmallWindowTheToastLeavesThePlateFree) {
   EXPECT_GE(toast.y, state.frame.viewport.y);
 }
 
-TEST_F(ExportErrorView, FollowsTheClip) {
+TEST_F(ExportErrorView, FollowsTheClipTime) {
   exportNow();
   run(action("view/export-error"), state);
   std::vector<float> largest;
@@ -200,7 +200,7 @@ TEST_F(ExportErrorView, FollowsTheClip) {
   for (const float one : largest) EXPECT_LE(one, exportErrorRange(state) * 1.5f);
 }
 
-TEST_F(ExportErrorView, OfTheFilesOwnVerticesIsSpreadOverTheRefinedOnes) {
+TEST_F(ExportErrorView, ErrorAtOriginalVerticesIsInterpolatedToRefinedVertices) {
   exportNow(ExportMesh::kOriginal);
   run(action("view/export-error"), state);
   state.open.transport.time = 0.4;
@@ -211,7 +211,7 @@ TEST_F(ExportErrorView, OfTheFilesOwnVerticesIsSpreadOverTheRefinedOnes) {
   EXPECT_GT(surface.positions.size(), state.character().mesh.positions.size());
 }
 
-TEST_F(ExportErrorView, BelongsToTheCharacterThatWasExported) {
+TEST_F(ExportErrorView, BelongsToTheExportedCharacter) {
   EXPECT_STREQ(action("view/export-error").enabled(state).reason(), "Export the character first");
   exportNow();
   EXPECT_TRUE(action("view/export-error").enabled(state));

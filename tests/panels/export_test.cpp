@@ -1,5 +1,4 @@
-// tests/panels/export_test.cpp: File > Export by hand: its dialogs, what runs in the background, quitting
-// meanwhile.
+// tests/panels/export_test.cpp: File > Export through its dialogs, background jobs, and quitting during an export.
 
 #include <algorithm>
 #include <chrono>
@@ -22,7 +21,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::uintmax_t kLargest = 1 << 28;
-constexpr std::size_t kSkinned = 1;  // Index into exportKinds(): the quickest.
+constexpr std::size_t kSkinned = 1;  // Index into exportKinds(): the fastest.
 
 class ExportDialogs : public HeadlessEditor {
  protected:
@@ -44,13 +43,13 @@ class ExportDialogs : public HeadlessEditor {
     settle();
     ASSERT_TRUE(shown("export/ok"));
   }
-  /// One that is done in a moment.
+  /// Selects an export that takes an instant.
   void chooseQuick() {
     state.dialogs.exporting.settings.detail.depth = 1;
     state.dialogs.exporting.settings.weights = ExportWeights::kTransferred;
     settle();
   }
-  /// One that goes on for seconds.
+  /// Selects an export that takes seconds.
   void chooseLong() {
     state.dialogs.exporting.settings.detail.depth = 12;
     settle();
@@ -69,7 +68,7 @@ class ExportDialogs : public HeadlessEditor {
     click("export/ok");
     ASSERT_FALSE(shown("export/ok")) << state.dialogs.exporting.error;
   }
-  /// Frames until nothing is exported any more.
+  /// Runs frames until no export is running.
   void finish() {
     while (!state.session.exports.empty()) {
       frame();
@@ -97,7 +96,7 @@ class ExportDialogs : public HeadlessEditor {
   [[nodiscard]] std::string lastMessage() const {
     return state.session.messages.empty() ? "" : state.session.messages.back().text;
   }
-  /// The program's own words, in the folder.
+  /// Runs the program in the folder.
   [[nodiscard]] int commandLine(const std::string& arguments) const {
     return std::system(("cd '" + folder.string() + "' && '" SINEW_PROGRAM "' " + arguments + " >/dev/null").c_str());
   }
@@ -106,7 +105,7 @@ class ExportDialogs : public HeadlessEditor {
   const fs::path folder = own.path();
 };
 
-TEST_F(ExportDialogs, BeginsWithMuscleJointsAndWritesWhatTheCommandLineWrites) {
+TEST_F(ExportDialogs, DefaultsToMuscleJointsAndMatchesTheCommandLine) {
   run(action("file/export-character"), state);
   state.dialogs.exporting.settings.detail.depth = 1;
   state.dialogs.exporting.settings.helpers = 3;
@@ -122,8 +121,8 @@ TEST_F(ExportDialogs, BeginsWithMuscleJointsAndWritesWhatTheCommandLineWrites) {
   EXPECT_EQ(bytesOf(folder / "demo_muscled.glb"), bytesOf(folder / "cli.glb"));
 }
 
-TEST_F(ExportDialogs, BakesOneClipAsTheCommandLineDoes) {
-  fs::create_directory(folder / "cli");  // USD names its root after the file.
+TEST_F(ExportDialogs, BakingOneClipMatchesTheCommandLine) {
+  fs::create_directory(folder / "cli");  // USD names its root prim after the file.
   const auto kinds = exportKinds();
   for (std::size_t kind = 0; kind < kinds.size(); ++kind) {
     if (!kinds[kind].fields.oneClip) continue;
@@ -146,7 +145,7 @@ TEST_F(ExportDialogs, BakesOneClipAsTheCommandLineDoes) {
   }
 }
 
-TEST_F(ExportDialogs, WritesWhatTheCommandLineWritesAndSaysHowCloseItComes) {
+TEST_F(ExportDialogs, MatchesTheCommandLineAndReportsTheError) {
   start("quick", false);
   finish();
   ASSERT_TRUE(fs::exists(folder / "quick.glb")) << lastMessage();
@@ -160,7 +159,7 @@ TEST_F(ExportDialogs, WritesWhatTheCommandLineWritesAndSaysHowCloseItComes) {
   EXPECT_TRUE(state.session.toast->text.starts_with("Exported quick.glb: RMS ")) << state.session.toast->text;
 }
 
-TEST_F(ExportDialogs, TheRangeOfMotionThatIsShownIsNotExportedAsAClip) {
+TEST_F(ExportDialogs, RangeOfMotionIsNotExportedAsAClip) {
   run(action("play/range-of-motion"), state);
   state.open.transport.playing = false;
   start("shown", false);
@@ -169,7 +168,7 @@ TEST_F(ExportDialogs, TheRangeOfMotionThatIsShownIsNotExportedAsAClip) {
   EXPECT_EQ(bytesOf(folder / "shown.glb"), bytesOf(folder / "cli.glb"));
 }
 
-TEST_F(ExportDialogs, TheRangeOfMotionThatIsShownCanBeBakedToPointsAsOnTheCommandLine) {
+TEST_F(ExportDialogs, RangeOfMotionBakedToPointsMatchesTheCommandLine) {
   run(action("play/range-of-motion"), state);
   state.open.transport.playing = false;
   const auto kinds = exportKinds();
@@ -193,7 +192,7 @@ TEST_F(ExportDialogs, TheRangeOfMotionThatIsShownCanBeBakedToPointsAsOnTheComman
   }
 }
 
-TEST_F(ExportDialogs, EditsThatAreNotSavedAreExportedAndLaterOnesAreNot) {
+TEST_F(ExportDialogs, UnsavedEditsAreExportedAndLaterEditsAreNot) {
   state.document.selection.set(state.document.idAt(0));
   deleteSelection(state);
   ASSERT_TRUE(state.document.commands.modified());
@@ -206,7 +205,7 @@ TEST_F(ExportDialogs, EditsThatAreNotSavedAreExportedAndLaterOnesAreNot) {
   EXPECT_EQ(bytesOf(folder / "edited.glb"), bytesOf(folder / "cli.glb"));
 }
 
-TEST_F(ExportDialogs, BeginsBesideTheRigAndRemembersWhatWasChosen) {
+TEST_F(ExportDialogs, StartsInTheFolderOfTheRigAndRemembersChoices) {
   openDialog();
   EXPECT_EQ(state.dialogs.exporting.place.name, "demo_muscled.glb");
   EXPECT_EQ(state.dialogs.exporting.place.folder, folder);
@@ -229,7 +228,7 @@ TEST_F(ExportDialogs, BeginsBesideTheRigAndRemembersWhatWasChosen) {
   EXPECT_EQ(state.dialogs.exporting.place.name, "other_muscled.glb") << "another document, another place";
 }
 
-TEST_F(ExportDialogs, ClipsAreChosenOneByOneAndNoneIsRefused) {
+TEST_F(ExportDialogs, ClipsAreChosenIndividuallyAndChoosingNoneIsRefused) {
   openDialog();
   chooseQuick();
   click("export/clips/chosen");
@@ -250,7 +249,7 @@ TEST_F(ExportDialogs, ClipsAreChosenOneByOneAndNoneIsRefused) {
   EXPECT_EQ(bytesOf(folder / "demo_muscled.glb"), bytesOf(folder / "cli.glb"));
 }
 
-TEST_F(ExportDialogs, WhatIsThereIsReplacedOnlyWhenAskedTo) {
+TEST_F(ExportDialogs, ExistingFilesAreReplacedOnlyAfterConfirmation) {
   own.write("taken.bin", "mine");
   openDialog();
   chooseQuick();
@@ -274,7 +273,7 @@ TEST_F(ExportDialogs, WhatIsThereIsReplacedOnlyWhenAskedTo) {
   EXPECT_FALSE(shown("export/ok"));
 }
 
-TEST_F(ExportDialogs, ThePathDialogChoosesThePlace) {
+TEST_F(ExportDialogs, PathDialogSetsFolderAndName) {
   fs::create_directory(folder / "sub");
   openDialog();
   chooseQuick();
@@ -295,18 +294,18 @@ TEST_F(ExportDialogs, ThePathDialogChoosesThePlace) {
   EXPECT_TRUE(fs::exists(folder / "sub" / "there.glb"));
 }
 
-TEST_F(ExportDialogs, NumbersThatAreTypedDoNotStartIt) {
+TEST_F(ExportDialogs, EnterInANumberFieldDoesNotStartTheExport) {
   openDialog();
   typeInto("export/depth", "7");
   EXPECT_TRUE(shown("export/ok"));
   EXPECT_EQ(state.dialogs.exporting.settings.detail.depth, 7);
   EXPECT_TRUE(state.session.exports.empty());
-  for (int i = 0; i < 30; ++i) frame();  // The next click is none of the double click before.
+  for (int i = 0; i < 30; ++i) frame();  // Long enough not to count as a double click.
   typeInto("export/depth", std::to_string(state.document.rig().smoothing.depth));
   EXPECT_EQ(state.dialogs.exporting.settings.detail.depth, std::nullopt) << "as in the rig";
 }
 
-TEST_F(ExportDialogs, PlacesThatDoNotExistAreSaidInTheDialog) {
+TEST_F(ExportDialogs, MissingFoldersAreReportedInTheDialog) {
   openDialog();
   chooseName("absent/out.glb");
   click("export/ok");
@@ -318,7 +317,7 @@ TEST_F(ExportDialogs, PlacesThatDoNotExistAreSaidInTheDialog) {
   EXPECT_TRUE(state.session.exports.empty());
 }
 
-TEST_F(ExportDialogs, CanceledInTheMiddleItLeavesNoFile) {
+TEST_F(ExportDialogs, CanceledExportLeavesNoFile) {
   const auto before = names();
   start("long.glb", true);
   finishAfter([&] { return share() > 0.05; });
@@ -330,7 +329,7 @@ TEST_F(ExportDialogs, CanceledInTheMiddleItLeavesNoFile) {
   EXPECT_FALSE(shown("status/export"));
 }
 
-TEST_F(ExportDialogs, OneAfterTheOtherWhileTheEditorEditsAndOpens) {
+TEST_F(ExportDialogs, ExportsRunInOrderWhileTheEditorIsUsed) {
   start("long.glb", true);
   start("next.glb", false);
   EXPECT_EQ(state.session.toast->text, "next.glb is exported next");
@@ -351,7 +350,7 @@ TEST_F(ExportDialogs, OneAfterTheOtherWhileTheEditorEditsAndOpens) {
   EXPECT_EQ(state.document.name(), "humanoid.rig.json");
 }
 
-TEST_F(ExportDialogs, QuittingAsksAndEndsWithoutAFile) {
+TEST_F(ExportDialogs, QuittingPromptsAndLeavesNoFile) {
   const auto before = names();
   start("long.glb", true);
   run(action("file/quit"), state);
@@ -364,11 +363,11 @@ TEST_F(ExportDialogs, QuittingAsksAndEndsWithoutAFile) {
   settle();
   click("export-question/now");
   EXPECT_TRUE(state.session.quit);
-  state.session.exports = {};  // As the end of the editor does it.
+  state.session.exports = {};  // As the editor does on exit.
   EXPECT_EQ(names(), before);
 }
 
-TEST_F(ExportDialogs, QuittingWhenDoneWaitsAndThenAsksAboutLaterEditsAlone) {
+TEST_F(ExportDialogs, QuittingWhenDonePromptsOnlyAboutLaterEdits) {
   for (const bool edits : {false, true}) {
     state.session.quit = false;
     start(edits ? "b.glb" : "a.glb", false);
@@ -383,7 +382,7 @@ TEST_F(ExportDialogs, QuittingWhenDoneWaitsAndThenAsksAboutLaterEditsAlone) {
   EXPECT_TRUE(fs::exists(folder / "b.glb"));
 }
 
-TEST_F(ExportDialogs, ACharacterThatWasReplacedOnDiskIsRefused) {
+TEST_F(ExportDialogs, CharacterReplacedOnDiskIsRefused) {
   fs::copy_file(fs::path(SINEW_SOURCE_DIR) / "assets" / "horse.glb", folder / "demo.glb",
                 fs::copy_options::overwrite_existing);
   start("out.glb", false);

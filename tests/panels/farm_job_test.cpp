@@ -1,4 +1,4 @@
-// tests/panels/farm_job_test.cpp: File > Export > As a farm job: the file is the command line's, word for word.
+// tests/panels/farm_job_test.cpp: File > Export > As a farm job writes the same file as the command line.
 
 #include <cstdlib>
 
@@ -12,7 +12,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kQuickest = 1;  // Index into exportKinds(): the quickest.
+constexpr std::size_t kQuickest = 1;  // Index into exportKinds(): the fastest.
 
 class FarmJobs : public HeadlessEditor {
  protected:
@@ -36,7 +36,7 @@ class FarmJobs : public HeadlessEditor {
     settle();
     ASSERT_TRUE(shown("farm/job"));
   }
-  /// What `sinew farm` writes, called in the rigs' folder.
+  /// Output of `sinew farm`, run in the rigs' folder.
   [[nodiscard]] std::string written(const std::string& arguments) const {
     const fs::path job = folder / "by-hand.job";
     const std::string command = "cd '" + folder.string() + "' && '" SINEW_PROGRAM "' farm " + arguments +
@@ -54,7 +54,7 @@ class FarmJobs : public HeadlessEditor {
   const fs::path folder = own.path();
 };
 
-TEST_F(FarmJobs, OneRigAsTheCommandLineWritesItForEveryFarm) {
+TEST_F(FarmJobs, JobForOneRigMatchesTheCommandLineForEveryFarm) {
   for (const FarmTarget& target : farmTargets()) {
     openDialog();
     EXPECT_FALSE(shown("farm/tasks")) << "one rig is one task";
@@ -71,7 +71,7 @@ TEST_F(FarmJobs, OneRigAsTheCommandLineWritesItForEveryFarm) {
   }
 }
 
-TEST_F(FarmJobs, WhatIsChosenIsInTheJob) {
+TEST_F(FarmJobs, JobContainsTheChosenSettings) {
   openDialog();
   chooseKind(state.dialogs, kQuickest);
   settle();
@@ -85,7 +85,7 @@ TEST_F(FarmJobs, WhatIsChosenIsInTheJob) {
                     " -o demo_muscled.glb --tasks 1 --to slurm"));
 }
 
-TEST_F(FarmJobs, AJobThatReplacesFilesDoesNotResume) {
+TEST_F(FarmJobs, JobThatReplacesFilesDoesNotResume) {
   fs::copy_file(folder / "demo.glb", folder / "demo_muscled.glb");
   openDialog();
   click("export/ok");
@@ -96,7 +96,7 @@ TEST_F(FarmJobs, AJobThatReplacesFilesDoesNotResume) {
   EXPECT_NE(state.session.toast->text.find("replaces"), std::string::npos);
 }
 
-TEST_F(FarmJobs, AWholeFolderIsAListThatTheProgramReads) {
+TEST_F(FarmJobs, WholeFolderBecomesAListThatTheProgramReads) {
   openDialog();
   chooseKind(state.dialogs, kQuickest);
   settle();
@@ -122,7 +122,7 @@ TEST_F(FarmJobs, AWholeFolderIsAListThatTheProgramReads) {
   }
 }
 
-TEST_F(FarmJobs, ARigThatCannotBeExportedIsRefused) {
+TEST_F(FarmJobs, UnexportableRigIsRefused) {
   own.write("broken.rig.json", "{}");
   openDialog();
   chooseKind(state.dialogs, kQuickest);
@@ -133,7 +133,7 @@ TEST_F(FarmJobs, ARigThatCannotBeExportedIsRefused) {
   EXPECT_FALSE(fs::exists(folder / "demo_export.sh"));
 }
 
-TEST_F(FarmJobs, PatternsWithoutTheNameAndFilesThatAreThereAreAskedAbout) {
+TEST_F(FarmJobs, PatternNeedsTheNameAndExistingFilesNeedConfirmation) {
   own.write("demo_export.list.txt", "mine");
   openDialog();
   chooseKind(state.dialogs, kQuickest);
@@ -150,7 +150,7 @@ TEST_F(FarmJobs, PatternsWithoutTheNameAndFilesThatAreThereAreAskedAbout) {
   EXPECT_NE(textOf("demo_export.list.txt"), "mine");
 }
 
-TEST_F(FarmJobs, OnlyARigThatIsSavedHasAJob) {
+TEST_F(FarmJobs, UnsavedRigHasNoJob) {
   EXPECT_TRUE(action("file/export-farm").enabled(state));
   state.document.selection.set(state.document.idAt(0));
   deleteSelection(state);

@@ -1,10 +1,12 @@
-// tests/panels/first_steps_test.cpp: Help > First steps, done as a beginner would, in another order, and left.
+// tests/panels/first_steps_test.cpp: Help > First steps: done in order, in another order, and abandoned.
+
 #include "app/editor/session.h"
 
 #include <imgui.h>
-#include <imgui_internal.h>  // The windows of a context, which 1.86 keeps to itself.
 
 #include <string>
+
+#include <imgui_internal.h>  // ImGui 1.86 lists a context's windows only here.
 
 #include "app/editor/actions.h"
 #include "sinew/rig/rig_edit.h"
@@ -34,7 +36,7 @@ class FirstStepsPanel : public HeadlessEditor {
   }
 };
 
-TEST_F(FirstStepsPanel, OpensTheWalkingManWithNothingDone) {
+TEST_F(FirstStepsPanel, OpensTheSampleWithNoStepDone) {
   start();
   EXPECT_EQ(state.document.rigFile, firstSample());
   EXPECT_TRUE(shown("first-steps/turn"));
@@ -43,7 +45,7 @@ TEST_F(FirstStepsPanel, OpensTheWalkingManWithNothingDone) {
   for (const bool each : state.view.firstSteps.done) EXPECT_FALSE(each) << "looking on does nothing";
 }
 
-TEST_F(FirstStepsPanel, InASmallWindowNoLineIsCut) {
+TEST_F(FirstStepsPanel, LinesAreNotCutOffInASmallWindow) {
   ImGui::GetIO().DisplaySize = {900.0f, 600.0f};
   start();
   int panels = 0;
@@ -55,7 +57,7 @@ TEST_F(FirstStepsPanel, InASmallWindowNoLineIsCut) {
   EXPECT_EQ(panels, 1);
 }
 
-TEST_F(FirstStepsPanel, EachIsDoneWhenItIsDoneInAnyOrder) {
+TEST_F(FirstStepsPanel, StepsAreCheckedOffInAnyOrder) {
   start();
   addMuscle(state, 0);
   settle();
@@ -71,7 +73,7 @@ TEST_F(FirstStepsPanel, EachIsDoneWhenItIsDoneInAnyOrder) {
   state.document.visibility.bare = true;
   followFirstSteps(state);
   EXPECT_TRUE(firstStepsDone(state.view.firstSteps));
-  // Done stays done.
+  // A finished step stays finished.
   state.document.visibility.bare = false;
   run(action("edit/undo"), state);
   run(action("edit/undo"), state);
@@ -82,7 +84,7 @@ TEST_F(FirstStepsPanel, EachIsDoneWhenItIsDoneInAnyOrder) {
   EXPECT_FALSE(shown("first-steps/leave"));
 }
 
-TEST_F(FirstStepsPanel, CanBeLeftAndBegunAgain) {
+TEST_F(FirstStepsPanel, CanBeClosedAndRestarted) {
   start();
   turnView();
   ASSERT_TRUE(done(FirstStep::kTurn));
@@ -93,13 +95,13 @@ TEST_F(FirstStepsPanel, CanBeLeftAndBegunAgain) {
   EXPECT_FALSE(done(FirstStep::kTurn));
 }
 
-TEST_F(FirstStepsPanel, AsksAboutUnsavedChangesFirst) {
+TEST_F(FirstStepsPanel, PromptsAboutUnsavedChangesFirst) {
   addOne();
   start();
   EXPECT_TRUE(shown("unsaved/cancel"));
 }
 
-TEST_F(FirstStepsPanel, AnotherPanelTakesItsPlace) {
+TEST_F(FirstStepsPanel, AnotherPanelReplacesItWhileOpen) {
   start();
   run(action("play/check"), state);
   settle();

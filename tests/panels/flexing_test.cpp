@@ -1,5 +1,4 @@
-// tests/panels/flexing_test.cpp: a muscle drawn across a joint: at rest as it is drawn, fully active while its key is
-// held.
+// tests/panels/flexing_test.cpp: a muscle drawn across a joint: at rest as drawn, fully active while its key is held.
 #include <glm/common.hpp>
 
 #include "app/viewport/tools/line_handles.h"
@@ -23,7 +22,7 @@ class Flexing : public HeadlessEditor {
   }
 };
 
-TEST_F(Flexing, AMuscleIsDrawnAcrossAJointAndFlexesWhileTheKeyIsHeld) {
+TEST_F(Flexing, MuscleDrawnAcrossAJointFlexesWhileTheKeyIsHeld) {
   chooseClip(state.open.transport, -1, state.character());
   run(action("tool/muscle-line"), state);
   settle();

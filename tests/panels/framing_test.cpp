@@ -1,4 +1,4 @@
-// tests/panels/framing_test.cpp: what is framed lies in the part of the picture that no panel covers.
+// tests/panels/framing_test.cpp: framing fits its target into the part of the viewport that no panel covers.
 
 #include <filesystem>
 #include <string>
@@ -10,7 +10,7 @@
 namespace sinew::app {
 namespace {
 
-/// Muscles on lines, so that the slider lies over the picture too.
+/// Muscles on lines, so that the flex slider covers part of the viewport too.
 class Framing : public HeadlessEditor {
  protected:
   void use(float width, float height, float scale) {
@@ -21,7 +21,7 @@ class Framing : public HeadlessEditor {
     state.open.transport.playing = false;
     settle();
   }
-  /// What holds the character in the picture, window coordinates: low x and y, high x and y.
+  /// Bounds of the character in the picture, window coordinates: low x and y, high x and y.
   [[nodiscard]] glm::vec4 body() const {
     glm::vec2 low(1e9f), high(-1e9f);
     for (const glm::vec3& point : state.live->surface().positions) {
@@ -31,7 +31,7 @@ class Framing : public HeadlessEditor {
     }
     return {low, high};
   }
-  /// @param least  share of the picture's height
+  /// @param least  fraction of the picture's height
   void expectClear(const std::string& what, float least = 0.45f) const {
     const glm::vec4 at = body();
     const glm::vec4& v = state.frame.viewport;
@@ -50,7 +50,7 @@ class Framing : public HeadlessEditor {
   }
 };
 
-TEST_F(Framing, AFileOpensBesideToolsAndBars) {
+TEST_F(Framing, OpenedCharacterIsFramedClearOfToolsAndBars) {
   for (const auto& [width, height, scale] : {std::tuple{1280.0f, 800.0f, 1.0f}, std::tuple{900.0f, 600.0f, 1.0f},
                                              std::tuple{2560.0f, 1440.0f, 1.0f}, std::tuple{1920.0f, 1200.0f, 1.5f}}) {
     use(width, height, scale);
@@ -58,7 +58,7 @@ TEST_F(Framing, AFileOpensBesideToolsAndBars) {
   }
 }
 
-TEST_F(Framing, AllIsFramedBesideWhatHasComeSince) {
+TEST_F(Framing, FrameAllAvoidsPanelsOpenedLater) {
   use(1280.0f, 800.0f, 1.0f);
   state.view.layout.overlay = true;
   state.view.display.shading = Shading::kHeat;
@@ -70,7 +70,7 @@ TEST_F(Framing, AllIsFramedBesideWhatHasComeSince) {
   expectClear("with numbers, a legend and messages", 0.25f);
 }
 
-TEST_F(Framing, TurningGoesOnAboutWhatWasFramed) {
+TEST_F(Framing, OrbitKeepsTheFramedTargetInPlace) {
   use(1280.0f, 800.0f, 1.0f);
   const glm::vec3 target = state.view.tools.camera.stand.target;
   const glm::vec3 before = state.frame.route.view.toPixel(target);

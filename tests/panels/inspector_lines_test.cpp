@@ -1,4 +1,4 @@
-// tests/panels/inspector_lines_test.cpp: the lines of several muscles are edited together.
+// tests/panels/inspector_lines_test.cpp: lines of several muscles are edited together.
 
 #include "tests/support/editor/headless_editor.h"
 
@@ -11,7 +11,7 @@
 namespace sinew::app {
 namespace {
 
-/// Over the person whose limbs have lines.
+/// The character whose limbs have lines.
 class InspectorLines : public HeadlessEditor {
  protected:
   void SetUp() override {
@@ -38,7 +38,7 @@ class InspectorLines : public HeadlessEditor {
   }
 };
 
-TEST_F(InspectorLines, RowsAreThereForSeveral) {
+TEST_F(InspectorLines, RowsAreShownForSeveralMuscles) {
   select({"biceps L", "triceps L", "nape"});
   for (const char* row : {"ends", "length", "rest-now", "full-now", "learn", "flex-height", "via", "rest", "volume",
                           "tendon-origin", "pivot", "gain", "full"}) {
@@ -46,7 +46,7 @@ TEST_F(InspectorLines, RowsAreThereForSeveral) {
   }
 }
 
-TEST_F(InspectorLines, ATypedNumberIsForAllOfThemInOneStep) {
+TEST_F(InspectorLines, TypedNumberAppliesToAllInOneStep) {
   select({"biceps L", "triceps L"});
   ASSERT_NE(line("biceps L").settings.rest, line("triceps L").settings.rest);
   typeInto("inspector/line/rest", "105");
@@ -57,7 +57,7 @@ TEST_F(InspectorLines, ATypedNumberIsForAllOfThemInOneStep) {
   EXPECT_EQ(steps(), 1u);
 }
 
-TEST_F(InspectorLines, ADragKeepsTheDifferences) {
+TEST_F(InspectorLines, DragKeepsTheDifferences) {
   select({"biceps L", "triceps L"});
   const float biceps = line("biceps L").settings.full;
   const float triceps = line("triceps L").settings.full;
@@ -67,22 +67,22 @@ TEST_F(InspectorLines, ADragKeepsTheDifferences) {
   EXPECT_EQ(steps(), 1u);
 }
 
-TEST_F(InspectorLines, ARelativeNumberIsAddedToEach) {
+TEST_F(InspectorLines, RelativeNumberIsAddedToEach) {
   select({"biceps L", "triceps L"});
   typeInto("inspector/line/rest", "+=10");
   EXPECT_NEAR(line("biceps L").settings.rest, 1.1f, 1e-5f);
   EXPECT_NEAR(line("triceps L").settings.rest, 1.22f, 1e-5f);
 }
 
-TEST_F(InspectorLines, WhatIsOutOfRangeIsRefusedForAll) {
+TEST_F(InspectorLines, OutOfRangeValueIsRefusedForAll) {
   select({"biceps L", "triceps L"});
   typeInto("inspector/line/rest", "9000");
   EXPECT_EQ(steps(), 0u);
   EXPECT_TRUE(state.session.toast && state.session.toast->refusal);
 }
 
-TEST_F(InspectorLines, ViaPointsAreAddedWhereThereAreNone) {
-  select({"biceps L", "triceps L"});  // The triceps has one.
+TEST_F(InspectorLines, ViaPointsAreAddedWhereMissing) {
+  select({"biceps L", "triceps L"});  // Only the triceps has one.
   const LineAnchor own = *line("triceps L").via;
   click("inspector/line/via");
   EXPECT_TRUE(line("biceps L").via);
@@ -103,7 +103,7 @@ TEST_F(InspectorLines, LearnIsOneStepForAll) {
   EXPECT_EQ(steps(), 1u);
 }
 
-TEST_F(InspectorLines, RigidTakesAllOffTheirLines) {
+TEST_F(InspectorLines, RigidRemovesAllMusclesFromTheirLines) {
   select({"biceps L", "triceps L"});
   click("inspector/line/remove");
   EXPECT_TRUE(named("biceps L").line.empty());
@@ -112,7 +112,7 @@ TEST_F(InspectorLines, RigidTakesAllOffTheirLines) {
   EXPECT_FALSE(shown("inspector/line/rest"));
 }
 
-TEST_F(InspectorLines, TheOtherEndsOfSeveralAreAttachedInOneStep) {
+TEST_F(InspectorLines, OtherEndsOfSeveralMusclesAreAttachedInOneStep) {
   select({"nape", "trapezius L"});
   click("inspector/shape");
   click("inspector/other-end");
@@ -139,7 +139,7 @@ TEST_F(InspectorLines, SectionsFoldAndStayFolded) {
   EXPECT_TRUE(shown("inspector/line/rest") && shown("inspector/radius.x"));
 }
 
-TEST_F(InspectorLines, ListsOfBonesHaveTheNearOnesFirstAndTakeTyping) {
+TEST_F(InspectorLines, BoneListsShowNearBonesFirstAndFilterByTyping) {
   select({"biceps L"});
   click("inspector/bone");
   EXPECT_LT(center("inspector/bone/upper_arm.L").y, center("inspector/bone/forearm.L").y);
@@ -151,10 +151,10 @@ TEST_F(InspectorLines, ListsOfBonesHaveTheNearOnesFirstAndTakeTyping) {
   EXPECT_EQ(steps(), 1u);
 }
 
-TEST_F(InspectorLines, AWarningGoesWhenTheViaPointIsThere) {
+TEST_F(InspectorLines, WarningDisappearsOnceTheViaPointExists) {
   select({"hamstrings L"});
   Rig tight = state.document.rig();
-  for (MuscleLine& each : tight.lines) each.settings.rest = 2.0f;  // Always far shorter than at rest.
+  for (MuscleLine& each : tight.lines) each.settings.rest = 2.0f;  // Always far shorter than its rest length.
   state.document.commands.apply("Rest", tight);
   settle();
   click("inspector/line/learn");

@@ -1,5 +1,4 @@
-// tests/panels/inspector_test.cpp: one muscle or many: common values, units, reset, copy and paste,
-// territory.
+// tests/panels/inspector_test.cpp: one or many muscles: common values, units, reset, copy and paste, territory.
 
 #include "tests/support/editor/headless_editor.h"
 
@@ -11,7 +10,7 @@
 namespace sinew::app {
 namespace {
 
-/// Over the bundled rig, every section of the inspector in view.
+/// Bundled rig with all sections of the inspector visible.
 class Inspector : public HeadlessEditor {
  protected:
   void SetUp() override {
@@ -34,16 +33,16 @@ class Inspector : public HeadlessEditor {
   }
 };
 
-TEST_F(Inspector, ATypedNumberIsForAllOfThemInOneStep) {
+TEST_F(Inspector, TypedNumberAppliesToAllInOneStep) {
   select({"thigh L", "chest L", "tail root"});
   typeInto("inspector/reach", "2.5");
   for (const char* name : {"thigh L", "chest L", "tail root"}) EXPECT_EQ(named(name).reach, 2.5f) << name;
-  // The twins of what is selected follow; others stay.
+  // Twins of the selected muscles follow; others stay.
   EXPECT_NE(named("calf L").reach, 2.5f);
   EXPECT_EQ(steps(), 1u);
 }
 
-TEST_F(Inspector, ADragKeepsTheProportionsOfDifferentRadii) {
+TEST_F(Inspector, DragKeepsTheProportionsOfDifferentRadii) {
   select({"thigh L", "tail root"});
   const float thigh = named("thigh L").placement.radii.x;
   const float tail = named("tail root").placement.radii.x;
@@ -53,7 +52,7 @@ TEST_F(Inspector, ADragKeepsTheProportionsOfDifferentRadii) {
   EXPECT_EQ(steps(), 1u);
 }
 
-TEST_F(Inspector, ADragMovesAllByTheSame) {
+TEST_F(Inspector, DragMovesAllMusclesByTheSameAmount) {
   select({"thigh L", "calf L"});
   const glm::vec3 thigh = named("thigh L").placement.center;
   const glm::vec3 calf = named("calf L").placement.center;
@@ -64,7 +63,7 @@ TEST_F(Inspector, ADragMovesAllByTheSame) {
   EXPECT_EQ(named("thigh L").placement.center.x, thigh.x);
 }
 
-TEST_F(Inspector, ShapesGoAlongTheLongestAxisAndToTheTwin) {
+TEST_F(Inspector, ShapesUseTheLongestAxisAndApplyToTheTwin) {
   select({"thigh L"});
   const glm::vec3 radii = named("thigh L").placement.radii;
   click("inspector/shape");
@@ -85,7 +84,7 @@ TEST_F(Inspector, ShapesGoAlongTheLongestAxisAndToTheTwin) {
   EXPECT_EQ(named("thigh L").placement.radii, radii);
 }
 
-TEST_F(Inspector, ALargerReachLessensTheBellyAndSaysSo) {
+TEST_F(Inspector, LargerReachReducesTheBellyWithAMessage) {
   select({"tail root"});
   typeInto("inspector/reach", "1.2");
   click("inspector/shape");
@@ -98,7 +97,7 @@ TEST_F(Inspector, ALargerReachLessensTheBellyAndSaysSo) {
   EXPECT_NE(state.session.toast->text.find("larger reach"), std::string::npos) << state.session.toast->text;
 }
 
-TEST_F(Inspector, PerCentIsOfTheCharactersHeight) {
+TEST_F(Inspector, PercentIsRelativeToTheCharactersHeight) {
   select({"tail root"});
   click("inspector/lengths/% of h");
   typeInto("inspector/radius.x", "10");
@@ -108,7 +107,7 @@ TEST_F(Inspector, PerCentIsOfTheCharactersHeight) {
   EXPECT_EQ(named("tail root").placement.radii.x, 0.125f);
 }
 
-TEST_F(Inspector, ARightClickResets) {
+TEST_F(Inspector, ContextMenuResetsAField) {
   select({"thigh L", "thigh R"});
   typeInto("inspector/reach", "3");
   click("inspector/reach", 1);
@@ -118,7 +117,7 @@ TEST_F(Inspector, ARightClickResets) {
   EXPECT_EQ(steps(), 2u);
 }
 
-TEST_F(Inspector, AValueIsCopiedFromOneFieldIntoAnother) {
+TEST_F(Inspector, ValueIsCopiedFromOneFieldToAnother) {
   select({"thigh L"});
   const float wanted = named("thigh L").placement.radii.y;
   click("inspector/radius.y", 1);
@@ -128,7 +127,7 @@ TEST_F(Inspector, AValueIsCopiedFromOneFieldIntoAnother) {
   EXPECT_EQ(named("thigh L").placement.radii.z, wanted);
 }
 
-TEST_F(Inspector, GroupBoneAndEffectGoToAll) {
+TEST_F(Inspector, GroupAndEffectApplyToAllSelectedMuscles) {
   select({"thigh L", "chest L"});
   click("inspector/carves");
   EXPECT_EQ(named("thigh L").sign, -1);
@@ -144,7 +143,7 @@ TEST_F(Inspector, GroupBoneAndEffectGoToAll) {
   EXPECT_EQ(steps(), 3u);
 }
 
-TEST_F(Inspector, BonesLeaveAndJoinTheTerritory) {
+TEST_F(Inspector, BonesAreRemovedFromAndAddedToTheTerritory) {
   select({"tail root"});
   const std::vector<int> standard = territory("tail root");
   ASSERT_GT(standard.size(), 1u);
@@ -164,7 +163,7 @@ TEST_F(Inspector, BonesLeaveAndJoinTheTerritory) {
   EXPECT_FALSE(named("tail root").territory);
 }
 
-TEST_F(Inspector, TerritoryModeTakesClicksOnBonesAndEndsWithEscape) {
+TEST_F(Inspector, TerritoryModeTogglesClickedBonesAndEndsWithEscape) {
   select({"tail root"});
   const std::vector<int> before = territory("tail root");
   run(action("tool/territory"), state);
@@ -189,7 +188,7 @@ TEST_F(Inspector, TerritoryModeTakesClicksOnBonesAndEndsWithEscape) {
   EXPECT_EQ(state.document.activeName(), "tail root");
 }
 
-TEST_F(Inspector, TheTintIsWhatTheAttachmentSays) {
+TEST_F(Inspector, TerritoryTintMatchesTheAttachmentWeights) {
   select({"tail root"});
   EXPECT_TRUE(shownTerritoryWeights(state).empty());
   run(action("tool/territory"), state);
@@ -205,7 +204,7 @@ TEST_F(Inspector, TheTintIsWhatTheAttachmentSays) {
   }
 }
 
-TEST_F(Inspector, TheLastBoneCannotLeave) {
+TEST_F(Inspector, LastTerritoryBoneCannotBeRemoved) {
   select({"tail root"});
   const Skeleton& skeleton = state.character().skeleton;
   const int index = findPrimitive(state.document.rig(), "tail root");
@@ -218,7 +217,7 @@ TEST_F(Inspector, TheLastBoneCannotLeave) {
   EXPECT_FALSE(withTerritoryBone(rig, index, bones.front(), skeleton).ok());
 }
 
-TEST_F(Inspector, LegendsShowWithTheirColors) {
+TEST_F(Inspector, LegendsAreShownWithTheirShading) {
   run(action("view/heat"), state);
   settle();
   EXPECT_TRUE(shown("legend/heat"));

@@ -1,5 +1,5 @@
-// tests/panels/keep_muscles_test.cpp: a character dropped on one with muscles, and Muscles > Put on another
-// character.
+// tests/panels/keep_muscles_test.cpp: dropping a character on one with muscles, and Muscles > Put on another character.
+
 #include <algorithm>
 #include <string>
 
@@ -33,7 +33,7 @@ class KeepMuscles : public HeadlessEditor {
   }
 };
 
-TEST_F(KeepMuscles, ADroppedCharacterGetsThem) {
+TEST_F(KeepMuscles, DroppedCharacterReceivesTheMuscles) {
   open("humanoid-flex.rig.json");
   const Rig before = state.document.rig();
   drop(asset("humanoid.glb"));
@@ -44,7 +44,7 @@ TEST_F(KeepMuscles, ADroppedCharacterGetsThem) {
   EXPECT_TRUE(state.document.rigFile.empty());
   EXPECT_TRUE(state.document.commands.modified());
   EXPECT_EQ(steps(), 1u);
-  // The same body: the same muscles.
+  // Same body: same muscles.
   ASSERT_EQ(state.document.rig().primitives.size(), before.primitives.size());
   for (std::size_t i = 0; i < before.primitives.size(); ++i) {
     EXPECT_EQ(state.document.rig().primitives[i].name, before.primitives[i].name);
@@ -54,7 +54,7 @@ TEST_F(KeepMuscles, ADroppedCharacterGetsThem) {
   EXPECT_TRUE(state.document.rig().primitives.empty());
 }
 
-TEST_F(KeepMuscles, OrIsOpenedWithoutOrNotAtAll) {
+TEST_F(KeepMuscles, DroppedCharacterCanBeOpenedWithoutMusclesOrCanceled) {
   open("humanoid-flex.rig.json");
   drop(asset("horse.glb"));
   press(kEscape);
@@ -70,7 +70,7 @@ TEST_F(KeepMuscles, OrIsOpenedWithoutOrNotAtAll) {
   EXPECT_FALSE(state.document.commands.modified());
 }
 
-TEST_F(KeepMuscles, WhatIsLeftOutIsNamed) {
+TEST_F(KeepMuscles, OmittedMusclesAreNamed) {
   open("humanoid-flex.rig.json");
   const Rig before = state.document.rig();
   drop(asset("horse.glb"));
@@ -84,7 +84,7 @@ TEST_F(KeepMuscles, WhatIsLeftOutIsNamed) {
   }
 }
 
-TEST_F(KeepMuscles, UnsavedChangesAreAskedAboutFirst) {
+TEST_F(KeepMuscles, PromptsAboutUnsavedChangesFirst) {
   open("humanoid-flex.rig.json");
   Rig changed = state.document.rig();
   changed.primitives.pop_back();
@@ -93,13 +93,13 @@ TEST_F(KeepMuscles, UnsavedChangesAreAskedAboutFirst) {
   click("keep-muscles/keep");
   ASSERT_TRUE(shown("unsaved/discard"));
   EXPECT_EQ(state.document.rigFile, asset("humanoid-flex.rig.json"));
-  // What was not saved is still what goes on the other body.
+  // Unsaved muscles are still the ones put on the other body.
   click("unsaved/discard");
   EXPECT_TRUE(state.document.rigFile.empty());
   EXPECT_EQ(state.document.rig().primitives.size(), changed.primitives.size());
 }
 
-TEST_F(KeepMuscles, NothingIsAskedWhereThereIsNothingToKeep) {
+TEST_F(KeepMuscles, DoesNotPromptWithoutMusclesToKeep) {
   open("humanoid.glb");
   drop(asset("horse.glb"));
   EXPECT_FALSE(asks());
@@ -110,7 +110,7 @@ TEST_F(KeepMuscles, NothingIsAskedWhereThereIsNothingToKeep) {
   EXPECT_EQ(state.document.rigFile, asset("horse-flex.rig.json"));
 }
 
-TEST_F(KeepMuscles, WhereNothingFindsAPlaceTheOpenDocumentStays) {
+TEST_F(KeepMuscles, DocumentStaysOpenIfNoMuscleFits) {
   const test::TemporaryFolder folder;
   const fs::path post = folder.write("post.glb", test::makePost().file.glb());
   open("humanoid-flex.rig.json");
@@ -122,7 +122,7 @@ TEST_F(KeepMuscles, WhereNothingFindsAPlaceTheOpenDocumentStays) {
   EXPECT_EQ(messagesWith("post.glb"), 1);
 }
 
-TEST_F(KeepMuscles, TheMenuAsksForTheCharacter) {
+TEST_F(KeepMuscles, MenuOpensTheDialogForTheCharacter) {
   open("humanoid-flex.rig.json");
   run(action("muscles/retarget"), state);
   settle();
@@ -133,14 +133,14 @@ TEST_F(KeepMuscles, TheMenuAsksForTheCharacter) {
   EXPECT_EQ(state.document.characterFile.filename(), "horse.glb");
   EXPECT_FALSE(state.document.rig().primitives.empty());
   EXPECT_TRUE(state.document.commands.modified());
-  // The next one is opened as it is.
+  // Opening a file after that is unaffected.
   run(action("edit/undo"), state);
   run(action("file/open"), state);
   settle();
   EXPECT_EQ(state.dialogs.file.then.kind, IntentKind::kNone);
 }
 
-TEST_F(KeepMuscles, TheMenuHasNothingToPutOnWithoutMuscles) {
+TEST_F(KeepMuscles, MenuEntryIsDisabledWithoutMuscles) {
   open("humanoid.glb");
   EXPECT_FALSE(action("muscles/retarget").enabled(state));
 }

@@ -1,4 +1,4 @@
-// tests/panels/key_rows_test.cpp: keys dragged along their rows.
+// tests/panels/key_rows_test.cpp: dragging keys along their rows.
 
 #include "app/panels/timeline.h"
 
@@ -15,7 +15,7 @@ const std::vector<glm::vec2>& pointsOf(const Rig& rig, int primitive) {
   return rig.primitives[static_cast<std::size_t>(primitive)].animated.at(0).keys.at(0).curve.points;
 }
 
-TEST(KeyRows, ADragThatRestsStaysWhereItIsOnBothTwins) {
+TEST(KeyRows, RestingDragKeepsBothTwinsKeysInPlace) {
   const auto character = test::makeTwoLegged();
   const MirrorPlan plan = makeMirrorPlan(*character);
   Primitive thigh;
@@ -39,7 +39,7 @@ TEST(KeyRows, ADragThatRestsStaysWhereItIsOnBothTwins) {
   }
 }
 
-TEST(KeyRows, AChannelsKeyPassesAnother) {
+TEST(KeyRows, ChannelKeyCanBeDraggedPastAnother) {
   Rig start = setChannelKey({}, "effort", "Walk", 0.5f, 0.0f).value();
   start = setChannelKey(start, "effort", "Walk", 0.7f, 1.0f).value();
   KeyRow row{"row", "channel effort", {}, "effort", start.channels[0].track};

@@ -1,10 +1,10 @@
-// tests/panels/keyboard_focus_test.cpp: every control by Tab and arrows, with a ring that is seen; Esc goes one step
-// back.
+// tests/panels/keyboard_focus_test.cpp: Tab and arrows reach every control, with a visible focus ring; Esc goes back
+// one level.
 
 #include "app/ui/keyboard_focus.h"
 
 #include <imgui.h>
-#include <imgui_internal.h>  // Which item has the keyboard.
+#include <imgui_internal.h>  // ImGui's focused item.
 
 #include <algorithm>
 #include <map>
@@ -42,14 +42,14 @@ class KeyboardFocus : public HeadlessEditor {
     const LaidOut* const control = focused() == 0 ? nullptr : laidOut(focused());
     return control == nullptr ? "" : control->id;
   }
-  /// Until the ring is on the control.
+  /// Presses Tab until the control has the ring.
   void focus(const std::string& id) {
     for (int i = 0; i < 400 && focusedId() != id; ++i) tab();
     ASSERT_EQ(focusedId(), id);
   }
 };
 
-TEST_F(KeyboardFocus, TabGoesThroughEveryControlAndEachIsSeen) {
+TEST_F(KeyboardFocus, TabVisitsEveryControlAndScrollsItIntoView) {
   for (const auto& [tabId, leftTab] :
        {std::pair{"outliner/tab", LeftTab::kMuscles}, std::pair{"blending/tab", LeftTab::kGroups},
         std::pair{"library/tab", LeftTab::kLibrary}}) {
@@ -81,7 +81,7 @@ TEST_F(KeyboardFocus, TabGoesThroughEveryControlAndEachIsSeen) {
   }
 }
 
-TEST_F(KeyboardFocus, ShiftTabGoesBackAndCtrlTabToTheNextPanel) {
+TEST_F(KeyboardFocus, ShiftTabGoesBackAndCtrlTabChangesPanels) {
   tab();
   tab();
   const unsigned second = focused();
@@ -120,7 +120,7 @@ TEST_F(KeyboardFocus, SpaceAndEnterPressButtonsAndEnterTypesNumbers) {
   EXPECT_EQ(steps(), 2u);
 }
 
-TEST_F(KeyboardFocus, ArrowsChangeANumberAsOneStepAndEscTakesItBack) {
+TEST_F(KeyboardFocus, ArrowsChangeANumberInOneStepAndEscapeRevertsIt) {
   focus("surface/iso");
   const float before = state.document.rig().surface.iso;
   press(kSpace);
@@ -140,7 +140,7 @@ TEST_F(KeyboardFocus, ArrowsChangeANumberAsOneStepAndEscTakesItBack) {
   EXPECT_TRUE(state.document.selection.primitives.empty());
 }
 
-TEST_F(KeyboardFocus, ArrowsGoFromControlToControl) {
+TEST_F(KeyboardFocus, ArrowsMoveBetweenControls) {
   focus("toolstrip/rotate");
   press(GLFW_KEY_DOWN);
   EXPECT_EQ(focusedId(), "toolstrip/scale");
@@ -148,7 +148,7 @@ TEST_F(KeyboardFocus, ArrowsGoFromControlToControl) {
   EXPECT_EQ(focusedId(), "toolstrip/rotate");
 }
 
-TEST_F(KeyboardFocus, WithoutTheRingKeysMeanWhatTheyDid) {
+TEST_F(KeyboardFocus, ShortcutsWorkWithoutKeyboardFocus) {
   press(kSpace);
   EXPECT_TRUE(state.open.transport.playing);
   press(kSpace);
@@ -162,7 +162,7 @@ TEST_F(KeyboardFocus, WithoutTheRingKeysMeanWhatTheyDid) {
   EXPECT_EQ(focused(), 0u) << "the ring stays though the mouse is used";
 }
 
-TEST_F(KeyboardFocus, ADialogKeepsTheRing) {
+TEST_F(KeyboardFocus, DialogKeepsTheFocus) {
   run(action("file/preferences"), state);
   settle();
   std::set<std::string> reached;
@@ -179,7 +179,7 @@ TEST_F(KeyboardFocus, ADialogKeepsTheRing) {
   EXPECT_FALSE(state.dialogs.preferences);
 }
 
-TEST_F(KeyboardFocus, AMenuIsOpenedWalkedAndClosed) {
+TEST_F(KeyboardFocus, MenuIsOpenedNavigatedAndClosed) {
   focus("menu/view");
   press(kSpace);
   ASSERT_TRUE(shown("view/wire"));
@@ -196,7 +196,7 @@ TEST_F(KeyboardFocus, AMenuIsOpenedWalkedAndClosed) {
   EXPECT_FALSE(state.document.selection.primitives.empty()) << "Esc has taken two steps";
 }
 
-TEST_F(KeyboardFocus, EscGoesOneStepBackAtATime) {
+TEST_F(KeyboardFocus, EscapeGoesBackOneStepAtATime) {
   run(action("muscles/body-parts"), state);
   run(action("tool/territory"), state);
   focus("toolstrip/rotate");
@@ -213,12 +213,12 @@ TEST_F(KeyboardFocus, EscGoesOneStepBackAtATime) {
   EXPECT_FALSE(state.open.bodyParts.shown);
 }
 
-TEST_F(KeyboardFocus, TheCellsOfTheMatrixLinkGroupsByTheKeyboard) {
+TEST_F(KeyboardFocus, MatrixCellsLinkGroupsFromTheKeyboard) {
   state.view.outliner.tab = LeftTab::kGroups;
   settle();
   run(action("edit/group"), state);
   settle();
-  press(kEnter);  // Its name.
+  press(kEnter);  // Renames it.
   ASSERT_EQ(state.document.rig().groups.size(), 2u);
   const auto& groups = state.document.rig().groups;
   const std::string cell = "blending/cell/" + groups[1].name + "/" + groups[0].name;

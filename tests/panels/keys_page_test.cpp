@@ -1,4 +1,4 @@
-// tests/panels/keys_page_test.cpp: the page of the preferences on which keys are changed, by hand.
+// tests/panels/keys_page_test.cpp: the preferences page that rebinds keys.
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
@@ -16,7 +16,7 @@ class KeysPage : public HeadlessEditor {
     click("preferences/page/keys");
     ASSERT_TRUE(shown("preferences/keys/search"));
   }
-  /// Shows the one row and clicks its first key.
+  /// Filters to one row and clicks its first key.
   void clickKey(const std::string& id, const std::string& slot = "1") {
     state.dialogs.keySearch = action(id).label;
     settle();
@@ -26,7 +26,7 @@ class KeysPage : public HeadlessEditor {
   [[nodiscard]] KeyCapture::Step captureStep() const { return state.dialogs.keyCapture.step; }
 };
 
-TEST_F(KeysPage, AKeyIsChangedAndDoesItsWorkAtOnce) {
+TEST_F(KeysPage, ChangedKeyWorksImmediately) {
   openPage();
   clickKey("view/ground");
   press(GLFW_KEY_K, true);
@@ -40,7 +40,7 @@ TEST_F(KeysPage, AKeyIsChangedAndDoesItsWorkAtOnce) {
   EXPECT_NE(state.view.display.ground, ground);
 }
 
-TEST_F(KeysPage, WhileAKeyIsWaitedForNothingElseHappens) {
+TEST_F(KeysPage, CapturingAKeySuppressesAllShortcuts) {
   openPage();
   clickKey("view/ground");
   press(kEscape);
@@ -56,7 +56,7 @@ TEST_F(KeysPage, WhileAKeyIsWaitedForNothingElseHappens) {
   EXPECT_EQ(keyOf("help/palette"), "Ctrl+P");
 }
 
-TEST_F(KeysPage, AModifierAloneIsRefusedAndThenPartOfTheKey) {
+TEST_F(KeysPage, ModifierAloneIsRefusedButAcceptedInACombination) {
   openPage();
   clickKey("view/ground");
   queue.key(kLeftControl, true);
@@ -70,7 +70,7 @@ TEST_F(KeysPage, AModifierAloneIsRefusedAndThenPartOfTheKey) {
   EXPECT_EQ(keyOf("view/ground"), "Ctrl+J");
 }
 
-TEST_F(KeysPage, ReplaceResetAndResetAll) {
+TEST_F(KeysPage, ReplaceResetAndResetAllWork) {
   openPage();
   clickKey("view/ground");
   press(GLFW_KEY_W);
@@ -85,7 +85,7 @@ TEST_F(KeysPage, ReplaceResetAndResetAll) {
   EXPECT_TRUE(state.session.preferences.keyChanges().empty());
 }
 
-TEST_F(KeysPage, TheSearchFindsActionsByLabelAndByKey) {
+TEST_F(KeysPage, SearchFindsActionsByKey) {
   openPage();
   EXPECT_TRUE(shown("preferences/keys/file/open/1"));
   click("preferences/keys/search");
@@ -94,7 +94,7 @@ TEST_F(KeysPage, TheSearchFindsActionsByLabelAndByKey) {
   EXPECT_FALSE(shown("preferences/keys/file/open/1"));
 }
 
-TEST_F(KeysPage, EveryActionHasItsRow) {
+TEST_F(KeysPage, EveryActionHasARow) {
   openPage();
   for (const Action& item : actions()) {
     state.dialogs.keySearch = item.label;
@@ -103,7 +103,7 @@ TEST_F(KeysPage, EveryActionHasItsRow) {
   }
 }
 
-TEST_F(KeysPage, TheKeySheetClosesWithTheKeyThatOpensIt) {
+TEST_F(KeysPage, KeySheetClosesWithTheKeyThatOpensIt) {
   giveKey(state.session.preferences, action("help/keys"), 0, {GLFW_KEY_J, true, false, false});
   press(GLFW_KEY_J, true);
   ASSERT_TRUE(state.dialogs.keySheet);
@@ -113,7 +113,7 @@ TEST_F(KeysPage, TheKeySheetClosesWithTheKeyThatOpensIt) {
   EXPECT_FALSE(state.dialogs.keySheet);
 }
 
-TEST_F(KeysPage, TheHeldKeyIsTheOneThatWasGiven) {
+TEST_F(KeysPage, HeldActionFollowsItsAssignedKey) {
   addOne();
   giveKey(state.session.preferences, action("view/before"), 0, {GLFW_KEY_J, false, false, false});
   queue.key(GLFW_KEY_J, true);

@@ -1,5 +1,4 @@
-// tests/panels/layers_test.cpp: the list of the mesh's parts: what it shows, clicks that change the rig and
-// the surface.
+// tests/panels/layers_test.cpp: the list of mesh parts: its contents, and clicks that change rig and surface.
 
 #include "app/editor/visibility_commands.h"
 
@@ -32,7 +31,7 @@ class LayersPanel : public HeadlessEditor {
     state.open.transport.playing = false;
     settle();
   }
-  /// A rig for the dressed body that says this of its parts.
+  /// Opens a rig for the dressed body with these layers.
   void openWith(const std::string& layers) {
     const std::filesystem::path rig = folder_.path() / "dressed.rig.json";
     std::ofstream(rig)
@@ -50,7 +49,7 @@ class LayersPanel : public HeadlessEditor {
   [[nodiscard]] SkinLayer layer(const std::string& name) const {
     return partLayers(state)[static_cast<std::size_t>(part(name))];
   }
-  /// A ball in the chest, so that skin and cloth differ.
+  /// Adds a ball in the chest, so that skin and cloth differ.
   void addBall() {
     addMuscle(state, state.character().skeleton.findBone("chest").value());
     Placement placement = muscle().placement;
@@ -59,7 +58,7 @@ class LayersPanel : public HeadlessEditor {
     state.document.selection.clear();
     settle();
   }
-  /// The surface of the document's rig in the pose that is shown, made by itself.
+  /// Surface of the document's rig in the shown pose, computed from scratch.
   [[nodiscard]] std::vector<glm::vec3> madeAnew() const {
     Rig rig = state.document.rig();
     Smoother smoother(state.document.character);
@@ -76,7 +75,7 @@ class LayersPanel : public HeadlessEditor {
   std::filesystem::path file_;
 };
 
-TEST_F(LayersPanel, ListsEveryPartAndWhetherItIsGuessed) {
+TEST_F(LayersPanel, ListsEveryPartWithItsGuessedLayer) {
   ASSERT_EQ(state.character().parts.size(), 5u);
   for (const MeshPart& each : state.character().parts) {
     EXPECT_TRUE(shown("layers/part/" + each.name)) << each.name;
@@ -89,14 +88,14 @@ TEST_F(LayersPanel, ListsEveryPartAndWhetherItIsGuessed) {
   EXPECT_EQ(steps(), 0u);
 }
 
-TEST_F(LayersPanel, IsThereOnlyWhereThereAreSeveralParts) {
+TEST_F(LayersPanel, IsShownOnlyForSeveralParts) {
   EXPECT_TRUE(shown("layers/header"));
   open(std::filesystem::path(SINEW_SOURCE_DIR) / "assets" / "humanoid.glb");
   EXPECT_FALSE(shown("layers/header"));
   EXPECT_TRUE(shown("smoothing/header"));
 }
 
-TEST_F(LayersPanel, OneClickIsOneStepAndUndoAndRedoFollow) {
+TEST_F(LayersPanel, ClickIsOneUndoableStep) {
   click("layers/set/Shirt/rigid");
   EXPECT_EQ(layer("Shirt"), SkinLayer::kRigid);
   EXPECT_EQ(steps(), 1u);
@@ -119,7 +118,7 @@ TEST_F(LayersPanel, OneClickIsOneStepAndUndoAndRedoFollow) {
   EXPECT_TRUE(shown("layers/guess/Shirt"));
 }
 
-TEST_F(LayersPanel, TheSurfaceFollowsAtOnceAlsoWhileItPlays) {
+TEST_F(LayersPanel, SurfaceUpdatesImmediatelyEvenDuringPlayback) {
   addBall();
   ASSERT_EQ(state.live->surface().positions, madeAnew());
   const auto cloth = state.live->surface().positions;
@@ -137,7 +136,7 @@ TEST_F(LayersPanel, TheSurfaceFollowsAtOnceAlsoWhileItPlays) {
   EXPECT_EQ(state.live->surface().positions, madeAnew());
 }
 
-TEST_F(LayersPanel, WhatIsGuessedCanBeSetToStayAndGuessedAgain) {
+TEST_F(LayersPanel, GuessedLayerCanBePinnedAndUnpinned) {
   addBall();
   const auto before = state.live->surface().positions;
   const std::size_t first = steps();
@@ -152,7 +151,7 @@ TEST_F(LayersPanel, WhatIsGuessedCanBeSetToStayAndGuessedAgain) {
   EXPECT_FALSE(shown("layers/guess/Shirt"));
 }
 
-TEST_F(LayersPanel, GuessAllForgetsAllInOneStep) {
+TEST_F(LayersPanel, GuessAllClearsAllChoicesInOneStep) {
   click("layers/guess-all");
   EXPECT_EQ(steps(), 0u) << "there is nothing to forget";
   click("layers/set/Shirt/skin");
@@ -165,7 +164,7 @@ TEST_F(LayersPanel, GuessAllForgetsAllInOneStep) {
   EXPECT_EQ(layer("Shirt"), SkinLayer::kSkin);
 }
 
-TEST_F(LayersPanel, NamesThatTheCharacterLacksAreKeptAndListed) {
+TEST_F(LayersPanel, PartsMissingFromTheCharacterAreKeptAndListed) {
   openWith(R"({"Cape": "cloth", "Shirt": "rigid"})");
   EXPECT_EQ(layer("Shirt"), SkinLayer::kRigid);
   EXPECT_TRUE(shown("layers/missing"));
@@ -187,7 +186,7 @@ TEST_F(LayersPanel, NamesThatTheCharacterLacksAreKeptAndListed) {
   EXPECT_EQ(layer("Hair"), SkinLayer::kSkin);
 }
 
-TEST_F(LayersPanel, TheRowUnderThePointerLightsItsPart) {
+TEST_F(LayersPanel, HoveredRowHighlightsItsPart) {
   queue.move(center("layers/part/Shirt"));
   settle();
   EXPECT_EQ(state.frame.hoveredPart, part("Shirt"));
@@ -201,7 +200,7 @@ TEST_F(LayersPanel, TheRowUnderThePointerLightsItsPart) {
   EXPECT_EQ(steps(), 0u);
 }
 
-TEST_F(LayersPanel, AClickOnTheNameMarksThePartUntilItIsClickedAgainOrEsc) {
+TEST_F(LayersPanel, ClickedPartStaysHighlightedUntilClickedAgainOrEscape) {
   click("layers/part/Hair");
   queue.move({640.0f, 400.0f});
   settle();
@@ -222,7 +221,7 @@ TEST_F(LayersPanel, AClickOnTheNameMarksThePartUntilItIsClickedAgainOrEsc) {
   EXPECT_EQ(state.open.layers.chosen, -1);
 }
 
-TEST_F(LayersPanel, AColumnThatIsPutAwayLightsNothing) {
+TEST_F(LayersPanel, HiddenColumnHighlightsNothing) {
   queue.move(center("layers/part/Shirt"));
   settle();
   ASSERT_GE(state.frame.hoveredPart, 0);
@@ -231,7 +230,7 @@ TEST_F(LayersPanel, AColumnThatIsPutAwayLightsNothing) {
   EXPECT_EQ(state.frame.hoveredPart, -1);
 }
 
-TEST_F(LayersPanel, NothingIsCutOffHoweverWideThePanelIs) {
+TEST_F(LayersPanel, RowsAreNotCutOffAtAnyPanelWidth) {
   click("layers/set/Shirt/rigid");
   for (const float width : {180.0f, 304.0f, 520.0f}) {
     state.view.layout.right = width;
@@ -254,7 +253,7 @@ TEST_F(LayersPanel, NothingIsCutOffHoweverWideThePanelIs) {
   }
 }
 
-TEST_F(LayersPanel, ThePaletteFindsPartsAndSetsTheirLayers) {
+TEST_F(LayersPanel, PaletteFindsPartsAndSetsTheirLayers) {
   state.view.layout.folded.emplace_back("layers");
   state.view.layout.rightShown = false;
   run(action("help/palette"), state);
@@ -280,7 +279,7 @@ TEST_F(LayersPanel, ThePaletteFindsPartsAndSetsTheirLayers) {
   EXPECT_EQ(layer("Trousers"), SkinLayer::kCloth);
 }
 
-TEST_F(LayersPanel, NamesWithoutLettersAreShownByNumberAndKeptInTheRig) {
+TEST_F(LayersPanel, UndisplayableNamesAreShownByNumberAndKeptInTheRig) {
   auto renamed = std::make_shared<Character>(state.character());
   renamed->parts[1].name = "\xe3\x82\xb7\xe3\x83\xa3\xe3\x83\x84";  // "Shirt" in Japanese.
   const std::string name = renamed->parts[1].name;

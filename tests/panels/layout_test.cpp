@@ -1,5 +1,5 @@
-// tests/panels/layout_test.cpp: in windows of all sizes nothing is cut off and no text is drawn over text; the sizes of
-// panels follow from the wished sizes and the window.
+// tests/panels/layout_test.cpp: at all window sizes nothing is cut off and no text overlaps text; panel sizes depend on
+// the stored sizes and the window.
 
 #include <array>
 #include <memory>
@@ -48,13 +48,13 @@ class Layout : public HeadlessEditor {
     state.frame.uiScale = screen.scale;
     settleLayout();
   }
-  /// Windows learn their contents' size and whether they scroll within a few frames.
+  /// Windows need a few frames to learn their content size and whether they scroll.
   void settleLayout() {
     for (int i = 0; i < 4; ++i) frame();
     ImGui::Render();
   }
 
-  /// Bones as exporters name them, muscles on some.
+  /// Long bone names as exporters write them, muscles on some bones.
   void nameAtLength() {
     auto character = std::make_shared<Character>(state.character());
     int number = 0;
@@ -71,7 +71,7 @@ class Layout : public HeadlessEditor {
     settle();
   }
 
-  /// @param only  windows that are looked at; "": all
+  /// @param only  windows to check; "": all
   void check(const std::string& what, const std::string& only = "") {
     nothingIsCutOff(what, only);
     nothingOverlaps(what, only);
@@ -86,7 +86,7 @@ class Layout : public HeadlessEditor {
   void nothingIsCutOff(const std::string& what, const std::string& only) {
     for (const LaidOut& item : widgets().laidOut()) {
       if (!meant(item.window, only)) continue;
-      // A row of a list reaches half a gap into the padding; one across a table's columns is seen in its first alone.
+      // A list row extends half a gap into the padding; a row across table columns is visible in the first column only.
       if (item.id.starts_with("dialog/entry/") || item.id.starts_with("dialog/sort-")) continue;
       const float gap = item.id.starts_with("history/") ? ImGui::GetStyle().ItemSpacing.x : 1.5f;
       const bool wide = item.visible.z >= item.whole.z - gap || item.scrollsX;
@@ -103,7 +103,7 @@ class Layout : public HeadlessEditor {
     return a.x >= b.x - 1.0f && a.y >= b.y - 1.0f && a.x + a.z <= b.x + b.z + 1.0f && a.y + a.w <= b.y + b.w + 1.0f;
   }
 
-  /// Controls of a window lie apart, or one in the other (a switch in its row).
+  /// Controls of a window are disjoint or nested (a switch in its row).
   void nothingOverlaps(const std::string& what, const std::string& only) {
     const std::vector<LaidOut>& all = widgets().laidOut();
     for (std::size_t i = 0; i < all.size(); ++i) {
@@ -124,7 +124,7 @@ class Layout : public HeadlessEditor {
     int worst = 0;
     std::string where;
     for (std::size_t i = 0; i < glyphs.size(); ++i) {
-      // Neighbors in a word may touch.
+      // Adjacent letters of a word may touch.
       for (std::size_t k = i + 2; k < glyphs.size(); ++k) {
         if (!meant(glyphs[i].list, only) || !meant(glyphs[k].list, only)) continue;
         if (covered(glyphs[i], glyphs[k]) < 0.4f) continue;
@@ -226,7 +226,7 @@ TEST_F(Layout, DialogsFitAndScroll) {
   EXPECT_TRUE(shown("unsaved/save") && shown("unsaved/cancel"));
 }
 
-TEST_F(Layout, WhatHasNoRoomIsBehindMore) {
+TEST_F(Layout, OverflowingControlsAreInTheMoreMenu) {
   nameAtLength();
   for (const auto& [more, hidden] :
        {std::pair{"display/more", "display/numbers"}, std::pair{"toolstrip/more", "toolstrip/before"},
@@ -255,7 +255,7 @@ LayoutState randomWishes(std::mt19937& random) {
   return wished;
 }
 
-TEST(LayoutSizes, EverythingFitsIntoWindowsOfAUsualSize) {
+TEST(LayoutSizes, PanelsFitWindowsOfUsualSizes) {
   std::mt19937 random(11);
   for (int round = 0; round < 3000; ++round) {
     const LayoutState wished = randomWishes(random);
@@ -271,13 +271,13 @@ TEST(LayoutSizes, EverythingFitsIntoWindowsOfAUsualSize) {
     const float bottomBar = wished.bottomShown ? kSplitter : 0.0f;
     ASSERT_GE(height - kStatusHeight - sizes.bottom - bottomBar, kViewportLowest - 0.01f);
     ASSERT_GT(sizes.history, 0.0f);
-    // Never more than wished, but for the least.
+    // Never larger than preferred, except for the minimum.
     ASSERT_LE(sizes.left, std::max(wished.left, kPanelNarrowest));
     ASSERT_LE(sizes.bottom, std::max(wished.bottom, kBottomLowest));
   }
 }
 
-TEST(LayoutSizes, ALargerWindowNeverShrinksAPanel) {
+TEST(LayoutSizes, LargerWindowNeverShrinksAPanel) {
   std::mt19937 random(12);
   for (int round = 0; round < 500; ++round) {
     const LayoutState wished = randomWishes(random);
@@ -302,7 +302,7 @@ class LayoutSizesEditor : public HeadlessEditor {
   }
 };
 
-TEST_F(LayoutSizesEditor, AWindowMadeSmallAndLargeAgainIsAsItWas) {
+TEST_F(LayoutSizesEditor, ShrinkingAndEnlargingTheWindowRestoresTheLayout) {
   resize(1600.0f, 1000.0f);
   state.view.layout.left = 420.0f;
   state.view.layout.right = 380.0f;
@@ -323,7 +323,7 @@ TEST_F(LayoutSizesEditor, AWindowMadeSmallAndLargeAgainIsAsItWas) {
   }
 }
 
-TEST_F(LayoutSizesEditor, ADragStopsWhereThePictureNeedsItsRoom) {
+TEST_F(LayoutSizesEditor, DragStopsAtTheMinimumViewportWidth) {
   drag("layout/left", {900.0f, 0.0f});
   const float wide = state.view.layout.left;
   EXPECT_GE(state.frame.viewport.z, kViewportNarrowest - 1.0f);

@@ -1,4 +1,4 @@
-// tests/panels/library_test.cpp: the tab Library: a muscle by a click or by hand, and sets of one's own.
+// tests/panels/library_test.cpp: the Library tab: adding muscles by click or drag, and custom sets.
 #include <algorithm>
 #include <cstdlib>
 #include <fstream>
@@ -41,7 +41,7 @@ class LibraryPanel : public HeadlessEditor {
     return all;
   }
   [[nodiscard]] int bone(const char* name) const { return state.character().skeleton.findBone(name).value_or(-1); }
-  /// Takes a tile and lets it go there, window coordinates.
+  /// Drags a tile to a position in window coordinates.
   void carry(const std::string& tile, const glm::vec2& to) { drag(tile, to - center(tile)); }
 
  private:
@@ -49,7 +49,7 @@ class LibraryPanel : public HeadlessEditor {
   std::string kept_;
 };
 
-TEST_F(LibraryPanel, AClickLaysAMuscleWhereItBelongsWithItsTwin) {
+TEST_F(LibraryPanel, ClickPlacesAMuscleAndItsTwinAtItsOwnBone) {
   open(asset("humanoid.glb"));
   click("library/athlete/biceps");
   EXPECT_EQ(names(), (std::vector<std::string>{"biceps L", "biceps R"}));
@@ -63,7 +63,7 @@ TEST_F(LibraryPanel, AClickLaysAMuscleWhereItBelongsWithItsTwin) {
   EXPECT_TRUE(names().empty());
 }
 
-TEST_F(LibraryPanel, AMuscleIsDraggedOntoTheSkin) {
+TEST_F(LibraryPanel, MuscleIsDraggedOntoTheSkin) {
   open(asset("humanoid.glb"));
   carry("library/athlete/biceps", pixelOfBone(bone("thigh.R")));
   ASSERT_EQ(names().size(), 2u);
@@ -75,7 +75,7 @@ TEST_F(LibraryPanel, AMuscleIsDraggedOntoTheSkin) {
   EXPECT_LT(state.open.library.drag.set, 0);
 }
 
-TEST_F(LibraryPanel, OnItsOwnPartItKeepsItsLine) {
+TEST_F(LibraryPanel, MuscleDroppedOnItsOwnPartKeepsItsLine) {
   open(asset("humanoid.glb"));
   carry("library/athlete/biceps", pixelOfBone(bone("upper_arm.R")));
   ASSERT_EQ(names().size(), 2u);
@@ -84,7 +84,7 @@ TEST_F(LibraryPanel, OnItsOwnPartItKeepsItsLine) {
   EXPECT_EQ(state.document.rig().lines.size(), 2u);
 }
 
-TEST_F(LibraryPanel, LetGoBesideTheCharacterOrOnEscNothingIsLaid) {
+TEST_F(LibraryPanel, DropOutsideTheCharacterOrEscapePlacesNothing) {
   open(asset("humanoid.glb"));
   const glm::vec4& v = state.frame.viewport;
   carry("library/athlete/biceps", {v.x + 0.9f * v.z, v.y + 0.4f * v.w});
@@ -103,7 +103,7 @@ TEST_F(LibraryPanel, LetGoBesideTheCharacterOrOnEscNothingIsLaid) {
   EXPECT_EQ(steps(), 0u);
 }
 
-TEST_F(LibraryPanel, TheSearchKeepsWhatHasTheWord) {
+TEST_F(LibraryPanel, SearchFiltersByWord) {
   open(asset("humanoid.glb"));
   EXPECT_TRUE(shown("library/athlete/biceps"));
   state.open.library.search = "glut";
@@ -112,7 +112,7 @@ TEST_F(LibraryPanel, TheSearchKeepsWhatHasTheWord) {
   EXPECT_TRUE(shown("library/athlete/gluteus maximus"));
 }
 
-TEST_F(LibraryPanel, ASetIsThatOfTheBody) {
+TEST_F(LibraryPanel, SetMatchesTheKindOfBody) {
   open(asset("horse.glb"));
   EXPECT_TRUE(shown("library/add/animal"));
   EXPECT_FALSE(shown("library/add/athlete"));
@@ -148,7 +148,7 @@ TEST_F(LibraryPanel, SelectedMusclesAreSavedAsASetAndFitAnotherCharacter) {
   EXPECT_EQ(names(), (std::vector<std::string>{"biceps L", "biceps R"}));
 }
 
-TEST_F(LibraryPanel, NoSetIsReplacedUnasked) {
+TEST_F(LibraryPanel, SetIsReplacedOnlyAfterConfirmation) {
   open(asset("humanoid-flex.rig.json"));
   state.document.selection.primitives = {state.document.rig().primitives[0].id()};
   settle();
@@ -177,7 +177,7 @@ TEST_F(LibraryPanel, NoSetIsReplacedUnasked) {
   EXPECT_FALSE(state.open.library.naming);
 }
 
-TEST_F(LibraryPanel, OwnSetsAreRemovedAndTheirFileKept) {
+TEST_F(LibraryPanel, RemovedSetKeepsABackupFile) {
   open(asset("humanoid-flex.rig.json"));
   state.document.selection.primitives = {state.document.rig().primitives[0].id()};
   settle();
@@ -194,7 +194,7 @@ TEST_F(LibraryPanel, OwnSetsAreRemovedAndTheirFileKept) {
   EXPECT_TRUE(fs::exists(ownSetsFolder() / "Gone.json~"));
 }
 
-TEST_F(LibraryPanel, ABodyThatIsNotKnownSaysSo) {
+TEST_F(LibraryPanel, UnknownBodyShowsTheReason) {
   const test::TemporaryFolder folder;
   open(folder.write("post.glb", test::makePost().file.glb()));
   EXPECT_TRUE(state.open.library.sets.empty());
@@ -203,7 +203,7 @@ TEST_F(LibraryPanel, ABodyThatIsNotKnownSaysSo) {
   EXPECT_TRUE(state.open.bodyParts.shown);
 }
 
-TEST(SetNames, AreWhatFileSystemsTake) {
+TEST(SetNames, AreValidFileNames) {
   EXPECT_EQ(setNameFor("My arms"), "My arms");
   EXPECT_EQ(setNameFor("../arms/x"), "-arms-x");
   EXPECT_EQ(setNameFor("  .. "), "");
@@ -211,8 +211,8 @@ TEST(SetNames, AreWhatFileSystemsTake) {
   EXPECT_LE(setNameFor(std::string(500, 'x')).size(), 60u);
 }
 
-/// Red is there, in the middle, and nowhere without a muscle.
-TEST_F(LibraryPanel, APictureShowsTheMuscleInItsMiddle) {
+/// The red pixels center on the middle; without a muscle there are none.
+TEST_F(LibraryPanel, PictureShowsTheMuscleInTheMiddle) {
   open(asset("humanoid.glb"));
   for (const FittedPreset& laid : state.open.library.laid) {
     for (const Primitive& muscle : laid.rig.primitives) {

@@ -1,4 +1,4 @@
-// tests/panels/muscle_set_test.cpp: Muscles > Add muscle set by hand: one step, two sliders that change it.
+// tests/panels/muscle_set_test.cpp: Muscles > Add muscle set through its dialog: one step, adjusted by two sliders.
 #include <algorithm>
 
 #include "app/editor/actions.h"
@@ -31,7 +31,7 @@ class MuscleSetPanel : public HeadlessEditor {
   }
 };
 
-TEST_F(MuscleSetPanel, TheSetIsOneStep) {
+TEST_F(MuscleSetPanel, AddingASetIsOneStep) {
   open("humanoid.glb");
   addSet();
   EXPECT_EQ(steps(), 1u);
@@ -45,7 +45,7 @@ TEST_F(MuscleSetPanel, TheSetIsOneStep) {
   EXPECT_TRUE(state.document.rig().primitives.empty());
 }
 
-TEST_F(MuscleSetPanel, SlidersChangeTheSameStep) {
+TEST_F(MuscleSetPanel, SlidersAmendTheSameStep) {
   open("humanoid.glb");
   addSet();
   const float before = volume();
@@ -63,7 +63,7 @@ TEST_F(MuscleSetPanel, SlidersChangeTheSameStep) {
   EXPECT_FALSE(shown("muscle-set/mass"));
 }
 
-TEST_F(MuscleSetPanel, EscapePutsBackWhatTheSliderBeganWith) {
+TEST_F(MuscleSetPanel, EscapeRestoresTheValueBeforeTheDrag) {
   open("humanoid.glb");
   addSet();
   const Rig before = state.document.rig();
@@ -81,7 +81,7 @@ TEST_F(MuscleSetPanel, EscapePutsBackWhatTheSliderBeganWith) {
   EXPECT_EQ(steps(), 1u);
 }
 
-TEST_F(MuscleSetPanel, MusclesThatWereThereStay) {
+TEST_F(MuscleSetPanel, ExistingMusclesAreKept) {
   open("humanoid.rig.json");
   const Rig before = state.document.rig();
   addSet();
@@ -92,7 +92,7 @@ TEST_F(MuscleSetPanel, MusclesThatWereThereStay) {
   EXPECT_EQ(state.document.rig(), before);
 }
 
-TEST_F(MuscleSetPanel, AnotherEditEndsIt) {
+TEST_F(MuscleSetPanel, AnotherEditClosesThePanel) {
   open("horse.glb");
   addSet();
   ASSERT_TRUE(shown("muscle-set/summary"));
@@ -102,7 +102,7 @@ TEST_F(MuscleSetPanel, AnotherEditEndsIt) {
   EXPECT_EQ(steps(), 2u);
 }
 
-TEST_F(MuscleSetPanel, ABodyThatIsNoneIsRefused) {
+TEST_F(MuscleSetPanel, UnknownBodyIsRefused) {
   open("tangle.glb");
   addSet();
   EXPECT_EQ(steps(), 0u);

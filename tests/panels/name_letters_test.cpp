@@ -1,4 +1,4 @@
-// tests/panels/name_letters_test.cpp: names whose letters no font has, in the panels and in a message.
+// tests/panels/name_letters_test.cpp: names with letters that no font has, in panels and messages.
 
 #include "app/window/editor_window.h"
 
@@ -14,7 +14,7 @@ namespace {
 
 bool latinAlone(char32_t c) { return c < 0x250; }
 
-class NameLetters : public HeadlessEditor {
+class UndisplayableNames : public HeadlessEditor {
  protected:
   void SetUp() override {
     HeadlessEditor::SetUp();
@@ -29,7 +29,7 @@ class NameLetters : public HeadlessEditor {
   }
 };
 
-TEST_F(NameLetters, AMessageSaysWhatIsMissingAndWhatHelps) {
+TEST_F(UndisplayableNames, MessageNamesMissingLettersAndTheFontPackage) {
   const std::u32string letters = lettersOfNames(state);
   EXPECT_EQ(letters, U"上腕");
   EXPECT_EQ(missingLetters(letters, [](char32_t) { return true; }), "");
@@ -39,7 +39,7 @@ TEST_F(NameLetters, AMessageSaysWhatIsMissingAndWhatHelps) {
   EXPECT_EQ(other.find("fonts-noto-cjk"), std::string::npos);
 }
 
-TEST_F(NameLetters, TheStatusSaysTheNumberAndTheRigKeepsTheName) {
+TEST_F(UndisplayableNames, StatusShowsTheNumberAndTheRigKeepsTheName) {
   ViewportHover hover;
   hover.primitive = 0;
   EXPECT_TRUE(describe(hover, state.document).starts_with("上腕 on "));

@@ -1,8 +1,8 @@
-// tests/panels/nothing_hides_test.cpp: tooltips of a sleeping editor, reasons of what is grayed, messages, toasts, the
-// question about a file that has changed.
+// tests/panels/nothing_hides_test.cpp: tooltips while the editor sleeps, reasons of disabled controls, messages,
+// toasts, and the question about a changed file.
 
 #include <imgui.h>
-#include <imgui_internal.h>  // FindWindowByName, which 1.86 keeps to itself.
+#include <imgui_internal.h>  // FindWindowByName is internal in ImGui 1.86.
 
 #include <fstream>
 
@@ -17,9 +17,9 @@
 namespace sinew::app {
 namespace {
 
-class NothingHides : public HeadlessEditor {
+class Feedback : public HeadlessEditor {
  protected:
-  /// Frames as the window draws them while nothing happens: only those that are asked for. @return how many
+  /// Draws only the frames that are requested, as the idle window does. @return their number
   int sleep(double seconds) {
     int frames = 0;
     for (double slept = 0.0; step.wakeAfter() > 0.0 && slept < seconds && frames < 200; ++frames) {
@@ -43,7 +43,7 @@ class NothingHides : public HeadlessEditor {
   [[nodiscard]] std::string toast() const { return state.session.toast ? state.session.toast->text : ""; }
 };
 
-TEST_F(NothingHides, ATooltipComesThoughNothingElseMoves) {
+TEST_F(Feedback, TooltipAppearsWhileTheEditorIsIdle) {
   for (const char* id : {"toolstrip/move", "display/wire", "toolstrip/territory", "timeline/play"}) {
     queue.move({640.0f, 400.0f});
     settle();
@@ -58,7 +58,7 @@ TEST_F(NothingHides, ATooltipComesThoughNothingElseMoves) {
   }
 }
 
-TEST_F(NothingHides, AGrayedMenuEntryHasATooltip) {
+TEST_F(Feedback, GrayedMenuEntryHasATooltip) {
   click("menu/edit");
   ASSERT_TRUE(shown("edit/delete"));
   queue.move(center("edit/delete"));
@@ -68,7 +68,7 @@ TEST_F(NothingHides, AGrayedMenuEntryHasATooltip) {
   EXPECT_NE(hintOfAction("edit/delete").find("Select a muscle first"), std::string::npos);
 }
 
-TEST_F(NothingHides, TheReasonFitsTheState) {
+TEST_F(Feedback, DisabledReasonMatchesTheState) {
   EXPECT_STREQ(action("edit/delete").enabled(state).reason(), "Select a muscle first");
   EXPECT_STREQ(action("edit/undo").enabled(state).reason(), "Nothing to undo");
   EXPECT_STREQ(action("edit/add-on-bone").enabled(state).reason(), "Select a bone or a muscle first");
@@ -82,7 +82,7 @@ TEST_F(NothingHides, TheReasonFitsTheState) {
   EXPECT_EQ(hintOfAction("edit/delete"), action("edit/delete").hint);
 }
 
-TEST_F(NothingHides, EnterInThePaletteNeverTakesWhatIsGrayed) {
+TEST_F(Feedback, EnterInThePaletteNeverRunsAGrayedAction) {
   press(GLFW_KEY_P, true);
   type("duplicate");
   ASSERT_TRUE(shown("palette/edit/duplicate"));
@@ -98,7 +98,7 @@ TEST_F(NothingHides, EnterInThePaletteNeverTakesWhatIsGrayed) {
   EXPECT_EQ(steps(), 2u);
 }
 
-TEST_F(NothingHides, TheNewestMessageIsOnTop) {
+TEST_F(Feedback, NewestMessageIsOnTop) {
   state.session.messages.clear();
   for (int i = 0; i < 30; ++i) addMessage(state.session, MessageKind::kNote, "message " + std::to_string(i));
   settle();
@@ -117,7 +117,7 @@ TEST_F(NothingHides, TheNewestMessageIsOnTop) {
   EXPECT_EQ(state.session.messages.back().text, "message 29");
 }
 
-TEST_F(NothingHides, AToastGoesByItselfWhileTheEditorSleeps) {
+TEST_F(Feedback, ToastDisappearsWhileTheEditorSleeps) {
   state.session.messages.clear();
   settle();
   say(state, "Saved arm.rig.json");
@@ -130,7 +130,7 @@ TEST_F(NothingHides, AToastGoesByItselfWhileTheEditorSleeps) {
   EXPECT_EQ(step.wakeAfter(), 0.0);
 }
 
-TEST_F(NothingHides, AToastIsNeverUnderThePointer) {
+TEST_F(Feedback, ToastIsNeverUnderThePointer) {
   say(state, "Undone: Move all the muscles of the upper arm");
   settle();
   for (float y = 60.0f; y < 700.0f; y += 40.0f) {
@@ -146,7 +146,7 @@ TEST_F(NothingHides, AToastIsNeverUnderThePointer) {
   }
 }
 
-TEST_F(NothingHides, TheStatusLineGoesOnSayingWhatTheToolDoes) {
+TEST_F(Feedback, RefusalDoesNotChangeTheStatusLine) {
   const std::string before = state.frame.route.status;
   refuse(state, errorAt("primitives[0].radii[1]", "expected a number > 0, got -1", "radius Y"));
   settle();
@@ -154,14 +154,14 @@ TEST_F(NothingHides, TheStatusLineGoesOnSayingWhatTheToolDoes) {
   EXPECT_EQ(toast(), "Radius Y: expected a number > 0, got -1");
 }
 
-TEST_F(NothingHides, PastingSaysHowMany) {
+TEST_F(Feedback, PasteReportsACount) {
   addOne();
   press(GLFW_KEY_C, true);
   press(GLFW_KEY_V, true);
   EXPECT_EQ(toast().substr(0, 7), "Pasted ") << toast();
 }
 
-TEST_F(NothingHides, ACopyIsNamedAndSaidToLieOnItsOriginal) {
+TEST_F(Feedback, DuplicateMessageNamesTheCopyAndItsPosition) {
   addOne();
   const std::string original = state.document.activeName();
   duplicateSelection(state);
@@ -175,7 +175,7 @@ TEST_F(NothingHides, ACopyIsNamedAndSaidToLieOnItsOriginal) {
   EXPECT_NE(toast().find("exactly on "), std::string::npos) << toast();
 }
 
-TEST_F(NothingHides, InBlendersKeymapACopyFollowsThePointerAndEscapeLeavesIt) {
+TEST_F(Feedback, BlenderKeymapDuplicateFollowsThePointerAndEscapeRestoresItsPosition) {
   state.session.preferences.keymap = Keymap::kBlender;
   addOne();
   const Placement start = muscle().placement;
@@ -194,7 +194,7 @@ TEST_F(NothingHides, InBlendersKeymapACopyFollowsThePointerAndEscapeLeavesIt) {
   EXPECT_EQ(muscle().placement, start);
 }
 
-TEST_F(NothingHides, AToastLeavesADialogFree) {
+TEST_F(Feedback, ToastDoesNotCoverADialog) {
   showSaveDialog(state, {});
   settle();
   say(state, "Saved somewhere");
@@ -208,10 +208,10 @@ TEST_F(NothingHides, AToastLeavesADialogFree) {
   EXPECT_LE(box.y + box.w, ImGui::GetIO().DisplaySize.y);
 }
 
-class FileQuestion : public NothingHides {
+class ConflictDialog : public Feedback {
  protected:
   void SetUp() override {
-    NothingHides::SetUp();
+    Feedback::SetUp();
     addOne();
     ASSERT_EQ(saveTo(state, rig), "");
     std::ofstream(rig, std::ios::app) << "\n";
@@ -222,7 +222,7 @@ class FileQuestion : public NothingHides {
   const std::filesystem::path rig = own.path() / "arm.rig.json";
 };
 
-TEST_F(FileQuestion, CtrlSAsksAndEscapeLeavesAllAsItIs) {
+TEST_F(ConflictDialog, CtrlSOpensItAndEscapeChangesNothing) {
   press(GLFW_KEY_S, true);
   for (const char* id : {"conflict/both", "conflict/reload", "conflict/overwrite", "conflict/cancel"})
     EXPECT_TRUE(shown(id)) << id;
@@ -231,7 +231,7 @@ TEST_F(FileQuestion, CtrlSAsksAndEscapeLeavesAllAsItIs) {
   EXPECT_TRUE(state.document.commands.modified());
 }
 
-TEST_F(FileQuestion, EachAnswerIsAButton) {
+TEST_F(ConflictDialog, EachChoiceIsAButton) {
   press(GLFW_KEY_S, true);
   click("conflict/both");
   EXPECT_EQ(state.document.rigFile.filename(), "arm 2.rig.json");

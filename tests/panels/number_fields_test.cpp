@@ -1,5 +1,5 @@
-// tests/panels/number_fields_test.cpp: numbers are dragged and typed in one way everywhere: double click
-// types, Shift is precise, Ctrl goes in steps.
+// tests/panels/number_fields_test.cpp: dragging and typing in number fields: double click types, Shift is precise, Ctrl
+// snaps.
 
 #include <cmath>
 
@@ -32,7 +32,7 @@ class NumberFields : public HeadlessEditor {
   [[nodiscard]] float iso() const { return state.document.rig().surface.iso; }
 };
 
-TEST_F(NumberFields, ADoubleClickTypesInSlidersToo) {
+TEST_F(NumberFields, DoubleClickStartsTypingInSliders) {
   for (const auto& [id, text] : {std::pair{"smoothing/tolerance", "0.25"}, std::pair{"surface/iso", "0.31"},
                                  std::pair{"surface/skin-blend", "4.5"}, std::pair{"smoothing/crease", "77"}}) {
     const std::size_t before = steps();
@@ -80,7 +80,7 @@ TEST_F(NumberFields, ShiftIsPreciseAndCtrlStepsInFields) {
   EXPECT_NEAR(degrees / 15.0f, std::round(degrees / 15.0f), 1e-3f);
 }
 
-TEST_F(NumberFields, CtrlAndAClickTypes) {
+TEST_F(NumberFields, CtrlClickStartsTyping) {
   queue.move(center("surface/iso"));
   settle();
   queue.key(kLeftControl, true);
@@ -94,8 +94,8 @@ TEST_F(NumberFields, CtrlAndAClickTypes) {
   EXPECT_FLOAT_EQ(iso(), 0.4f);
 }
 
-TEST_F(NumberFields, NothingLiesOverASlidersNumber) {
-  // Over all values: whatever is drawn after the letters stays off them.
+TEST_F(NumberFields, NothingIsDrawnOverASlidersNumber) {
+  // At all values, nothing drawn after the letters overlaps them.
   for (float value = 0.05f; value <= 0.9f; value += 0.05f) {
     SurfaceSettings settings = state.document.rig().surface;
     settings.iso = value;
@@ -110,7 +110,7 @@ TEST_F(NumberFields, NothingLiesOverASlidersNumber) {
       if (list->_OwnerName != nullptr && std::string(list->_OwnerName) == "region-right") panel = list;
     }
     ASSERT_NE(panel, nullptr);
-    // In drawing order: from the first letter within the slider on, only letters lie within it.
+    // In drawing order: after the first letter within the slider, only letters lie within it.
     const float white = ImGui::GetIO().Fonts->TexUvWhitePixel.x;
     bool letters = false;
     for (const ImDrawVert& vertex : panel->VtxBuffer) {
@@ -131,7 +131,7 @@ class Arithmetic : public NumberFields {
     state.document.symmetry = false;
     addOne();
   }
-  /// Some time after what was typed before: two double clicks, not four clicks.
+  /// Waits, so that clicks count as two double clicks, not as four clicks.
   void wait() {
     ImGui::GetIO().DeltaTime = 1.0f;
     frame();
@@ -148,7 +148,7 @@ class Arithmetic : public NumberFields {
   [[nodiscard]] std::string said() const { return state.session.toast ? state.session.toast->text : ""; }
 };
 
-TEST_F(Arithmetic, FieldsAndSlidersCalculate) {
+TEST_F(Arithmetic, FieldsAndSlidersEvaluateExpressions) {
   const std::size_t before = steps();
   enter("inspector/reach", "12/5");
   EXPECT_FLOAT_EQ(reach(), 2.4f);
@@ -167,7 +167,7 @@ TEST_F(Arithmetic, FieldsAndSlidersCalculate) {
   EXPECT_FLOAT_EQ(state.open.transport.speed, 0.5f);
 }
 
-TEST_F(Arithmetic, WhatIsWrongIsSaidAndChangesNothing) {
+TEST_F(Arithmetic, ErrorsAreReportedAndChangeNothing) {
   const float start = reach();
   const std::size_t before = steps();
   for (const auto& [text, reason] : {std::pair{"12/", "a number is missing at the end"},
@@ -188,7 +188,7 @@ TEST_F(Arithmetic, WhatIsWrongIsSaidAndChangesNothing) {
   EXPECT_EQ(steps(), before);
 }
 
-TEST_F(Arithmetic, EscapeAndAnUntouchedTextLeaveTheValueToTheBit) {
+TEST_F(Arithmetic, EscapeAndUneditedTextKeepTheValueBitForBit) {
   Rig rig = state.document.rig();
   rig.primitives[0].reach = 2.3456789f;
   state.document.commands.apply("Reach", rig);
@@ -203,7 +203,7 @@ TEST_F(Arithmetic, EscapeAndAnUntouchedTextLeaveTheValueToTheBit) {
   EXPECT_EQ(steps(), before);
 }
 
-TEST_F(Arithmetic, AChangeIsTheSameForAllWhatEverIsTypedOnTheWay) {
+TEST_F(Arithmetic, RelativeChangeAppliesOnceToAllMuscles) {
   addMuscle(state, 1);
   Rig rig = state.document.rig();
   rig.primitives[0].placement.radii.x = 0.1f;

@@ -1,8 +1,7 @@
-// tests/panels/opening_test.cpp: the question about a missing character, and the button that shows helper
-// bones.
+// tests/panels/opening_test.cpp: the question about a missing character, and the button that shows helper bones.
 
 #include <imgui.h>
-#include <imgui_internal.h>  // FindWindowByName, which 1.86 keeps to itself.
+#include <imgui_internal.h>  // FindWindowByName is internal in ImGui 1.86.
 
 #include "core/files/disk/atomic_file.h"
 #include "sinew/files/rig_json.h"
@@ -36,7 +35,7 @@ class OpeningPanels : public HeadlessEditor {
   fs::path before;
 };
 
-TEST_F(OpeningPanels, CancelAndEscapeLeaveTheDocument) {
+TEST_F(OpeningPanels, CancelAndEscapeKeepTheDocument) {
   ask();
   click("locate/cancel");
   EXPECT_FALSE(shown("locate/locate"));
@@ -53,7 +52,7 @@ TEST_F(OpeningPanels, CancelAndEscapeLeaveTheDocument) {
   EXPECT_TRUE(state.session.messages.empty());
 }
 
-TEST_F(OpeningPanels, AFileThatIsNoCharacterIsToldInTheDialogAndAnotherMayBeChosen) {
+TEST_F(OpeningPanels, InvalidCharacterIsReportedInTheDialogAndCanBeReplaced) {
   ask();
   click("locate/locate");
   type((folder / "lost.rig.json").string());
@@ -61,7 +60,7 @@ TEST_F(OpeningPanels, AFileThatIsNoCharacterIsToldInTheDialogAndAnotherMayBeChos
   ASSERT_TRUE(shown("dialog/path"));
   EXPECT_FALSE(state.dialogs.file.error.empty());
   EXPECT_EQ(state.document.characterFile, before);
-  type((folder / "post.glb").string());  // What was typed is selected.
+  type((folder / "post.glb").string());  // The typed text is selected.
   press(kEnter);
   EXPECT_FALSE(shown("dialog/path"));
   EXPECT_EQ(state.document.rigFile, folder / "lost.rig.json");
@@ -69,7 +68,7 @@ TEST_F(OpeningPanels, AFileThatIsNoCharacterIsToldInTheDialogAndAnotherMayBeChos
   EXPECT_TRUE(state.document.commands.modified());
 }
 
-TEST_F(OpeningPanels, TheFileOfTheMissingOnesNameIsProposed) {
+TEST_F(OpeningPanels, FileWithTheMissingNameIsSuggested) {
   Rig rig;
   rig.character = "models/post.glb";
   ASSERT_TRUE(saveRig(rig, folder / "lost.rig.json").ok());
@@ -80,8 +79,8 @@ TEST_F(OpeningPanels, TheFileOfTheMissingOnesNameIsProposed) {
   EXPECT_EQ(state.document.characterFile, folder / "post.glb");
 }
 
-TEST_F(OpeningPanels, TheButtonShowsHelperBonesInTheTree) {
-  // The bundled character has none: one is made of the last bone.
+TEST_F(OpeningPanels, ButtonShowsHelperBonesInTheTree) {
+  // The bundled character has no helper bone: make one of the last bone.
   state.open.helperBones.assign(state.character().skeleton.bones.size(), false);
   state.open.helperBones.back() = true;
   const std::string id = "outliner/bone/" + state.character().skeleton.bones.back().name;
@@ -95,7 +94,7 @@ TEST_F(OpeningPanels, TheButtonShowsHelperBonesInTheTree) {
   EXPECT_FALSE(shown(id));
 }
 
-TEST_F(OpeningPanels, TheTooltipOfARowHasTheWholeNameOnce) {
+TEST_F(OpeningPanels, RowTooltipHasTheFullNameOnce) {
   test::Post post = test::makePost();
   for (auto& node : post.file.json["nodes"]) node["name"] = "mixamorig:" + node["name"].get<std::string>();
   ASSERT_TRUE(writeFileAtomically(folder / "named.glb", post.file.glb()).ok());

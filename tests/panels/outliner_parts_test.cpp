@@ -1,4 +1,4 @@
-// tests/panels/outliner_parts_test.cpp: the flat lists of the outliner, by region and by group.
+// tests/panels/outliner_parts_test.cpp: flat lists of the outliner, by region and by group.
 
 #include "tests/support/editor/headless_editor.h"
 
@@ -19,7 +19,7 @@ class OutlinerParts : public HeadlessEditor {
   }
 };
 
-TEST(BodyParts, OfThePersonAreWhatOneWouldSay) {
+TEST(BodyParts, NameTheRegionsOfThePerson) {
   const Result<Document> person =
       openDocument(std::filesystem::path(SINEW_SOURCE_DIR) / "assets" / "humanoid.rig.json");
   ASSERT_TRUE(person);
@@ -35,7 +35,7 @@ TEST(BodyParts, OfThePersonAreWhatOneWouldSay) {
   EXPECT_EQ(of("head"), "Head and neck");
 }
 
-TEST(BodyParts, AreToldInJapaneseToo) {
+TEST(BodyParts, AreRecognizedInJapaneseNames) {
   Skeleton skeleton;
   for (const auto& [name, parent] : std::initializer_list<std::pair<const char*, int>>{{"全ての親", -1},
                                                                                        {"下半身", 0},
@@ -56,7 +56,7 @@ TEST(BodyParts, AreToldInJapaneseToo) {
                                                            "Left arm", "Right leg", "Right leg"}));
 }
 
-TEST_F(OutlinerParts, ByRegionIsAFlatListUnderTitlesThatFold) {
+TEST_F(OutlinerParts, RegionOrderIsAFlatListUnderFoldingTitles) {
   ASSERT_TRUE(openFile(state, std::filesystem::path(SINEW_SOURCE_DIR) / "assets" / "humanoid.rig.json"));
   settle();
   click("outliner/order/regions");
@@ -73,7 +73,7 @@ TEST_F(OutlinerParts, ByRegionIsAFlatListUnderTitlesThatFold) {
   EXPECT_EQ(selectedNames(state.document), std::vector<std::string>{"biceps L"});
 }
 
-TEST_F(OutlinerParts, ByGroupEveryMuscleStandsOnceUnderItsGroup) {
+TEST_F(OutlinerParts, GroupOrderListsEveryMuscleOnceUnderItsGroup) {
   state.view.outliner.order = OutlinerOrder::kGroups;
   settle();
   for (const Group& group : state.document.rig().groups) {
@@ -97,7 +97,7 @@ TEST_F(OutlinerParts, ByGroupEveryMuscleStandsOnceUnderItsGroup) {
   EXPECT_FALSE(shown("outliner/muscle/" + rig.primitives[0].name)) << "all groups are folded";
 }
 
-TEST_F(OutlinerParts, AMuscleCalledAfterItsBoneIsCalledAfterTheNextInTheSameStep) {
+TEST_F(OutlinerParts, MuscleNamedAfterItsBoneIsRenamedWhenReparented) {
   const auto indexOf = [&](const char* name) { return findPrimitive(state.document.rig(), name); };
   const Skeleton& skeleton = state.character().skeleton;
   const int thigh = skeleton.findBone("thigh.L").value_or(-1);

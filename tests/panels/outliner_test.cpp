@@ -1,4 +1,4 @@
-// tests/panels/outliner_test.cpp: the tree: rows, selection, switches, renaming, moving to another bone.
+// tests/panels/outliner_test.cpp: outliner tree: rows, selection, switches, renaming, moving to another bone.
 
 #include "tests/support/editor/headless_editor.h"
 
@@ -11,7 +11,7 @@
 namespace sinew::app {
 namespace {
 
-/// Over the bundled rig.
+/// Bundled rig.
 class Outliner : public HeadlessEditor {
  protected:
   void SetUp() override {
@@ -44,7 +44,7 @@ class Outliner : public HeadlessEditor {
   static constexpr int kUp = 265;
 };
 
-TEST_F(Outliner, EveryMuscleAndBoneHasARowParentsFirst) {
+TEST_F(Outliner, ListsEveryMuscleAndBoneParentsFirst) {
   const auto all = rows();
   const Skeleton& skeleton = state.character().skeleton;
   EXPECT_EQ(all.size(), skeleton.bones.size() + state.document.rig().primitives.size());
@@ -62,7 +62,7 @@ TEST_F(Outliner, EveryMuscleAndBoneHasARowParentsFirst) {
   }
 }
 
-TEST_F(Outliner, ASearchKeepsTheBonesAboveItsMatches) {
+TEST_F(Outliner, SearchKeepsTheBonesAboveItsMatches) {
   const auto found = rows("BICEPS");
   EXPECT_EQ(muscles(found), 2u);
   for (const OutlinerRow& row : found) {
@@ -73,7 +73,7 @@ TEST_F(Outliner, ASearchKeepsTheBonesAboveItsMatches) {
       return containsText(state.document.rig().primitives[static_cast<std::size_t>(i)].name, "biceps");
     }));
   }
-  // A bone's name brings its muscles.
+  // A bone's name finds its muscles.
   EXPECT_EQ(muscles(rows("upper_arm.L")), 2u);
   EXPECT_TRUE(rows("no such thing").empty());
   click("outliner/search");
@@ -82,7 +82,7 @@ TEST_F(Outliner, ASearchKeepsTheBonesAboveItsMatches) {
   EXPECT_FALSE(shown("outliner/muscle/chest L"));
 }
 
-TEST_F(Outliner, BonesWithoutMusclesCanBeLeftOut) {
+TEST_F(Outliner, BonesWithoutMusclesCanBeHidden) {
   const auto all = rows();
   click("outliner/only-with-muscles");
   EXPECT_TRUE(state.view.outliner.onlyWithMuscles);
@@ -91,7 +91,7 @@ TEST_F(Outliner, BonesWithoutMusclesCanBeLeftOut) {
   EXPECT_EQ(muscles(fewer), muscles(all));
 }
 
-TEST_F(Outliner, FoldingABoneHidesWhatIsUnderItAndASelectionOpensIt) {
+TEST_F(Outliner, FoldedBoneHidesItsChildrenUntilOneIsSelected) {
   const std::size_t all = rows().size();
   click("outliner/fold/hips");
   EXPECT_LT(rows().size(), all);
@@ -101,8 +101,8 @@ TEST_F(Outliner, FoldingABoneHidesWhatIsUnderItAndASelectionOpensIt) {
   EXPECT_TRUE(shown("outliner/muscle/tail root"));
 }
 
-TEST_F(Outliner, ShiftTakesARangeAndControlOne) {
-  state.view.layout.history = 64.0f;  // All rows of the range are on the screen.
+TEST_F(Outliner, ShiftSelectsARangeAndControlTogglesOne) {
+  state.view.layout.history = 64.0f;  // All rows of the range are visible.
   settle();
   click("outliner/muscle/glute L");
   ASSERT_EQ(selection(), std::vector<std::string>{"glute L"});
@@ -128,7 +128,7 @@ TEST_F(Outliner, ShiftTakesARangeAndControlOne) {
   EXPECT_EQ(selection(), std::vector<std::string>{"glute R"});
 }
 
-TEST_F(Outliner, ArrowKeysWalkTheRows) {
+TEST_F(Outliner, ArrowKeysMoveThroughTheRows) {
   click("outliner/muscle/glute L");
   press(kDown);
   EXPECT_EQ(selection(), std::vector<std::string>{"glute R"});
@@ -139,7 +139,7 @@ TEST_F(Outliner, ArrowKeysWalkTheRows) {
   EXPECT_EQ(state.document.selection.bone, state.character().skeleton.findBone("hips"));
 }
 
-TEST_F(Outliner, AShutEyeTakesTheMuscleOffTheSkinAndOutOfNothingElse) {
+TEST_F(Outliner, HiddenMuscleLeavesTheSurfaceButStaysInTheRig) {
   const Rig before = state.document.rig();
   const int all = shownMuscles();
   const auto skin = state.live->surface().positions;
@@ -177,7 +177,7 @@ TEST_F(Outliner, KeysHideIsolateAndShow) {
   EXPECT_EQ(shownMuscles(), all);
 }
 
-TEST_F(Outliner, BeforeLastsAsLongAsItsKeyOrButtonIsHeld) {
+TEST_F(Outliner, BeforeViewLastsWhileItsKeyOrButtonIsHeld) {
   const int all = shownMuscles();
   const auto with = state.live->surface().positions;
   queue.key('`', true);
@@ -196,7 +196,7 @@ TEST_F(Outliner, BeforeLastsAsLongAsItsKeyOrButtonIsHeld) {
   EXPECT_EQ(state.live->surface().positions, with);
 }
 
-TEST_F(Outliner, HiddenSurvivesUndoAndGoesWithTheName) {
+TEST_F(Outliner, HiddenStateSurvivesRenameAndUndo) {
   click("outliner/eye/glute L");
   const int shownThen = shownMuscles();
   EXPECT_TRUE(rename(state, idOf(state.document, "glute L"), "left one"));
@@ -214,7 +214,7 @@ TEST_F(Outliner, HiddenSurvivesUndoAndGoesWithTheName) {
   EXPECT_EQ(shownMuscles(), shownThen);
 }
 
-TEST_F(Outliner, AMuscleDraggedOntoABoneKeepsItsPlace) {
+TEST_F(Outliner, MuscleDraggedOntoABoneKeepsItsPosition) {
   const auto place = [&] {
     const Primitive& primitive = state.document.rig().primitives[static_cast<std::size_t>(indexOf("glute L"))];
     const int bone = state.character().skeleton.findBone(primitive.bone).value_or(0);
@@ -242,7 +242,7 @@ TEST_F(Outliner, DoubleClickRenamesInPlace) {
   EXPECT_EQ(steps(), 1u);
 }
 
-TEST_F(Outliner, WhatHasNoBoneStandsApartAndCanBeAttached) {
+TEST_F(Outliner, UnattachedMuscleIsListedSeparatelyAndCanBeAttached) {
   Rig rig = state.document.rig();
   Primitive lost;
   lost.name = "lost";
@@ -257,14 +257,14 @@ TEST_F(Outliner, WhatHasNoBoneStandsApartAndCanBeAttached) {
   EXPECT_FALSE(shown("outliner/unattached"));
 }
 
-TEST_F(Outliner, ALockedMuscleIsNotPickable) {
+TEST_F(Outliner, LockedMuscleIsNotPickable) {
   click("outliner/lock/glute L");
   EXPECT_FALSE(
       isPickable(state.document.visibility, state.document.rig(), state.character().skeleton, indexOf("glute L")));
   EXPECT_EQ(shownMuscles(), static_cast<int>(state.document.rig().primitives.size()));
 }
 
-TEST(OutlinerRows, AThousandMusclesOnFiveHundredBones) {
+TEST(OutlinerRows, ListsAThousandMusclesOnFiveHundredBones) {
   Skeleton skeleton;
   for (int b = 0; b < 500; ++b) {
     skeleton.nodes.emplace_back();
@@ -291,7 +291,7 @@ TEST(OutlinerRows, AThousandMusclesOnFiveHundredBones) {
   EXPECT_EQ(found.back().index, 999);
 }
 
-/// Whether a row is drawn as lit: a rectangle of that color begins and ends with it.
+/// Whether a row is highlighted: a rectangle of that color spans it.
 bool isLit(const glm::vec4& row) {
   const ImU32 color = ImGui::GetColorU32(ImGuiCol_HeaderHovered);
   bool top = false;
@@ -307,7 +307,7 @@ bool isLit(const glm::vec4& row) {
   return top && bottom;
 }
 
-TEST_F(Outliner, WhatThePointerIsOverInThePictureLightsItsRowAlone) {
+TEST_F(Outliner, HoverInTheViewportHighlightsOnlyItsRow) {
   state.document.selection.clear();
   int muscleRows = 0;
   int boneRows = 0;
@@ -326,7 +326,7 @@ TEST_F(Outliner, WhatThePointerIsOverInThePictureLightsItsRowAlone) {
     for (const auto& [id, box] : widgets().rectangles()) {
       const bool muscle = id.starts_with("outliner/muscle/");
       if (!muscle && !id.starts_with("outliner/bone/")) continue;
-      if (box.w < scrolled.w) continue;  // Half out of sight.
+      if (box.w < scrolled.w) continue;  // Partly scrolled out.
       EXPECT_EQ(isLit(box), id == wanted) << id << " over " << wanted;
       if (id == wanted) ++(muscle ? muscleRows : boneRows);
     }
@@ -336,7 +336,7 @@ TEST_F(Outliner, WhatThePointerIsOverInThePictureLightsItsRowAlone) {
   EXPECT_GT(boneRows, 0);
 }
 
-TEST_F(Outliner, ARowUnderThePointerLightsItsMuscleInThePicture) {
+TEST_F(Outliner, HoveredRowHighlightsItsMuscleInTheViewport) {
   const std::string name = state.document.rig().primitives[0].name;
   queue.move(center("outliner/muscle/" + name));
   settle();
@@ -345,7 +345,7 @@ TEST_F(Outliner, ARowUnderThePointerLightsItsMuscleInThePicture) {
   }
 }
 
-TEST_F(Outliner, AMuscleThatIsPickedOrDrawnIsSelectedAlone) {
+TEST_F(Outliner, PickedOrDrawnMuscleReplacesTheBoneSelection) {
   const int bone = *state.character().skeleton.findBone("spine");
   clickBone(state, bone);
   EXPECT_EQ(state.document.selection.bone, bone);

@@ -1,8 +1,8 @@
 // tests/panels/palette_controls_test.cpp: the palette finds controls, things and help pages, and shows them.
 
 #include <imgui.h>
-#include <imgui_internal.h>  // Which item has the keyboard.
 
+#include <imgui_internal.h>  // ImGui's focused item.
 #include <sys/stat.h>
 
 #include <algorithm>
@@ -26,7 +26,7 @@ class PaletteControls : public PaletteEditor {
     const auto found = std::ranges::find(all, id, &LaidOut::id);
     return found == all.end() ? 0 : found->item;
   }
-  /// Until it is seen, or it is given up.
+  /// Runs frames until the control is visible or the search is given up.
   void wait() {
     for (int i = 0; i < 40 && !state.dialogs.reveal.id.empty() && state.dialogs.reveal.until < 0.0; ++i) frame();
     frame();
@@ -39,7 +39,7 @@ class PaletteControls : public PaletteEditor {
   }
 };
 
-/// Everything folded and put away, and a muscle selected for which the control is there.
+/// Folds and hides everything, and selects a muscle for which the control exists.
 void hideAll(EditorState& state) {
   state.view.layout = {};
   state.view.layout.leftShown = state.view.layout.rightShown = state.view.layout.bottomShown = false;
@@ -50,14 +50,14 @@ void hideAll(EditorState& state) {
   state.view.inspector.shapeOpen = false;
 }
 
-TEST_F(PaletteControls, EachIsFoundByItsLabelBroughtIntoSightAndGetsTheKeyboard) {
+TEST_F(PaletteControls, EveryControlIsFoundByLabelRevealedAndFocused) {
   openFlexing();
   int seen = 0;
   for (const Control* control : controls()) {
     SCOPED_TRACE(control->id);
     hideAll(state);
     if (std::string_view(control->id).starts_with("view/")) state.view.layout = {};
-    if (std::string_view(control->id).starts_with("farm/")) openFlexing();  // A job needs a rig that is saved.
+    if (std::string_view(control->id).starts_with("farm/")) openFlexing();  // A farm job needs a saved rig.
     select(state.document, {"biceps L"});
     const std::string needsMuscle = whyNotThere(*control, state);
     if (needsMuscle.find("rides a line") != std::string::npos) addMuscle(state, 3);
@@ -70,7 +70,7 @@ TEST_F(PaletteControls, EachIsFoundByItsLabelBroughtIntoSightAndGetsTheKeyboard)
     ask(control->label);
     const std::string row = std::string("palette/control/") + control->id;
     ASSERT_TRUE(shown(row)) << control->label;
-    if (!why.empty()) {  // No helper bones, shapes or parts in this character.
+    if (!why.empty()) {  // This character has no helper bones, shapes or parts.
       press(kEscape);
       continue;
     }
@@ -90,7 +90,7 @@ TEST_F(PaletteControls, EachIsFoundByItsLabelBroughtIntoSightAndGetsTheKeyboard)
   EXPECT_GT(seen, 60);
 }
 
-TEST_F(PaletteControls, AnEntryIsFoundByPartsOfWordsAndByOtherWords) {
+TEST_F(PaletteControls, ControlIsFoundByPartialWordsAndSynonyms) {
   openFlexing();
   select(state.document, {"biceps L"});
   settle();
@@ -138,16 +138,16 @@ TEST_F(PaletteControls, GroupsSetsAndTheirMusclesAreFound) {
   EXPECT_GT(state.document.rig().primitives.size(), before);
 }
 
-TEST_F(PaletteControls, AClipPlays) {
+TEST_F(PaletteControls, ChosenClipPlays) {
   openFlexing();
   ask("dance");
   click("palette/clip/Dance");
   EXPECT_TRUE(state.open.transport.playing);
 }
 
-TEST_F(PaletteControls, ActionsStandBeforeWhatIsInTheDocumentAndFilesLast) {
+TEST_F(PaletteControls, ActionsComeFirstAndFilesLast) {
   openFlexing();
-  select(state.document, {"biceps L"});  // Else Learn is grayed, and weighs less.
+  select(state.document, {"biceps L"});  // Otherwise Learn is disabled and ranks lower.
   ask("flex");
   float actionsLast = 0.0f;
   float filesFirst = 1e6f;
@@ -162,7 +162,7 @@ TEST_F(PaletteControls, ActionsStandBeforeWhatIsInTheDocumentAndFilesLast) {
 
 TEST_F(PaletteControls, NamesInOtherScriptsAreFoundByTheirLetters) {
   addOne();
-  const std::string name = "\xe5\xa4\xa7\xe8\x83\xb8\xe7\xad\x8b";  // The pectoral muscle in Japanese.
+  const std::string name = "\xe5\xa4\xa7\xe8\x83\xb8\xe7\xad\x8b";  // "Pectoral muscle" in Japanese.
   ASSERT_TRUE(rename(state, muscle().id(), name));
   settle();
   run(action("help/palette"), state);
@@ -171,12 +171,12 @@ TEST_F(PaletteControls, NamesInOtherScriptsAreFoundByTheirLetters) {
   queue.character(U'\u7b4b');
   settle();
   ASSERT_TRUE(shown("palette/muscle/" + name));
-  // The bytes of the letter are in this text, but the letter is not.
+  // The text contains the letter's bytes but not the letter.
   EXPECT_FALSE(fitOf("\xe8\x83\xb8", "\xe8\xa0\x83\xe8\xa0\xb8"));
   EXPECT_TRUE(fitOf("\xe8\x83\xb8", name));
 }
 
-/// A desktop: a folder in PATH with an xdg-open that notes what it is given, and ends as it is told.
+/// A desktop: a folder in PATH with an xdg-open that records its argument and exits with a given status.
 class PalettePages : public PaletteControls {
  protected:
   void SetUp() override {
@@ -208,7 +208,7 @@ class PalettePages : public PaletteControls {
   std::string before_;
 };
 
-TEST_F(PalettePages, AreTheFilesOfTheDocumentationByTheirHeadings) {
+TEST_F(PalettePages, AreTheDocumentationFilesTitledByTheirHeadings) {
   const auto docs = std::filesystem::path(SINEW_SOURCE_DIR) / "docs";
   std::size_t files = 0;
   for (const auto& entry : std::filesystem::directory_iterator(docs))
@@ -223,7 +223,7 @@ TEST_F(PalettePages, AreTheFilesOfTheDocumentationByTheirHeadings) {
   }
 }
 
-TEST_F(PalettePages, OpenInWhatTheDesktopHasFromTheMenuAndFromThePalette) {
+TEST_F(PalettePages, OpenWithTheDesktopFromTheMenuAndThePalette) {
   desktop(0);
   const auto editor = std::ranges::find(helpPages(), "editor", &HelpPage::name);
   ASSERT_NE(editor, helpPages().end());
@@ -244,7 +244,7 @@ TEST_F(PalettePages, OpenInWhatTheDesktopHasFromTheMenuAndFromThePalette) {
   EXPECT_TRUE(path.ends_with("docs/characters.md")) << path;
 }
 
-TEST_F(PalettePages, WhereNothingOpensThemAMessageSaysWhereTheyLie) {
+TEST_F(PalettePages, FailureToOpenReportsThePath) {
   desktop(3);
   openHelpPage(state, helpPages().front());
   untilDone();

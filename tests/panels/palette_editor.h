@@ -1,4 +1,4 @@
-// tests/panels/palette_editor.h: the editor on the flexing humanoid, asked by the palette.
+// tests/panels/palette_editor.h: editor on the flexing humanoid, driven through the palette.
 #pragma once
 
 #include <filesystem>
@@ -20,7 +20,7 @@ class PaletteEditor : public HeadlessEditor {
     settle();
     type(words);
   }
-  /// The height on the screen; a row that is not there is below all others.
+  /// Height on the screen; a row that is not shown ranks below all others.
   [[nodiscard]] float rank(const std::string& id) const { return shown(id) ? center(id).y : 1e6f; }
 };
 

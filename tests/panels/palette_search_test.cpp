@@ -1,4 +1,4 @@
-// tests/panels/palette_search_test.cpp: what one means by a few letters comes first.
+// tests/panels/palette_search_test.cpp: the best match of a few letters comes first.
 
 #include "app/panels/palette_search.h"
 
@@ -23,7 +23,7 @@ std::vector<Candidate> named(const std::vector<std::string>& labels) {
   return candidates;
 }
 
-TEST(PaletteSearch, LettersInOrderFitOthersDoNot) {
+TEST(PaletteSearch, MatchesLettersInOrder) {
   EXPECT_TRUE(fitOf("smn", "Select nothing") == std::nullopt);
   EXPECT_TRUE(fitOf("sn", "Select nothing").has_value());
   EXPECT_TRUE(fitOf("SELECT", "select nothing").has_value());
@@ -33,12 +33,12 @@ TEST(PaletteSearch, LettersInOrderFitOthersDoNot) {
   EXPECT_FALSE(fitOf("a", "").has_value());
 }
 
-TEST(PaletteSearch, WordsMayStandInAnyOrder) {
+TEST(PaletteSearch, MatchesWordsInAnyOrder) {
   EXPECT_TRUE(fitOf("left thigh", "thigh left").has_value());
   EXPECT_FALSE(fitOf("left arm", "thigh left").has_value());
 }
 
-TEST(PaletteSearch, MarksAreTheLettersThatWereAskedFor) {
+TEST(PaletteSearch, MarksAreTheMatchedLetters) {
   const auto fit = fitOf("sk", "Skeleton");
   ASSERT_TRUE(fit.has_value());
   EXPECT_EQ(fit->marks, (std::vector<std::size_t>{0, 1}));
@@ -47,46 +47,46 @@ TEST(PaletteSearch, MarksAreTheLettersThatWereAskedFor) {
   EXPECT_EQ(initials->marks, (std::vector<std::size_t>{0, 6}));
 }
 
-TEST(PaletteSearch, TheBeginningOfWordsBeatsTheirMiddle) {
+TEST(PaletteSearch, WordStartBeatsWordMiddle) {
   EXPECT_EQ(found("wi", named({"Show wide", "Wire", "Swim"})).front(), "Wire");
   EXPECT_EQ(found("sa", named({"Mesa", "Save as..."})).front(), "Save as...");
   EXPECT_EQ(found("redo", named({"Reverse direction of", "Redo"})).front(), "Redo");
   EXPECT_EQ(found("ll", named({"ball", "LeftLeg"})).front(), "LeftLeg");
 }
 
-TEST(PaletteSearch, LettersInOnePieceBeatScatteredOnes) {
+TEST(PaletteSearch, ContiguousLettersBeatScatteredLetters) {
   EXPECT_EQ(found("tend", named({"To the end", "semitendinosus", "Tendon at the origin"})),
             (std::vector<std::string>{"Tendon at the origin", "To the end", "semitendinosus"}));
 }
 
-TEST(PaletteSearch, AWholeNameBeatsALongerOne) {
+TEST(PaletteSearch, ExactNameBeatsALongerName) {
   EXPECT_EQ(found("spine", named({"spine upper", "Spine"})).front(), "Spine");
 }
 
-TEST(PaletteSearch, TheLabelCountsMoreThanTheContext) {
+TEST(PaletteSearch, LabelOutweighsContext) {
   std::vector<Candidate> candidates{{"glute L", "Muscle on hips", -1, true}, {"hips", "Bone", -1, true}};
   EXPECT_EQ(found("hips", candidates), (std::vector<std::string>{"hips", "glute L"}));
   EXPECT_EQ(found("muscle", candidates), (std::vector<std::string>{"glute L"}));
 }
 
-TEST(PaletteSearch, WithoutAQueryLatelyUsedComesFirstThenTheTableInItsOrder) {
+TEST(PaletteSearch, EmptyQueryListsRecentEntriesThenTableOrder) {
   std::vector<Candidate> candidates{{"a", "", -1, true}, {"b", "", 1, true}, {"c", "", -1, true}, {"d", "", 0, true}};
   EXPECT_EQ(found("", candidates), (std::vector<std::string>{"d", "b", "a", "c"}));
 }
 
-TEST(PaletteSearch, AmongEqualsTheLatelyUsedComesFirst) {
+TEST(PaletteSearch, RecentEntryWinsATie) {
   std::vector<Candidate> candidates{{"Left", "", -1, true}, {"Lift", "", 2, true}};
   EXPECT_EQ(found("l", candidates).front(), "Lift");
 }
 
-TEST(PaletteSearch, WhatCannotBeDoneNowWeighsLessButNothingElseIsDoneInItsPlace) {
+TEST(PaletteSearch, UnavailableEntryRanksLowerThanASimilarMatch) {
   std::vector<Candidate> candidates{{"Undo", "", 0, false}, {"Sound", "", -1, true}, {"Undone", "", -1, true}};
   EXPECT_EQ(found("und", candidates), (std::vector<std::string>{"Undone", "Undo", "Sound"}));
   EXPECT_EQ(found("undo", candidates), (std::vector<std::string>{"Undone", "Undo"}));
   EXPECT_EQ(found("", candidates), (std::vector<std::string>{"Sound", "Undone", "Undo"}));
 }
 
-TEST(PaletteSearch, OfEqualFitsTheOneThatCanBeDoneComesFirst) {
+TEST(PaletteSearch, AvailableEntryWinsATie) {
   std::mt19937 random(8);
   for (int round = 0; round < 100; ++round) {
     std::vector<Candidate> candidates;
@@ -102,7 +102,7 @@ TEST(PaletteSearch, OfEqualFitsTheOneThatCanBeDoneComesFirst) {
   }
 }
 
-TEST(PaletteSearch, WhatCannotBeDoneIsNeverPreselected) {
+TEST(PaletteSearch, UnavailableEntryIsNeverPreselected) {
   std::mt19937 random(9);
   int none = 0;
   for (int round = 0; round < 500; ++round) {
@@ -125,7 +125,7 @@ TEST(PaletteSearch, WhatCannotBeDoneIsNeverPreselected) {
   EXPECT_LT(none, 490);
 }
 
-TEST(PaletteSearch, WhereSomethingElseWasMeantNothingIsPreselected) {
+TEST(PaletteSearch, NothingIsPreselectedIfTheBestMatchIsUnavailable) {
   const std::vector<Candidate> candidates{{"Duplicate", "Edit", -1, false}, {"odd cup hole", "Muscle", -1, true}};
   const std::vector<Found> all = search("dupl", candidates, 100);
   ASSERT_EQ(all.size(), 2u);
@@ -133,7 +133,7 @@ TEST(PaletteSearch, WhereSomethingElseWasMeantNothingIsPreselected) {
   EXPECT_EQ(preselected(all, candidates), -1);
 }
 
-TEST(PaletteSearch, WhatCannotBeDoneNeverComesFirstAndEnterDoesNoScatteredMatchInItsPlace) {
+TEST(PaletteSearch, ScatteredMatchBeforeAnUnavailableEntryIsNotPreselected) {
   std::vector<Candidate> candidates = named({"Edit territory", "End the range here"});
   candidates[0].usable = false;
   const std::vector<Found> found = search("terr", candidates, 10);
@@ -142,9 +142,9 @@ TEST(PaletteSearch, WhatCannotBeDoneNeverComesFirstAndEnterDoesNoScatteredMatchI
   EXPECT_EQ(preselected(found, candidates), -1);
 }
 
-TEST(PaletteSearch, NoMoreThanAskedFor) { EXPECT_EQ(search("", named({"a", "b", "c"}), 2).size(), 2u); }
+TEST(PaletteSearch, ReturnsNoMoreThanTheLimit) { EXPECT_EQ(search("", named({"a", "b", "c"}), 2).size(), 2u); }
 
-TEST(PaletteSearch, AnyTextFitsItselfAndEveryMarkIsALetterOfTheQuery) {
+TEST(PaletteSearch, TextMatchesItselfBestAndMarksSpellTheQuery) {
   std::mt19937 random(5);
   for (int round = 0; round < 500; ++round) {
     std::string text;

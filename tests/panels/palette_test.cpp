@@ -1,5 +1,4 @@
-// tests/panels/palette_test.cpp: what the palette finds: buttons of panels, clips, other words; no hidden
-// bones.
+// tests/panels/palette_test.cpp: palette results: buttons of panels, clips, synonyms; no hidden bones.
 
 #include <algorithm>
 
@@ -18,7 +17,7 @@ class Palette : public PaletteEditor {
   }
 };
 
-TEST_F(Palette, ButtonsOfPanelsAreFoundAndRun) {
+TEST_F(Palette, PanelButtonsAreFoundAndRun) {
   select(state.document, {"biceps L"});
   settle();
   ask("via point");
@@ -31,7 +30,7 @@ TEST_F(Palette, ButtonsOfPanelsAreFoundAndRun) {
   EXPECT_EQ(steps(), 2u);
 }
 
-TEST_F(Palette, WhatAButtonNeedsIsSaid) {
+TEST_F(Palette, ButtonWithoutASelectionDoesNothing) {
   state.document.selection.clear();
   ask("learn");
   ASSERT_TRUE(shown("palette/panel/learn"));
@@ -39,7 +38,7 @@ TEST_F(Palette, WhatAButtonNeedsIsSaid) {
   EXPECT_EQ(steps(), 0u);
 }
 
-TEST_F(Palette, AClipIsChosen) {
+TEST_F(Palette, ClipIsChosen) {
   ask("dance");
   ASSERT_TRUE(shown("palette/clip/Dance"));
   click("palette/clip/Dance");
@@ -48,7 +47,7 @@ TEST_F(Palette, AClipIsChosen) {
   EXPECT_EQ(state.character().clips.at(static_cast<std::size_t>(clip)).name, "Dance");
 }
 
-TEST_F(Palette, OtherWordsFindAnAction) {
+TEST_F(Palette, SynonymsFindActions) {
   for (const auto& [words, id] : {std::pair{"clone", "edit/duplicate"}, std::pair{"wireframe", "view/wire"},
                                   std::pair{"deselect", "edit/select-none"}, std::pair{"keyframe", "edit/key"}}) {
     ask(words);
@@ -57,7 +56,7 @@ TEST_F(Palette, OtherWordsFindAnAction) {
   }
 }
 
-TEST_F(Palette, SynonymsAreOfActionsThatAreThere) {
+TEST_F(Palette, SynonymsBelongToExistingActions) {
   for (const char* id : {"edit/duplicate", "edit/mirror", "tool/add-muscle", "view/wire", "view/numbers",
                          "file/export-character", "file/export-farm", "view/primitives", "view/before"}) {
     EXPECT_FALSE(synonymsOf(id).empty()) << id;
@@ -66,7 +65,7 @@ TEST_F(Palette, SynonymsAreOfActionsThatAreThere) {
   }
 }
 
-TEST_F(Palette, ActionsStandBeforeSamplesThatFitAsWell) {
+TEST_F(Palette, ActionsComeBeforeEquallyMatchingSamples) {
   ask("flex");
   EXPECT_LT(rank("palette/view/flex"), 1e6f);
   for (const auto& [id, box] : widgets().rectangles()) {

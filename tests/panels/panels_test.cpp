@@ -1,4 +1,4 @@
-// tests/panels/panels_test.cpp: what a hand does to the panels, and what becomes of the rig.
+// tests/panels/panels_test.cpp: mouse input to the panels, and the resulting rig.
 
 #include "tests/support/editor/headless_editor.h"
 
@@ -10,7 +10,7 @@ namespace {
 
 class Panels : public HeadlessEditor {};
 
-TEST_F(Panels, NamesAreOnTheScreenInEveryState) {
+TEST_F(Panels, ControlsAreOnScreenInEveryState) {
   const auto check = [&] {
     for (const auto& [id, box] : widgets().rectangles()) {
       EXPECT_GE(box.x, 0.0f) << id;
@@ -26,7 +26,7 @@ TEST_F(Panels, NamesAreOnTheScreenInEveryState) {
   check();
   for (const Menu& menu : menus()) {
     click(std::string("menu/") + menu.id);
-    // Rows of a submenu are on the screen once it is open.
+    // Rows of a submenu are visible once it is open.
     const auto submenuOf = [](std::string_view id) {
       for (const char* submenu : {"file/export", "edit/shape", "view/light", "view/background"}) {
         if (id.starts_with(std::string(submenu) + '-')) return std::string(submenu);
@@ -49,7 +49,7 @@ TEST_F(Panels, NamesAreOnTheScreenInEveryState) {
     check();
     press(kEscape);
   }
-  selectNothing(state);  // Without a muscle the panels below have room.
+  selectNothing(state);  // Without a selected muscle the panels below have room.
   settle();
   for (const char* combo : {"surface/mode", "smoothing/patch"}) {
     click(combo);
@@ -62,7 +62,7 @@ TEST_F(Panels, NamesAreOnTheScreenInEveryState) {
   EXPECT_TRUE(shown("dialog/path") && shown("dialog/ok") && shown("dialog/cancel"));
 }
 
-TEST_F(Panels, ADragOfAFieldIsOneStep) {
+TEST_F(Panels, FieldDragIsOneStep) {
   addOne();
   const float before = muscle().placement.radii.x;
   const std::size_t done = steps();
@@ -73,7 +73,7 @@ TEST_F(Panels, ADragOfAFieldIsOneStep) {
   EXPECT_EQ(muscle().placement.radii.x, before);
 }
 
-TEST_F(Panels, ATypedValueIsOneStepAndExact) {
+TEST_F(Panels, TypedValueIsOneStepAndExact) {
   addOne();
   const std::size_t done = steps();
   doubleClick("inspector/center.y");
@@ -99,7 +99,7 @@ TEST_F(Panels, EscapeRestoresTheValueNotItsRoundedText) {
   EXPECT_EQ(steps(), done);
 }
 
-TEST_F(Panels, LookingAtARotationNeverChangesIt) {
+TEST_F(Panels, DisplayingARotationNeverChangesIt) {
   addOne();
   Placement odd = muscle().placement;
   odd.rotation = glm::normalize(glm::quat(0.3f, 0.5f, -0.7f, 0.2f));
@@ -113,7 +113,7 @@ TEST_F(Panels, LookingAtARotationNeverChangesIt) {
 
 TEST_F(Panels, TypedAnglesAreShownAsTyped) {
   addOne();
-  // At 90 degrees about y the three angles are not unique: shown back from the rotation they would jump.
+  // At 90 degrees about y the Euler angles are not unique: recomputed from the rotation they would jump.
   for (const char* field : {"inspector/rotation.x", "inspector/rotation.y", "inspector/rotation.z"}) {
     doubleClick(field);
     press(kKeyA, true);
@@ -124,7 +124,7 @@ TEST_F(Panels, TypedAnglesAreShownAsTyped) {
   EXPECT_NEAR(glm::length(muscle().placement.rotation), 1.0f, 1e-6f);
 }
 
-TEST_F(Panels, ARadiusOfZeroIsRefused) {
+TEST_F(Panels, RadiusOfZeroIsRefused) {
   addOne();
   doubleClick("inspector/radius.x");
   press(kKeyA, true);
@@ -133,14 +133,14 @@ TEST_F(Panels, ARadiusOfZeroIsRefused) {
   EXPECT_GT(muscle().placement.radii.x, 0.0f);
 }
 
-TEST_F(Panels, ToleranceSliderIsLiveAndOneStep) {
+TEST_F(Panels, ToleranceSliderUpdatesLiveInOneStep) {
   const std::size_t triangles = state.live->surface().refinement->triangles.size();
   drag("smoothing/tolerance", {-60.0f, 0.0f});
   EXPECT_GT(state.live->surface().refinement->triangles.size(), triangles);
   EXPECT_EQ(steps(), 1u);
 }
 
-TEST_F(Panels, DetailIsChosen) {
+TEST_F(Panels, DetailKindIsChosenInOneStep) {
   EXPECT_EQ(state.document.rig().smoothing.detail, DetailKind::kAdaptive) << "a new rig";
   EXPECT_FALSE(shown("smoothing/depth"));
   click("smoothing/detail");
@@ -152,14 +152,14 @@ TEST_F(Panels, DetailIsChosen) {
   EXPECT_EQ(steps(), 1u);
 }
 
-/// One step.
+/// Makes the detail uniform, as one step.
 void makeUniform(EditorState& state) {
   SmoothingSettings settings = state.document.rig().smoothing;
   settings.detail = DetailKind::kUniform;
   state.document.commands.apply("Detail", setSmoothing(state.document.rig(), settings).value());
 }
 
-TEST_F(Panels, DepthSliderIsLiveAndOneStep) {
+TEST_F(Panels, DepthSliderUpdatesLiveInOneStep) {
   makeUniform(state);
   settle();
   const std::size_t triangles = state.live->surface().refinement->triangles.size();
@@ -168,7 +168,7 @@ TEST_F(Panels, DepthSliderIsLiveAndOneStep) {
   EXPECT_EQ(steps(), 2u);
 }
 
-TEST_F(Panels, AutoDepthHoldsTheSliderAndIsOneStep) {
+TEST_F(Panels, AutoDepthDisablesTheSliderInOneStep) {
   makeUniform(state);
   settle();
   const int own = state.document.rig().smoothing.depth;
@@ -183,7 +183,7 @@ TEST_F(Panels, AutoDepthHoldsTheSliderAndIsOneStep) {
   EXPECT_EQ(steps(), 3u);
 }
 
-TEST_F(Panels, CreaseSliderIsLiveAndOneStep) {
+TEST_F(Panels, CreaseSliderIsOneStep) {
   drag("smoothing/crease", {-80.0f, 0.0f});
   EXPECT_LT(state.document.rig().smoothing.creaseAngle, kDefaultCreaseAngle);
   EXPECT_GE(state.document.rig().smoothing.creaseAngle, 0.0f);
@@ -192,7 +192,7 @@ TEST_F(Panels, CreaseSliderIsLiveAndOneStep) {
   EXPECT_EQ(state.document.rig().smoothing.creaseAngle, kDefaultCreaseAngle);
 }
 
-TEST_F(Panels, HiddenSidesAreLeftOutWhileAskedAndAreNoStep) {
+TEST_F(Panels, CullingIsToggledWithoutAStep) {
   for (const bool culls : {true, false}) {
     click("menu/view");
     click("view/cull");
@@ -237,7 +237,7 @@ TEST_F(Panels, PlayButtonAndSpaceToggle) {
   EXPECT_FALSE(state.open.transport.playing);
 }
 
-TEST_F(Panels, UnsavedChangesAreAskedAbout) {
+TEST_F(Panels, QuitPromptsAboutUnsavedChanges) {
   addOne();
   request(state, {IntentKind::kQuit, {}});
   settle();
@@ -251,14 +251,14 @@ TEST_F(Panels, UnsavedChangesAreAskedAbout) {
   EXPECT_TRUE(state.session.quit);
 }
 
-TEST_F(Panels, TheBundledRigIsNeverOverwritten) {
+TEST_F(Panels, BundledRigIsNeverOverwritten) {
   ASSERT_TRUE(openFile(state, std::filesystem::path(SINEW_SOURCE_DIR) / "assets" / "demo.rig.json"));
   EXPECT_FALSE(save(state, {}));
   EXPECT_EQ(state.dialogs.file.kind, DialogKind::kSaveAs);
   EXPECT_NE(state.dialogs.file.folder.filename(), "assets");
 }
 
-TEST_F(Panels, AFileThatCannotBeOpenedLeavesTheDocumentAndAMessage) {
+TEST_F(Panels, FailedOpenKeepsTheDocumentAndAddsAMessage) {
   addOne();
   EXPECT_FALSE(openFile(state, "/nowhere/absent.glb"));
   settle();
@@ -269,7 +269,7 @@ TEST_F(Panels, AFileThatCannotBeOpenedLeavesTheDocumentAndAMessage) {
   EXPECT_TRUE(state.session.messages.empty());
 }
 
-TEST_F(Panels, SplittersResizeAndResetBringsThemBack) {
+TEST_F(Panels, SplittersResizeAndResetLayoutRestoresThem) {
   const float before = state.view.layout.left;
   drag("layout/left", {60.0f, 0.0f});
   EXPECT_NEAR(state.view.layout.left, before + 60.0f, 1.0f);
@@ -277,7 +277,7 @@ TEST_F(Panels, SplittersResizeAndResetBringsThemBack) {
   EXPECT_EQ(state.view.layout.left, before);
 }
 
-TEST_F(Panels, SignBoneAndGroupAreSingleSteps) {
+TEST_F(Panels, SignAndGroupAreSingleSteps) {
   addOne();
   click("inspector/carves");
   EXPECT_EQ(muscle().sign, -1);

@@ -1,5 +1,5 @@
-// tests/panels/pictures_test.cpp: File > Export > Turntable or contact sheet: what it asks of `sinew render`,
-// its dialog, and the file that is made.
+// tests/panels/pictures_test.cpp: File > Export > Turntable or contact sheet: its `sinew render` options, its dialog
+// and the written file.
 
 #include "app/editor/picture_commands.h"
 
@@ -48,7 +48,7 @@ class PicturesDialog : public HeadlessEditor {
     const auto read = readWholeFile(file, 1u << 26);
     return read ? read.value() : "";
   }
-  /// Until nothing is drawn any more.
+  /// Waits until nothing is being drawn.
   void wait() {
     for (int i = 0; i < 600 && !state.session.exports.empty(); ++i) {
       std::this_thread::sleep_for(std::chrono::milliseconds(100));
@@ -56,7 +56,7 @@ class PicturesDialog : public HeadlessEditor {
     }
     ASSERT_TRUE(state.session.exports.empty());
   }
-  /// The command line's file of the saved rig.
+  /// File that the command line makes of the saved rig.
   [[nodiscard]] std::string fromCommandLine(const std::string& name) const {
     const fs::path file = folder / name;
     const std::string command = shellWord(SINEW_PROGRAM) + " render " + shellWord((folder / "demo.rig.json").string()) +
@@ -70,7 +70,7 @@ class PicturesDialog : public HeadlessEditor {
   const fs::path folder = own.path();
 };
 
-TEST_F(PicturesDialog, AsksForWhatIsSeen) {
+TEST_F(PicturesDialog, CommandMatchesTheCurrentView) {
   const std::string clip = state.character().clips[static_cast<std::size_t>(state.open.transport.clip)].name;
   EXPECT_TRUE(says("--clip " + shellWord(clip) + " --time 0.25 --fps 24 --turntable 72 --size 64x48")) << words();
   EXPECT_TRUE(says("--shading textured")) << words();
@@ -89,7 +89,7 @@ TEST_F(PicturesDialog, AsksForWhatIsSeen) {
   EXPECT_TRUE(says("--turntable 72")) << "nothing plays in the bind pose: " << words();
 }
 
-TEST_F(PicturesDialog, WhatIsAskedForIsSaidBeforehand) {
+TEST_F(PicturesDialog, ShowsThePictureCountBeforeRendering) {
   typeInto("pictures/turns", "36");
   typeInto("pictures/rate", "12");
   EXPECT_EQ(pictureCount(state), 36);
@@ -126,7 +126,7 @@ TEST_F(PicturesDialog, NamesFollowTheFormat) {
   EXPECT_EQ(dialog.ending, ".webp");
 }
 
-TEST_F(PicturesDialog, SaysWhyNotAndAsksBeforeItReplaces) {
+TEST_F(PicturesDialog, ReportsErrorsAndConfirmsBeforeReplacing) {
   PicturesDialogState& dialog = state.dialogs.pictures;
   dialog.turntable.name = "nowhere/x.webp";
   click("pictures/ok");
@@ -154,7 +154,7 @@ TEST_F(PicturesDialog, SaysWhyNotAndAsksBeforeItReplaces) {
   EXPECT_EQ(bytes(folder / "there.webp"), "before");
 }
 
-TEST_F(PicturesDialog, ADrawnFileHasTheCommandLinesBytesWhateverIsEditedMeanwhile) {
+TEST_F(PicturesDialog, SheetMatchesTheCommandLineDespiteLaterEdits) {
   if (!canDraw()) GTEST_SKIP() << "left out: no OpenGL";
   state.dialogs.pictures.sheet = true;
   state.dialogs.pictures.cells = {2, 2};
@@ -171,7 +171,7 @@ TEST_F(PicturesDialog, ADrawnFileHasTheCommandLinesBytesWhateverIsEditedMeanwhil
   EXPECT_NE(state.session.toast->text.find("demo_sheet.png"), std::string::npos);
 }
 
-TEST_F(PicturesDialog, ATurntableIsDrawnAndCanBeCanceled) {
+TEST_F(PicturesDialog, TurntableIsRenderedAndCanBeCanceled) {
   if (!canDraw()) GTEST_SKIP() << "left out: no OpenGL";
   state.dialogs.pictures.turns = 3;
   const std::string expected = fromCommandLine("cli.webp");
@@ -192,7 +192,7 @@ TEST_F(PicturesDialog, ATurntableIsDrawnAndCanBeCanceled) {
       << state.session.toast->text;
 }
 
-TEST(PictureJob, TellsWhyItFailedInOneLineAndLeavesNothing) {
+TEST(PictureJob, FailureIsOneLineAndLeavesNoFiles) {
   const test::TemporaryFolder folder;
   fs::path gone;
   {

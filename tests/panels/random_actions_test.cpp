@@ -1,6 +1,6 @@
-// tests/panels/random_actions_test.cpp: any actions in any order: every step of the history comes back to the byte.
+// tests/panels/random_actions_test.cpp: random actions in any order: undo restores every history step byte for byte.
 //
-// SINEW_SOAK_ACTIONS in the environment: how many, 250 without it; SINEW_SOAK_SEED: another sequence.
+// Environment: SINEW_SOAK_ACTIONS, number of actions (250); SINEW_SOAK_SEED, their seed.
 
 #include <cstdlib>
 #include <iostream>
@@ -18,11 +18,11 @@ namespace sinew::app {
 namespace {
 
 constexpr std::size_t kMostMuscles = 14;  ///< More make the test slow, not better.
-constexpr int kSeldom = 12;               ///< What takes long is done so many times less often.
+constexpr int kSeldom = 12;               ///< Factor by which slow actions are rarer.
 
-/// Left out: they open a document, which begins another history.
+/// Excluded: they open a document, which starts another history.
 const std::set<std::string_view> kOpen{"file/reopen", "help/first-steps"};
-/// A whole set, all clips checked, a character of a hundred thousand triangles.
+/// Slow: a whole set, a check of all clips, a character of a hundred thousand triangles.
 const std::set<std::string_view> kSlow{"muscles/add-set", "play/check", "view/auto-depth"};
 
 std::size_t numberFrom(const char* variable, std::size_t otherwise) {
@@ -30,7 +30,7 @@ std::size_t numberFrom(const char* variable, std::size_t otherwise) {
   return text == nullptr ? otherwise : static_cast<std::size_t>(std::atoll(text));
 }
 
-/// What a step of the history restores.
+/// State that a history step restores.
 struct Moment {
   std::string rig;
   PoseOverrides pose;
@@ -69,7 +69,7 @@ class RandomActions : public HeadlessEditor {
     return {rigToJson(commands.rig()), commands.pose(), commands.ranges()};
   }
 
-  // Choosing --------------------------------------------------------------------------------------------------------
+  // Choice of actions -----------------------------------------------------------------------------------------------
 
   void chooseMuscles(std::size_t most) {
     state.document.selection.clear();
@@ -104,7 +104,7 @@ class RandomActions : public HeadlessEditor {
     }
   }
 
-  // Doing -----------------------------------------------------------------------------------------------------------
+  // Execution -------------------------------------------------------------------------------------------------------
 
   std::string turnJoint() {
     const auto bone = static_cast<int>(below(state.character().skeleton.bones.size()));
@@ -149,7 +149,7 @@ class RandomActions : public HeadlessEditor {
     run(action, state);
     return action.id;
   }
-  /// @return what was done; "": nothing could be.
+  /// @return description of the action; "": none was possible
   std::string act() {
     travels = false;
     if (muscles() > kMostMuscles) {
@@ -173,7 +173,7 @@ class RandomActions : public HeadlessEditor {
     }
   }
 
-  /// What waits for the hand or the keyboard gets an answer: drags and names are kept or given up, dialogs closed.
+  /// Finishes open interactions: drags and names are kept or canceled, dialogs closed.
   void answer() {
     for (int tries = 0; tries < 8; ++tries) {
       if (ownsKeyboard(state.view.tools)) {
@@ -189,12 +189,12 @@ class RandomActions : public HeadlessEditor {
       }
     }
     state.session.quit = false;
-    state.session.pictureWanted.reset();  // The window's to write.
+    state.session.pictureWanted.reset();  // The window would write it.
   }
 
-  // What must hold --------------------------------------------------------------------------------------------------
+  // Invariants ------------------------------------------------------------------------------------------------------
 
-  /// Against what every step was when it was made.
+  /// Compares every step with its state when it was made.
   void expectHistory(std::size_t before) {
     const CommandStack& commands = state.document.commands;
     const std::size_t at = commands.position();
@@ -217,7 +217,7 @@ class RandomActions : public HeadlessEditor {
     for (const glm::vec3& point : state.live->surface().positions) {
       ASSERT_TRUE(std::isfinite(point.x) && std::isfinite(point.y) && std::isfinite(point.z));
     }
-    // A refused edit says so quietly; what opens the list of messages went wrong.
+    // A refused edit is reported quietly; an open list of messages means an error.
     const std::vector<Message>& messages = state.session.messages;
     if (state.session.messagesShown && what != "window/messages" && !messages.empty()) {
       EXPECT_NE(messages.back().kind, MessageKind::kError) << messages.back().text;
@@ -226,11 +226,11 @@ class RandomActions : public HeadlessEditor {
 
   std::vector<const Action*> table;
   std::vector<Moment> moments;  ///< [steps]
-  bool travels = false;         ///< The last action moves in the history and makes no step.
+  bool travels = false;         ///< The last action moves in the history and adds no step.
   std::mt19937 random;
 };
 
-TEST_F(RandomActions, AreUndoneToTheFirstByte) {
+TEST_F(RandomActions, UndoToTheOriginalBytes) {
   const std::size_t seed = numberFrom("SINEW_SOAK_SEED", 11);
   const std::size_t count = numberFrom("SINEW_SOAK_ACTIONS", 250);
   random.seed(static_cast<std::mt19937::result_type>(seed));
@@ -254,7 +254,7 @@ TEST_F(RandomActions, AreUndoneToTheFirstByte) {
     ++number;
     most = std::max(most, moments.size());
   }
-  // Down step by step, up in one.
+  // Undo step by step, redo all at once.
   CommandStack& commands = state.document.commands;
   const Moment last = now();
   const std::size_t end = commands.position();

@@ -1,5 +1,4 @@
-// tests/panels/read_files_watch_test.cpp: files that are only read change on disk: told once, read again when
-// asked.
+// tests/panels/read_files_watch_test.cpp: referenced files that change on disk: reported once, reread on request.
 #include <chrono>
 
 #include "app/editor/disk_conflict.h"
@@ -10,19 +9,19 @@ namespace {
 
 namespace fs = std::filesystem;
 
-class ReadFilesWatch : public ClipFilesInEditor {
+class FileWatch : public ClipFilesInEditor {
  protected:
-  /// Two looks, as of a window that stays open. @return messages that name the file
+  /// Polls twice, as an open window does. @return messages that name the file
   std::ptrdiff_t told(const std::string& file) {
     for (int look = 0; look < 2; ++look) watchReadFiles(state);
     settle();
     return messagesWith(file);
   }
-  /// Another date, as clocks of file systems may be coarse.
+  /// Changes the modification time, since file system clocks may be coarse.
   void touch(const std::string& name) {
     fs::last_write_time(folder_ / name, fs::last_write_time(folder_ / name) + std::chrono::seconds(++touched_));
   }
-  /// The post as name.gltf and name.bin. @return what the latter holds
+  /// Writes the post as name.gltf and name.bin. @return contents of the latter
   std::string gltfInTwoFiles(const std::string& name) {
     const test::Post post = test::makePost();
     write(name + ".gltf", post.file.gltfWithBufferAt(name + ".bin"));
@@ -32,7 +31,7 @@ class ReadFilesWatch : public ClipFilesInEditor {
   int touched_ = 0;
 };
 
-TEST_F(ReadFilesWatch, AChangedClipFileIsToldOnceAndReadAgain) {
+TEST_F(FileWatch, ChangedClipFileIsReportedOnceAndReloaded) {
   open("still.glb");
   add("walk.glb");
   add("more.glb");
@@ -42,7 +41,7 @@ TEST_F(ReadFilesWatch, AChangedClipFileIsToldOnceAndReadAgain) {
   EXPECT_EQ(told("walk.glb"), 1);
   EXPECT_EQ(told("more.glb"), 0);
   EXPECT_EQ(clips(), (Names{"Walk", "Run", "Walk 2"})) << "nothing changes unasked";
-  motion("walk.glb", {"Stroll", "Run", "Jump"});  // Saved once more before anyone looks.
+  motion("walk.glb", {"Stroll", "Run", "Jump"});  // Saved again before the next poll.
   touch("walk.glb");
   EXPECT_EQ(told("walk.glb"), 1);
   if (!state.open.clipList.shown) act("play/clip-files");
@@ -61,7 +60,7 @@ TEST_F(ReadFilesWatch, AChangedClipFileIsToldOnceAndReadAgain) {
   EXPECT_EQ(clips(), (Names{"Crawl", "Walk"}));
 }
 
-TEST_F(ReadFilesWatch, TheContentDecidesNotTheDate) {
+TEST_F(FileWatch, ComparesContentNotDate) {
   open("still.glb");
   add("walk.glb");
   told("walk.glb");
@@ -76,7 +75,7 @@ TEST_F(ReadFilesWatch, TheContentDecidesNotTheDate) {
   EXPECT_TRUE(state.open.clipList.changed.empty()) << "it is as it was";
 }
 
-TEST_F(ReadFilesWatch, KeysOfAGltfAreInOtherFilesThatCountToo) {
+TEST_F(FileWatch, WatchesBufferFilesOfAGltfClipFile) {
   const std::string keys = gltfInTwoFiles("walk");
   open("still.glb");
   add("walk.gltf");
@@ -106,7 +105,7 @@ TEST_F(ReadFilesWatch, KeysOfAGltfAreInOtherFilesThatCountToo) {
   EXPECT_TRUE(state.open.clipList.changed.contains("walk.gltf"));
 }
 
-TEST_F(ReadFilesWatch, BuffersOfTheCharacterCountToo) {
+TEST_F(FileWatch, WatchesBufferFilesOfTheCharacter) {
   std::string keys = gltfInTwoFiles("hero");
   open("hero.gltf");
   add("walk.glb");
@@ -118,7 +117,7 @@ TEST_F(ReadFilesWatch, BuffersOfTheCharacterCountToo) {
   EXPECT_EQ(told("hero.gltf"), 1);
 }
 
-TEST_F(ReadFilesWatch, AClipFileThatGoesAndComesBackIsTold) {
+TEST_F(FileWatch, RemovedAndRestoredClipFileIsReported) {
   open("still.glb");
   add("walk.glb");
   told("walk.glb");
@@ -135,7 +134,7 @@ TEST_F(ReadFilesWatch, AClipFileThatGoesAndComesBackIsTold) {
   EXPECT_EQ(clips(), (Names{"Walk", "Run"}));
 }
 
-TEST_F(ReadFilesWatch, AChangedCharacterIsToldOnce) {
+TEST_F(FileWatch, ChangedCharacterIsReportedOnce) {
   open("whole.glb");
   EXPECT_EQ(told("whole.glb"), 0);
   fs::copy_file(folder_ / "still.glb", folder_ / "whole.glb", fs::copy_options::overwrite_existing);

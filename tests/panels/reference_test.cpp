@@ -1,5 +1,5 @@
-// tests/panels/reference_test.cpp: View > Reference picture by hand: sides, file, numbers, and what is
-// remembered.
+// tests/panels/reference_test.cpp: View > Reference picture through its panel: sides, file, numbers, and what is
+// stored.
 
 #include "app/editor/reference_commands.h"
 
@@ -51,7 +51,7 @@ class ReferencePanel : public HeadlessEditor {
   const fs::path folder = own.path();
 };
 
-TEST_F(ReferencePanel, ASideIsLookedAtAndGetsItsOwnPicture) {
+TEST_F(ReferencePanel, EachSideHasItsOwnViewAndPicture) {
   look("front");
   EXPECT_NEAR(state.view.tools.camera.stand.yaw, 0.0f, 1e-5f);
   EXPECT_FALSE(shown("reference/opacity")) << "without a picture";
@@ -94,7 +94,7 @@ TEST_F(ReferencePanel, NumbersAreTypedAndDragged) {
   EXPECT_TRUE(fs::exists(folder / "side.PNG"));
 }
 
-TEST_F(ReferencePanel, WhatIsNoPictureIsToldInTheDialog) {
+TEST_F(ReferencePanel, InvalidPictureIsReportedInTheDialog) {
   choose("damaged.png");
   ASSERT_TRUE(shown("dialog/path"));
   EXPECT_NE(state.dialogs.file.error.find("damaged"), std::string::npos) << state.dialogs.file.error;
@@ -105,7 +105,7 @@ TEST_F(ReferencePanel, WhatIsNoPictureIsToldInTheDialog) {
   EXPECT_NE(state.session.messages[0].text.find("damaged.png"), std::string::npos);
 }
 
-TEST_F(ReferencePanel, TheDialogListsPicturesAlone) {
+TEST_F(ReferencePanel, DialogListsOnlyPictures) {
   ASSERT_TRUE(writeFileAtomically(folder / "notes.txt", "text"));
   state.open.reference.chosen().file = folder / "front.png";
   settle();
@@ -114,7 +114,7 @@ TEST_F(ReferencePanel, TheDialogListsPicturesAlone) {
   EXPECT_FALSE(shown("dialog/entry/notes.txt"));
 }
 
-TEST_F(ReferencePanel, EscapeAndTheCrossCloseItAndPicturesStay) {
+TEST_F(ReferencePanel, EscapeAndCloseButtonKeepThePictures) {
   choose("front.png");
   press(kEscape);
   EXPECT_FALSE(shown("reference/file"));
@@ -125,7 +125,7 @@ TEST_F(ReferencePanel, EscapeAndTheCrossCloseItAndPicturesStay) {
   EXPECT_EQ(referencePlanes(state.open.reference.pictures, state.character()).size(), 1u);
 }
 
-TEST_F(ReferencePanel, OpensForTheSideThatIsSeen) {
+TEST_F(ReferencePanel, OpensForTheVisibleSide) {
   const auto opensFor = [&](float yaw, float pitch) {
     if (state.open.reference.shown) toggleReferencePanel(state);
     state.view.tools.camera.transition.reset();
@@ -141,7 +141,7 @@ TEST_F(ReferencePanel, OpensForTheSideThatIsSeen) {
   EXPECT_EQ(opensFor(0.5f, 1.4f), ReferenceSide::kTop);
 }
 
-TEST_F(ReferencePanel, ComesBackWithTheView) {
+TEST_F(ReferencePanel, IsRestoredWithTheView) {
   look("front");
   choose("front.png");
   typeInto("reference/opacity", "30");

@@ -1,5 +1,5 @@
-// tests/panels/second_look_test.cpp: what stays where it was: rows under the pointer, the flex slider in small windows;
-// messages that give way; keys that a list takes for itself.
+// tests/panels/second_look_test.cpp: positions that must not move: rows under the pointer, the flex slider in small
+// windows; messages that move aside; keys that a list consumes.
 
 #include <algorithm>
 
@@ -19,7 +19,7 @@ constexpr int kDown = 264;
 constexpr int kUp = 265;
 constexpr int kKeyK = 75;
 
-class SecondLook : public HeadlessEditor {
+class PanelDetails : public HeadlessEditor {
  protected:
   void open(const char* asset) {
     ASSERT_TRUE(openFile(state, fs::path(SINEW_SOURCE_DIR) / "assets" / asset));
@@ -42,7 +42,7 @@ class SecondLook : public HeadlessEditor {
   }
 };
 
-TEST_F(SecondLook, ArrowsInTheTreeTurnNoJointsAndRefuseNothing) {
+TEST_F(PanelDetails, ArrowKeysInTheTreeDoNotPoseJoints) {
   open("demo.rig.json");
   click("outliner/muscle/glute L");
   for (const int key : {kDown, kUp, kUp}) {
@@ -50,14 +50,14 @@ TEST_F(SecondLook, ArrowsInTheTreeTurnNoJointsAndRefuseNothing) {
     press(key);
     EXPECT_FALSE(state.session.toast) << state.session.toast->text;
   }
-  // Elsewhere the same key is the shortcut it was.
+  // Elsewhere the same key is still the shortcut.
   clickAt({640.0f, 500.0f});
   state.session.toast.reset();
   press(kDown);
   EXPECT_TRUE(state.session.toast);
 }
 
-TEST_F(SecondLook, KeysLeaveTheTimelineUnderThePointerWhereItIs) {
+TEST_F(PanelDetails, AddingKeysKeepsTheTimelineInPlace) {
   open("demo.rig.json");
   select(state.document, {"biceps L"});
   settle();
@@ -79,7 +79,7 @@ TEST_F(SecondLook, KeysLeaveTheTimelineUnderThePointerWhereItIs) {
   EXPECT_TRUE(place(first) == row || place("timeline/row/amount of biceps L") == row) << "one of them is lowest";
 }
 
-TEST_F(SecondLook, TheFlexSliderIsThereInSmallWindows) {
+TEST_F(PanelDetails, FlexSliderIsShownInSmallWindows) {
   open("humanoid-flex.rig.json");
   for (const ImVec2 size : {ImVec2{1280.0f, 800.0f}, ImVec2{900.0f, 600.0f}, ImVec2{640.0f, 480.0f}}) {
     ImGui::GetIO().DisplaySize = size;
@@ -94,7 +94,7 @@ TEST_F(SecondLook, TheFlexSliderIsThereInSmallWindows) {
   }
 }
 
-TEST_F(SecondLook, MessagesFoldWhenWorkGoesOnInThePicture) {
+TEST_F(PanelDetails, MessagesFoldAfterAClickInTheViewport) {
   addMessage(state.session, MessageKind::kWarning, "look here");
   settle();
   click("messages/copy/0");
@@ -105,7 +105,7 @@ TEST_F(SecondLook, MessagesFoldWhenWorkGoesOnInThePicture) {
   EXPECT_EQ(state.session.messages.size(), 1u);
 }
 
-TEST_F(SecondLook, TheSaveDialogShowsCharactersAndNamesARigAfterThem) {
+TEST_F(PanelDetails, SaveDialogListsCharactersAndNamesTheRigAfterTheChosenOne) {
   const test::TemporaryFolder own;
   fs::copy_file(fs::path(SINEW_SOURCE_DIR) / "assets" / "demo.glb", own.path() / "lizard.glb");
   addOne();
@@ -119,7 +119,7 @@ TEST_F(SecondLook, TheSaveDialogShowsCharactersAndNamesARigAfterThem) {
   EXPECT_TRUE(fs::exists(own.path() / "lizard.glb"));
 }
 
-TEST_F(SecondLook, AFileWithoutSkinSaysSo) {
+TEST_F(PanelDetails, CharacterWithoutASkinGetsAMessage) {
   const test::TemporaryFolder own;
   test::Post post = test::makePost();
   post.file.json["nodes"][0].erase("skin");
@@ -133,7 +133,7 @@ TEST_F(SecondLook, AFileWithoutSkinSaysSo) {
   EXPECT_FALSE(said("no skin"));
 }
 
-TEST_F(SecondLook, TheMenuOfALinesNumberResetsIt) {
+TEST_F(PanelDetails, ContextMenuResetsALineNumber) {
   open("humanoid-flex.rig.json");
   select(state.document, {"triceps L"});
   settle();

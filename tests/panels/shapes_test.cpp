@@ -1,4 +1,4 @@
-// tests/panels/shapes_test.cpp: the tab Shapes: sliders, groups, search, reset, keys and drivers.
+// tests/panels/shapes_test.cpp: the Shapes tab: sliders, groups, search, reset, keys and drivers.
 #include "app/editor/animate.h"
 #include "core/rig/morphs.h"
 #include "sinew/files/rig_json.h"
@@ -9,7 +9,7 @@
 namespace sinew::app {
 namespace {
 
-/// Over a post with "bulge.0", "dent.1", "bulge.2", "dent.3" and "smile".
+/// A post with morph targets "bulge.0", "dent.1", "bulge.2", "dent.3" and "smile".
 class ShapesPanel : public HeadlessEditor {
  protected:
   void SetUp() override {
@@ -21,7 +21,7 @@ class ShapesPanel : public HeadlessEditor {
     settle();
     click("shapes/tab");
   }
-  /// Until a click is no longer part of the double click before.
+  /// Waits until a click no longer counts as part of a double click.
   void rest() {
     for (int i = 0; i < 40; ++i) frame();
   }
@@ -33,20 +33,20 @@ class ShapesPanel : public HeadlessEditor {
   test::TemporaryFolder folder;
 };
 
-TEST_F(ShapesPanel, ACharacterWithoutShapesSaysSo) {
+TEST_F(ShapesPanel, CharacterWithoutShapesHasNoSearchField) {
   ASSERT_TRUE(openFile(state, std::filesystem::path(SINEW_SOURCE_DIR) / "assets" / "demo.glb"));
   settle();
   EXPECT_FALSE(shown("shapes/search"));
   EXPECT_TRUE(state.document.rig().morphs.empty());
 }
 
-TEST_F(ShapesPanel, OpeningIsNoChange) {
+TEST_F(ShapesPanel, OpeningDoesNotModifyTheDocument) {
   EXPECT_EQ(state.document.rig().morphs.size(), 5u);
   EXPECT_EQ(steps(), 0u);
   EXPECT_FALSE(state.document.commands.modified());
 }
 
-TEST_F(ShapesPanel, ADragIsOneStepThatChangesTheSurface) {
+TEST_F(ShapesPanel, DragIsOneStepThatChangesTheSurface) {
   const Surface before = state.live->surface();
   drag("shapes/smile", {30.0f, 0.0f});
   EXPECT_GT(weight("smile"), 0.05f);
@@ -58,7 +58,7 @@ TEST_F(ShapesPanel, ADragIsOneStepThatChangesTheSurface) {
   EXPECT_EQ(state.live->surface().positions, before.positions);
 }
 
-TEST_F(ShapesPanel, TypedNumbersGoBeyondTheSliderAndWhatIsTooLargeIsRefused) {
+TEST_F(ShapesPanel, TypedNumbersMayExceedTheSliderWithinLimits) {
   typeInto("shapes/smile", "2.5");
   EXPECT_EQ(weight("smile"), 2.5f);
   rest();
@@ -69,7 +69,7 @@ TEST_F(ShapesPanel, TypedNumbersGoBeyondTheSliderAndWhatIsTooLargeIsRefused) {
   EXPECT_EQ(weight("smile"), -1.0f);
 }
 
-TEST_F(ShapesPanel, GroupsFoldAndTheSearchFinds) {
+TEST_F(ShapesPanel, GroupsFoldAndSearchOpensThem) {
   EXPECT_TRUE(shown("shapes/group/bulge"));
   EXPECT_TRUE(shown("shapes/group/dent"));
   EXPECT_FALSE(shown("shapes/group/smile"));
@@ -82,7 +82,7 @@ TEST_F(ShapesPanel, GroupsFoldAndTheSearchFinds) {
   EXPECT_FALSE(shown("shapes/dent.1"));
 }
 
-TEST_F(ShapesPanel, ResetSetsAllToNothingInOneStep) {
+TEST_F(ShapesPanel, ResetSetsAllToZeroInOneStep) {
   typeInto("shapes/smile", "0.5");
   typeInto("shapes/dent.1", "1");
   const std::size_t before = steps();
@@ -92,7 +92,7 @@ TEST_F(ShapesPanel, ResetSetsAllToNothingInOneStep) {
   EXPECT_EQ(steps(), before + 1);
 }
 
-TEST_F(ShapesPanel, ADrivenShapeShowsItsCurveUnderItsName) {
+TEST_F(ShapesPanel, DrivenShapeShowsItsCurveUnderItsName) {
   DriverInput input;
   input.bone = "knee";
   const std::array refs{NumberRef{Parameter::kMorphWeight, findMorph(state.document.rig(), "smile")}};
@@ -108,8 +108,8 @@ TEST_F(ShapesPanel, ADrivenShapeShowsItsCurveUnderItsName) {
   EXPECT_TRUE(state.document.rig().morphs.back().animated.empty());
 }
 
-/// A rig may name shapes that its character lacks. Set to nothing they stay until the document is opened anew.
-TEST_F(ShapesPanel, AShapeThatTheCharacterLacksCanBeReset) {
+/// A rig may name shapes that its character lacks. Reset to zero, they stay listed until the document is reopened.
+TEST_F(ShapesPanel, ShapeMissingFromTheCharacterCanBeReset) {
   const Rig rig = setMorphWeight(state.document.rig(), "gone", 0.5f).value();
   const auto file = folder.path() / "gone.rig.json";
   ASSERT_TRUE(saveRig(rig, file).ok());
@@ -126,7 +126,7 @@ TEST_F(ShapesPanel, AShapeThatTheCharacterLacksCanBeReset) {
   EXPECT_FALSE(shown("shapes/gone"));
 }
 
-TEST_F(ShapesPanel, SavedAndOpenedAgainTheyAreThere) {
+TEST_F(ShapesPanel, WeightsAreSavedAndReopened) {
   typeInto("shapes/smile", "0.5");
   const auto file = folder.path() / "post.rig.json";
   ASSERT_TRUE(saveDocument(state.document, file).ok());

@@ -1,7 +1,6 @@
-// tests/panels/soak_test.cpp: a long session: rounds of playing and editing that end where they began.
+// tests/panels/soak_test.cpp: long session: rounds of playback and editing that end in their initial state.
 //
-// SINEW_SOAK_FRAMES in the environment: how many frames, 2,000 without it. tests/limits/soak.py runs many and prints
-// what they come to.
+// Environment: SINEW_SOAK_FRAMES, number of frames (2,000). tests/limits/soak.py runs many and prints a summary.
 
 #include <algorithm>
 #include <array>
@@ -22,21 +21,20 @@
 namespace sinew::app {
 namespace {
 
-constexpr std::size_t kWarmUp =
-    4;  ///< Rounds until everything has been shown and done once, and the heap in use is settled.
-constexpr double kWarmUpShare = 0.1;  ///< Of all frames: until the holes between what is in use are settled too.
+constexpr std::size_t kWarmUp = 4;    ///< Rounds until everything was shown and done once and the used heap is stable.
+constexpr double kWarmUpShare = 0.1;  ///< Fraction of all frames until heap fragmentation is stable too.
 constexpr double kMostGrowth = 0.02;
-constexpr std::array kBones{0, 5};  ///< For muscles, in turn.
+constexpr std::array kBones{0, 5};  ///< For muscles, alternating.
 
-/// Bytes. The process holds more than is in use: what was freed, and pages of its program as they are first needed.
+/// Bytes. Resident memory exceeds used memory: freed blocks, and program pages loaded on first use.
 struct Memory {
-  double inUse = 0.0;      ///< On the heap.
-  double resident = 0.0;   ///< All of it.
-  double ofFiles = 0.0;    ///< Of that, pages of the program and its libraries.
-  double withoutFree = 0;  ///< Resident without pages of files, after the heap gave back what it could.
+  double inUse = 0.0;      ///< Used heap.
+  double resident = 0.0;   ///< Resident set.
+  double ofFiles = 0.0;    ///< Part of it that maps the program and its libraries.
+  double withoutFree = 0;  ///< Resident without file pages, after the heap released free memory.
 };
 
-/// How long frames took, in as much memory after 100,000 frames as after one: what grows is the editor's.
+/// Frame times, stored in the same memory after 100,000 frames as after one, so that all growth is the editor's.
 class Times {
  public:
   void add(double seconds) {
@@ -49,7 +47,7 @@ class Times {
   }
   [[nodiscard]] std::size_t count() const { return std::accumulate(counts_.begin(), counts_.end(), std::size_t{0}); }
   [[nodiscard]] double longest() const { return longest_; }
-  [[nodiscard]] double median() const {  ///< Within 3 %.
+  [[nodiscard]] double median() const {  ///< Accurate to 3 %.
     std::size_t step = 0;
     for (std::size_t below = counts_[0]; 2 * below < count(); below += counts_[step]) ++step;
     return kShortest * std::exp2((static_cast<double>(step) + 0.5) / kSteps);
@@ -66,7 +64,7 @@ class Times {
   }
 
   static constexpr double kShortest = 1e-6;
-  static constexpr double kSteps = 12.0;  ///< For each doubling.
+  static constexpr double kSteps = 12.0;  ///< Bins for each doubling.
   std::array<std::size_t, 300> counts_{};
   double longest_ = 0.0;
 };
@@ -97,7 +95,7 @@ Memory memoryNow() {
   return {inUse, before[1], before[2], after[1] - after[2]};
 }
 
-/// Of this thread: what other programs take does not count.
+/// Time of this thread, so that other programs do not count.
 double processorSeconds() {
   timespec now{};
   ::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
@@ -106,7 +104,7 @@ double processorSeconds() {
 
 class Soak : public HeadlessEditor {
  protected:
-  /// Frames in which the hand does this; each is timed.
+  /// Runs and times frames of one kind of action.
   void pass(const std::string& what, std::size_t count = 1) {
     for (std::size_t i = 0; i < count; ++i) {
       const double before = processorSeconds();
@@ -214,7 +212,7 @@ class Soak : public HeadlessEditor {
     if (warm.inUse == 0.0 && inUse.size() >= kWarmUp && frames >= warmUpFrames) warm = memoryNow();
   }
 
-  /// "soak: ..." a line each.
+  /// Prints a line "soak: ..." for each.
   void print() const {
     Times all;
     for (const auto& [what, each] : times) all.add(each);
@@ -244,15 +242,15 @@ class Soak : public HeadlessEditor {
                 after / 1024.0, 100.0 * (after / before - 1.0));
   }
 
-  std::map<std::string, Times> times;  ///< By what was done.
-  std::vector<double> inUse;           ///< Bytes on the heap, after each round.
-  std::vector<double> resident;        ///< Bytes, after each round.
+  std::map<std::string, Times> times;  ///< By kind of action.
+  std::vector<double> inUse;           ///< Used heap in bytes after each round.
+  std::vector<double> resident;        ///< Resident bytes after each round.
   Memory warm;
   std::size_t warmUpFrames = 0;
   std::size_t frames = 0;
 };
 
-TEST_F(Soak, EveryRoundEndsWhereItBegan) {
+TEST_F(Soak, EveryRoundRestoresTheRig) {
   const char* const asked = std::getenv("SINEW_SOAK_FRAMES");
   const std::size_t wanted = asked == nullptr ? 2000 : static_cast<std::size_t>(std::atoll(asked));
   const std::string before = rigToJson(state.document.rig());

@@ -1,5 +1,4 @@
-// tests/panels/timeline_test.cpp: the timeline's track, ranges that play, poses made by hand and the range of
-// motion.
+// tests/panels/timeline_test.cpp: timeline track, play ranges, posed joints and range of motion.
 
 #include <cmath>
 #include <numeric>
@@ -19,7 +18,7 @@ namespace {
 
 constexpr double kFrame = kFrameSeconds;
 
-TEST(PlayRanges, LoopWithinThemselves) {
+TEST(PlayRange, LoopsWithinItsEnds) {
   Character character;
   character.clips.resize(1);
   character.clips[0].duration = 3.0f;
@@ -30,17 +29,17 @@ TEST(PlayRanges, LoopWithinThemselves) {
   advance(transport, 50.0, character);
   EXPECT_GE(transport.time, 1.0);
   EXPECT_LT(transport.time, 1.5);
-  transport.time = 0.2;  // Before it: plays on into it.
+  transport.time = 0.2;  // Before the range: plays on into it.
   advance(transport, 0.1, character);
   EXPECT_NEAR(transport.time, 0.3, 1e-9);
-  transport.time = 2.0;  // After it: on to the end, then into it.
+  transport.time = 2.0;  // After the range: plays to the end, then into it.
   advance(transport, 0.5, character);
   EXPECT_NEAR(transport.time, 2.5, 1e-9);
   advance(transport, 0.6, character);
   EXPECT_NEAR(transport.time, 1.1, 1e-9);
 }
 
-TEST(PlayRanges, StopAtTheirEndAndStepRound) {
+TEST(PlayRange, StopsAtItsEndAndStepsWrapAround) {
   Character character;
   character.clips.resize(1);
   character.clips[0].duration = 3.0f;
@@ -58,7 +57,7 @@ TEST(PlayRanges, StopAtTheirEndAndStepRound) {
   EXPECT_NEAR(transport.time, 1.5, 1e-9);
 }
 
-TEST(PlayRanges, LieOnFramesAtLeastOneLong) {
+TEST(PlayRange, SnapsToFramesAndLastsAtLeastOneFrame) {
   Character character;
   character.clips.resize(1);
   character.clips[0].duration = 2.0f;
@@ -75,7 +74,7 @@ TEST(PlayRanges, LieOnFramesAtLeastOneLong) {
   }
 }
 
-TEST(TimelineTrack, TicksHaveRoom) {
+TEST(TimelineTrack, TicksAreFarEnoughApart) {
   for (double pixels = 0.01; pixels < 40.0; pixels *= 1.3) {
     const int step = tickStep(pixels, 58.0);
     EXPECT_TRUE(step * pixels >= 58.0 || step == 108000) << pixels;
@@ -83,7 +82,7 @@ TEST(TimelineTrack, TicksHaveRoom) {
   EXPECT_EQ(tickStep(60.0, 58.0), 1);
 }
 
-TEST(TimelineTrack, KeysFallWhereTheyAre) {
+TEST(TimelineTrack, KeysAreDrawnAtTheirTimes) {
   AnimationClip clip;
   clip.duration = 4.0f;
   Channel channel;
@@ -98,7 +97,7 @@ TEST(TimelineTrack, KeysFallWhereTheyAre) {
   EXPECT_EQ(std::accumulate(part.begin(), part.end(), 0.0f), 0.0f);
 }
 
-TEST(TimelineTrack, ZoomKeepsTheMomentInPlaceAndStaysInside) {
+TEST(TimelineTrack, ZoomKeepsTheTimeUnderThePointerAndStaysInsideTheClip) {
   PlayRange span{0.0, 40.0};
   for (const float steps : {1.0f, 3.0f, 2.0f, -1.0f, 5.0f, -2.0f}) {
     const double share = (17.0 - span.from) / (span.to - span.from);
@@ -120,7 +119,7 @@ TEST(TimelineTrack, ZoomKeepsTheMomentInPlaceAndStaysInside) {
   EXPECT_NEAR(span.to - span.from, 5.0 * kFrame, 1e-9);
 }
 
-class TimelineTest : public HeadlessEditor {
+class Timeline : public HeadlessEditor {
  protected:
   [[nodiscard]] double duration() const { return clipDuration(state.open.transport, state.character()); }
   [[nodiscard]] int bone(const char* name) const { return state.character().skeleton.findBone(name).value(); }
@@ -130,7 +129,7 @@ class TimelineTest : public HeadlessEditor {
   }
 };
 
-TEST_F(TimelineTest, AClickOnTheTrackIsThatMoment) {
+TEST_F(Timeline, ClickOnTheTrackSetsTheTime) {
   state.open.transport.playing = true;
   click("timeline/scrub");
   EXPECT_NEAR(state.open.transport.time / duration(), 0.5, 0.01);
@@ -140,7 +139,7 @@ TEST_F(TimelineTest, AClickOnTheTrackIsThatMoment) {
   EXPECT_NEAR(state.open.transport.time / duration(), 0.5 + 200.0 / static_cast<double>(width), 0.01);
 }
 
-TEST_F(TimelineTest, DraggingAnEndMakesARangeDraggingTheBarMovesIt) {
+TEST_F(Timeline, DraggingAnEndSetsTheRangeAndDraggingTheBarMovesIt) {
   const float width = widgets().rectangles().at("timeline/scrub").z;
   drag("timeline/range.in", {0.25f * width, 0.0f});
   EXPECT_NEAR(playRange(state.open.transport, state.character()).from, 0.25 * duration(), 2.0 * kFrame);
@@ -155,7 +154,7 @@ TEST_F(TimelineTest, DraggingAnEndMakesARangeDraggingTheBarMovesIt) {
   EXPECT_EQ(playRange(state.open.transport, state.character()).to, duration());
 }
 
-TEST_F(TimelineTest, ARangeIsOneUndoStepHoweverItWasMade) {
+TEST_F(Timeline, EveryRangeEditIsOneUndoStep) {
   const auto played = [&] { return playRange(state.open.transport, state.character()); };
   const float width = widgets().rectangles().at("timeline/scrub").z;
   std::vector<PlayRange> seen{played()};
@@ -189,7 +188,7 @@ TEST_F(TimelineTest, ARangeIsOneUndoStepHoweverItWasMade) {
   EXPECT_FALSE(state.document.commands.modified()) << "what plays is no part of the file";
 }
 
-TEST_F(TimelineTest, UndoOfAnEditLeavesClipAndRangeAlone) {
+TEST_F(Timeline, UndoOfAnEditKeepsClipAndRange) {
   state.open.transport.time = 0.5 * duration();
   act("play/range-start");
   const PlayRange range = playRange(state.open.transport, state.character());
@@ -201,7 +200,7 @@ TEST_F(TimelineTest, UndoOfAnEditLeavesClipAndRangeAlone) {
   EXPECT_EQ(state.open.transport.time, time);
 }
 
-TEST_F(TimelineTest, UndoOfARangeShowsTheClipThatItBelongsTo) {
+TEST_F(Timeline, UndoOfARangeSwitchesToItsClip) {
   const int clip = state.open.transport.clip;
   state.open.transport.time = 0.5 * duration();
   act("play/range-start");
@@ -215,21 +214,21 @@ TEST_F(TimelineTest, UndoOfARangeShowsTheClipThatItBelongsTo) {
   EXPECT_FALSE(hasPlayRange(state.open.transport));
 }
 
-TEST_F(TimelineTest, TheEndsCannotPassEachOther) {
+TEST_F(Timeline, RangeEndsCannotPassEachOther) {
   drag("timeline/range.in", {5000.0f, 0.0f});
   const PlayRange range = playRange(state.open.transport, state.character());
   EXPECT_GE(range.to - range.from, kFrame - 1e-6);
   EXPECT_LE(range.to, duration());
 }
 
-TEST_F(TimelineTest, JumpsToStartAndEnd) {
+TEST_F(Timeline, JumpsToStartAndEnd) {
   click("timeline/end");
   EXPECT_EQ(state.open.transport.time, duration());
   click("timeline/start");
   EXPECT_EQ(state.open.transport.time, 0.0);
 }
 
-TEST_F(TimelineTest, ButtonsStepLoopAndSetTheSpeed) {
+TEST_F(Timeline, ButtonsStepLoopAndSetTheSpeed) {
   click("timeline/start");
   click("timeline/next");
   EXPECT_NEAR(state.open.transport.time, kFrame, 1e-9);
@@ -243,7 +242,7 @@ TEST_F(TimelineTest, ButtonsStepLoopAndSetTheSpeed) {
   EXPECT_EQ(steps(), 0u);
 }
 
-TEST_F(TimelineTest, ScrubbingDoesNotDisturbAGesture) {
+TEST_F(Timeline, ScrubbingDoesNotDisturbAGesture) {
   addOne();
   const std::size_t before = steps();
   state.document.commands.beginGesture("Drag");
@@ -257,7 +256,7 @@ TEST_F(TimelineTest, ScrubbingDoesNotDisturbAGesture) {
   EXPECT_EQ(muscle().placement.center, placement.center);
 }
 
-TEST_F(TimelineTest, APosedJointShowsAChipThatTakesItBack) {
+TEST_F(Timeline, PosedJointShowsAChipThatResetsIt) {
   EXPECT_FALSE(shown("timeline/posed"));
   const Pose plain = state.live->pose();
   state.open.transport.overrides.set(bone("upper_arm.L"), glm::angleAxis(1.0f, glm::vec3(0, 0, 1)));
@@ -272,7 +271,7 @@ TEST_F(TimelineTest, APosedJointShowsAChipThatTakesItBack) {
   EXPECT_FALSE(state.document.commands.modified());
 }
 
-TEST_F(TimelineTest, MirroringTakesTheSelectedSideElseSwapsBoth) {
+TEST_F(Timeline, MirrorPoseUsesTheSelectedSideOrSwapsBoth) {
   const int left = bone("upper_arm.L");
   const int right = bone("upper_arm.R");
   chooseClip(state.open.transport, -1, state.character());
@@ -294,7 +293,7 @@ TEST_F(TimelineTest, MirroringTakesTheSelectedSideElseSwapsBoth) {
   EXPECT_NE(state.open.transport.overrides.turnOf(right), glm::quat(1, 0, 0, 0));
 }
 
-TEST_F(TimelineTest, CopiesOfAPoseComeBack) {
+TEST_F(Timeline, CopiedPoseCanBePasted) {
   state.open.transport.overrides.set(bone("chest"), glm::angleAxis(0.4f, glm::vec3(1, 0, 0)));
   state.open.transport.overrides.set(bone("thigh.R"), glm::angleAxis(0.9f, glm::vec3(0, 1, 0)));
   const PoseOverrides posed = state.open.transport.overrides;
@@ -308,7 +307,7 @@ TEST_F(TimelineTest, CopiesOfAPoseComeBack) {
   EXPECT_EQ(state.open.transport.overrides.turns.size(), 1u);
 }
 
-TEST_F(TimelineTest, PosesAndEditsOfTheRigAreStepsOfOneHistory) {
+TEST_F(Timeline, PoseAndRigEditsShareOneHistory) {
   const auto turn = [&](const char* name) {
     state.open.transport.overrides.set(bone(name), glm::angleAxis(0.4f, glm::vec3(1, 0, 0)));
     keepPose(state, std::string("Turn ") + name);
@@ -335,11 +334,11 @@ TEST_F(TimelineTest, PosesAndEditsOfTheRigAreStepsOfOneHistory) {
   EXPECT_EQ(state.open.transport.overrides, both);
   EXPECT_EQ(state.document.rig(), rig);
   act("edit/undo");
-  turn("head");  // What was undone is forgotten.
+  turn("head");  // Undone poses are dropped.
   EXPECT_FALSE(state.document.commands.canRedo());
 }
 
-TEST_F(TimelineTest, ReopeningKeepsThePoseInTheHistoryToo) {
+TEST_F(Timeline, ReopenKeepsThePoseInTheHistory) {
   state.open.transport.overrides.set(bone("chest"), glm::angleAxis(0.4f, glm::vec3(1, 0, 0)));
   keepPose(state, "Turn chest");
   const PoseOverrides posed = state.open.transport.overrides;
@@ -350,7 +349,7 @@ TEST_F(TimelineTest, ReopeningKeepsThePoseInTheHistoryToo) {
   EXPECT_EQ(state.open.transport.overrides, posed);
 }
 
-TEST_F(TimelineTest, WhatUndoTakesFromTheSelectionLeavesTheRestActive) {
+TEST_F(Timeline, UndoKeepsTheRestOfTheSelectionActive) {
   addMuscle(state, bone("chest"));
   const PrimitiveId first = state.document.idAt(0);
   addMuscle(state, bone("head"));
@@ -360,7 +359,7 @@ TEST_F(TimelineTest, WhatUndoTakesFromTheSelectionLeavesTheRestActive) {
   EXPECT_EQ(state.document.activePrimitive(), 0);
 }
 
-TEST_F(TimelineTest, HoldingKeepsTheMomentAndThenStandsStill) {
+TEST_F(Timeline, HeldJointKeepsItsCurrentPose) {
   state.open.transport.time = 0.3;
   state.open.transport.overrides.set(bone("thigh.L"), glm::angleAxis(0.8f, glm::vec3(1, 0, 0)));
   settle();
@@ -381,7 +380,7 @@ TEST_F(TimelineTest, HoldingKeepsTheMomentAndThenStandsStill) {
   for (int c = 0; c < 3; ++c) EXPECT_LT(glm::length(toHips()[c] - held[c]), 1e-4f);
 }
 
-TEST_F(TimelineTest, TheRangeOfMotionIsOneMoreClipThatPlays) {
+TEST_F(Timeline, RangeOfMotionIsAnAdditionalPlayingClip) {
   addOne();
   const std::size_t clips = state.character().clips.size();
   const std::size_t before = steps();

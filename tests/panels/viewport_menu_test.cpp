@@ -1,4 +1,5 @@
-// tests/panels/viewport_menu_test.cpp: the picture's context menu does what it says to what lies under the pointer.
+// tests/panels/viewport_menu_test.cpp: viewport context menu acts on the object under the pointer.
+
 #include "app/editor/commands.h"
 
 #include <algorithm>
@@ -9,8 +10,8 @@
 namespace sinew::app {
 namespace {
 
-/// A muscle around a bone of the trunk, and a pixel where it is taken.
-class ViewportMenuTest : public HeadlessEditor {
+/// A muscle around a bone of the trunk, and a pixel that picks it.
+class ViewportContextMenu : public HeadlessEditor {
  protected:
   void SetUp() override {
     HeadlessEditor::SetUp();
@@ -39,7 +40,7 @@ class ViewportMenuTest : public HeadlessEditor {
   glm::vec2 pixel{0.0f};
 };
 
-TEST_F(ViewportMenuTest, OpensOnTheMuscleUnderThePointerAndSelectsIt) {
+TEST_F(ViewportContextMenu, OpensOnTheMuscleUnderThePointerAndSelectsIt) {
   EXPECT_FALSE(open());
   rightClick(pixel);
   EXPECT_TRUE(open());
@@ -54,7 +55,7 @@ TEST_F(ViewportMenuTest, OpensOnTheMuscleUnderThePointerAndSelectsIt) {
   EXPECT_EQ(state.document.activePrimitive(), 0) << "Esc closed the menu and did nothing else";
 }
 
-TEST_F(ViewportMenuTest, ItsEntriesAreTheActions) {
+TEST_F(ViewportContextMenu, EntriesRunActions) {
   rightClick(pixel);
   choose("edit/duplicate");
   EXPECT_EQ(state.document.rig().primitives.size(), 2u);
@@ -73,7 +74,7 @@ TEST_F(ViewportMenuTest, ItsEntriesAreTheActions) {
   EXPECT_TRUE(editsTerritory(state));
 }
 
-TEST_F(ViewportMenuTest, ASelectionThatHoldsTheMuscleStays) {
+TEST_F(ViewportContextMenu, KeepsASelectionThatContainsTheMuscle) {
   state.document.selection.set(state.document.idAt(0));
   duplicateSelection(state);
   selectAll(state.document);
@@ -84,7 +85,7 @@ TEST_F(ViewportMenuTest, ASelectionThatHoldsTheMuscleStays) {
   EXPECT_TRUE(state.document.rig().primitives.empty());
 }
 
-TEST_F(ViewportMenuTest, AddsAMuscleOnTheSkinThatWasPointedAt) {
+TEST_F(ViewportContextMenu, AddsAMuscleAtThePointOnTheSkin) {
   rightClick(pixel);
   const SkinAnchor anchor = *state.open.viewportMenu.target.skin;
   choose("add-here");
@@ -100,7 +101,7 @@ TEST_F(ViewportMenuTest, AddsAMuscleOnTheSkinThatWasPointedAt) {
   EXPECT_EQ(state.document.rig().primitives.size(), 1u) << "one step";
 }
 
-TEST_F(ViewportMenuTest, OnSkinWithoutMusclesTheyAreGrayAndSayWhy) {
+TEST_F(ViewportContextMenu, MuscleEntriesAreGrayOnBareSkinWithAReason) {
   state.document.selection.set(state.document.idAt(0));
   deleteSelection(state);
   settle();
@@ -119,7 +120,7 @@ TEST_F(ViewportMenuTest, OnSkinWithoutMusclesTheyAreGrayAndSayWhy) {
   EXPECT_EQ(state.document.rig().primitives.size(), 1u);
 }
 
-TEST_F(ViewportMenuTest, OnNothingTheSelectionStays) {
+TEST_F(ViewportContextMenu, KeepsTheSelectionOnEmptyBackground) {
   state.document.selection.set(state.document.idAt(0));
   settle();
   rightClick(nothing());
@@ -131,7 +132,7 @@ TEST_F(ViewportMenuTest, OnNothingTheSelectionStays) {
   EXPECT_EQ(state.document.activePrimitive(), 0);
 }
 
-TEST_F(ViewportMenuTest, OfSeveralItListsAllByName) {
+TEST_F(ViewportContextMenu, ListsOverlappingMusclesByName) {
   state.document.selection.set(state.document.idAt(0));
   duplicateSelection(state);
   Rig rig = state.document.rig();
@@ -148,8 +149,8 @@ TEST_F(ViewportMenuTest, OfSeveralItListsAllByName) {
   EXPECT_EQ(state.document.activeName(), other);
 }
 
-TEST_F(ViewportMenuTest, EveryGrayEntryGivesAReason) {
-  // Whatever is selected or missing, an entry that cannot be chosen says why.
+TEST_F(ViewportContextMenu, EveryGrayEntryGivesAReason) {
+  // Every disabled entry gives a reason, whatever is selected or missing.
   for (const bool muscle : {true, false}) {
     if (!muscle) {
       state.document.selection.set(state.document.idAt(0));

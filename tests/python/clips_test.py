@@ -14,7 +14,7 @@ class Clips(Case):
         self.walk = write_clips(MAN, self.folder / "walk.glb", {"Walk": "Stroll"})
         self.dance = write_clips(MAN, self.folder / "dance.glb", {"Dance": "Dance", "Flex": "Stroll"})
 
-    def test_they_play_as_in_their_own_file(self):
+    def test_added_clips_play_as_in_their_own_file(self):
         still = sinew.load(self.still)
         self.assertEqual(still.clips, {})
         self.assertEqual(still.add_clips(self.walk), [])
@@ -30,7 +30,7 @@ class Clips(Case):
         self.assertEqual(list(still.clips), ["Stroll", "Dance", "Stroll 2"])
         self.assertGreater(still.duration("Range of motion"), 0)
 
-    def test_a_rig_remembers_them(self):
+    def test_rig_stores_clip_files(self):
         rig = sinew.Rig(sinew.load(self.still))
         rig.add_muscle("a", bone="chest", radii=(0.1, 0.1, 0.1))
         rig.add_clips(self.walk)
@@ -48,7 +48,7 @@ class Clips(Case):
         self.same_bits(sinew.Smoother(again.character, again)(clip="Stroll", time=0.4).positions, surface.positions)
         self.assertEqual(again.copy().clip_files, again.clip_files)
 
-    def test_what_is_gone_is_told(self):
+    def test_missing_clip_file_is_reported(self):
         rig = sinew.Rig(sinew.load(self.still))
         rig.add_clips(self.walk)
         rig.add_clips(self.dance)
@@ -62,7 +62,7 @@ class Clips(Case):
         again.save(self.folder / "a.rig.json")
         self.assertEqual(json.loads((self.folder / "a.rig.json").read_text())["clips"], ["walk.glb", "dance.glb"])
 
-    def test_what_cannot_be_added_is_refused(self):
+    def test_invalid_clip_files_are_refused(self):
         still = sinew.load(self.still)
         rig = sinew.Rig(still)
         before = rig.copy()
@@ -74,7 +74,7 @@ class Clips(Case):
                 self.assertIn("expected a path", self.refusal(add, wrong).reason)
         self.assertEqual((still.clips, rig), ({}, before))
 
-    def test_what_did_not_match_is_told(self):
+    def test_unmatched_bones_are_reported(self):
         lizard = write_clips(ASSETS / "demo.glb", self.folder / "lizard.glb", {"Walk": "Crawl"})
         still = sinew.load(self.still)
         told = still.add_clips(lizard)
@@ -82,7 +82,7 @@ class Clips(Case):
         self.assertIn("tail.1", " ".join(told))
 
     @needs_program
-    def test_surfaces_and_exports_are_those_of_the_command_line(self):
+    def test_surfaces_and_exports_match_the_command_line(self):
         rig = sinew.Rig(sinew.load(self.still))
         rig.detail, rig.depth = "uniform", 1
         rig.add_muscle("a", bone="thigh.L", center=(0, 0.15, 0.03), radii=(0.06, 0.12, 0.06))

@@ -23,7 +23,7 @@ class Examples(Case):
         self.assertNotIn("Traceback", done.stderr)
         return done.stdout, done.stderr
 
-    def test_they_are_short(self):
+    def test_examples_are_short(self):
         scripts = list(EXAMPLES.glob("*.py"))
         self.assertEqual(len(scripts), 5)
         for script in scripts:
@@ -79,7 +79,7 @@ class Examples(Case):
         self.assertIn("wrapped.glb", rows["wrapped.rig.json"]["refused"])
         self.assertTrue((self.folder / "out" / "demo.glb.ply").is_file())
 
-    def test_rig_to_csv_and_back(self):
+    def test_rig_to_csv_round_trip(self):
         source = ASSETS / "humanoid.rig.json"
         rig = sinew.load_rig(source)
         self.run_script("rig_csv.py", "out", source, "a.csv")
@@ -112,7 +112,7 @@ class Examples(Case):
         self.assertIn("expected a number, got 'wide'", said)
         self.assertFalse((self.folder / "no.rig.json").exists())
 
-    def test_on_other_characters(self):
+    def test_examples_run_on_other_characters(self):
         found = sorted(CHARACTERS.glob("*.gl*")) if CHARACTERS.is_dir() else []
         if not found:
             self.skipTest("left out: the examples on real characters, shared/characters is not here")

@@ -12,7 +12,7 @@ class Exports(Case):
         cls.clip = next(iter(cls.rig.character.clips))
 
     @needs_program
-    def test_bytes_are_those_of_the_command_line(self):
+    def test_files_match_the_command_line(self):
         theirs, ours, rig = self.folder / "theirs.glb", self.folder / "ours.glb", ASSETS / "tangle.rig.json"
         report = sinew.export(self.rig, ours, helpers=3)
         run("export", rig, "--joints", 3, "-o", theirs)
@@ -28,7 +28,7 @@ class Exports(Case):
         self.assertEqual(ours.read_bytes(), theirs.read_bytes())
         self.assertGreater(report["frames"], 1)
 
-    def test_progress_rises_and_cancels(self):
+    def test_progress_increases_and_can_cancel(self):
         shares = []
         sinew.export(self.rig, self.folder / "a.glb", weights="transferred", progress=shares.append)
         self.assertEqual(shares, sorted(shares))
@@ -42,7 +42,7 @@ class Exports(Case):
         self.assertFalse((self.folder / "b.glb").exists())
         return caught.exception
 
-    def test_what_progress_raises_comes_out(self):
+    def test_exception_from_progress_propagates(self):
         class Own(Exception):
             pass
 
@@ -60,7 +60,7 @@ class Exports(Case):
                 sinew.export(self.rig, self.folder / "c.glb", helpers=24)
         timer.join()
 
-    def test_a_file_that_changed_is_refused(self):
+    def test_changed_character_file_is_refused(self):
         copy = self.folder / "copy.glb"
         copy.write_bytes((ASSETS / "tangle.glb").read_bytes())
         rig = sinew.load_rig(ASSETS / "tangle.rig.json", sinew.load(copy))

@@ -7,7 +7,7 @@ from glb_reader import Glb  # noqa: E402
 
 
 class Files(Case):
-    def test_bones_are_the_nodes_of_the_file(self):
+    def test_bones_match_the_files_nodes(self):
         for name in ("humanoid", "horse", "demo", "tangle", "wrapped"):
             character = sinew.load(ASSETS / (name + ".glb"))
             root = Glb(ASSETS / (name + ".glb")).json
@@ -20,7 +20,7 @@ class Files(Case):
                 above = parents.get(node)
                 self.assertEqual(nodes[bone.parent] if bone.parent >= 0 else None, above if above in nodes else None)
 
-    def test_a_file_that_is_another_one_by_now_is_refused(self):
+    def test_changed_file_is_refused(self):
         path = self.folder / "changed.glb"
         shutil.copy(ASSETS / "demo.glb", path)
         character = sinew.load(path)
@@ -29,7 +29,7 @@ class Files(Case):
         path.unlink()
         self.refusal(character.nodes)
 
-    def test_colors_are_those_of_the_file(self):
+    def test_colors_match_the_file(self):
         self.assertEqual(self.smoother().colors.shape, (0, 4))
         character = sinew.load(write_colored(ASSETS / "humanoid.glb", self.folder / "colored.glb"))
         rig = sinew.Rig(character)

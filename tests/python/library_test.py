@@ -48,14 +48,14 @@ class Library(Case):
         self.assertEqual(again.character.names, names["character"].names)
 
     @unittest.skipUnless(FOX.is_file(), "left out: the lines on the fox itself, shared/characters is not here")
-    def test_on_the_fox(self):
+    def test_page_examples_work_on_the_fox(self):
         self.check(self.the_lines(FOX, {}))
 
     @unittest.skipIf(FOX.is_file(), "")
-    def test_on_the_bundled_horse(self):
+    def test_page_examples_work_on_the_bundled_horse(self):
         self.check(self.the_lines(ASSETS / "horse.glb", HORSE))
 
-    def test_the_lines_of_the_readme(self):
+    def test_readme_example_runs(self):
         text = "\n".join(first_code(ROOT / "README.md")).replace("assets/", str(ASSETS) + "/")
         told = io.StringIO()
         with contextlib.redirect_stdout(told), contextlib.chdir(self.folder):
@@ -65,7 +65,7 @@ class Library(Case):
         self.assertTrue((self.folder / "horse.obj").is_file() and (self.folder / "horse_muscled.glb").is_file())
 
     @unittest.skipUnless(FOX.is_file(), "left out: the refusals of docs/python.md, shared/characters is not here")
-    def test_refusals_are_worded_as_the_page_says(self):
+    def test_errors_match_the_page(self):
         shutil.copy(FOX, self.folder / "fox.glb")
         with contextlib.chdir(self.folder):
             character = sinew.load("fox.glb")
@@ -78,7 +78,7 @@ class Library(Case):
         shown = [line.strip() for line in page.split("## Errors")[1].split("\n\n")[2].splitlines()]
         self.assertEqual(told, shown)
 
-    def test_facts_are_those_of_the_file(self):
+    def test_facts_match_the_mesh_and_skeleton(self):
         facts = self.character.facts()
         self.assertEqual(facts["triangles"], len(self.character.mesh.triangles))
         self.assertEqual(facts["vertices"], len(self.character.mesh.positions))
@@ -88,7 +88,7 @@ class Library(Case):
         self.assertEqual(self.character.clips["Walk"], self.character.duration("Walk"))
         self.assertGreater(self.character.duration("Range of motion"), 1.0)
 
-    def test_weights_of_a_vertex_sum_to_one(self):
+    def test_vertex_weights_sum_to_one(self):
         mesh = self.character.mesh
         sums = numpy.add.reduceat(mesh.influence_weights, mesh.influence_begin[:-1])
         self.assertEqual(len(sums), len(mesh.positions))

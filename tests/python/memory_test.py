@@ -23,14 +23,14 @@ class Memory(Case):
                 with self.assertRaises(ValueError):
                     getattr(mesh, name)[0] = 0
 
-    def test_frames_share_what_does_not_change(self):
+    def test_frames_share_constant_arrays(self):
         one, other = self.smoother(clip="Walk", time=0.1), self.smoother(clip="Walk", time=0.2)
         for name in ("triangles", "uv", "uv_triangles", "uv_vertices"):
             self.assertTrue(numpy.shares_memory(getattr(one, name), getattr(other, name)), name)
             self.assertFalse(getattr(one, name).flags.writeable)
         self.assertFalse(numpy.shares_memory(one.positions, other.positions))
 
-    def test_an_array_outlives_everything(self):
+    def test_arrays_outlive_surface_and_smoother(self):
         smoother = sinew.Smoother(self.character, self.rig)
         surface = smoother(clip="Walk", time=0.1)
         positions, triangles, expected = surface.positions, surface.triangles, surface.positions.copy()
@@ -41,7 +41,7 @@ class Memory(Case):
         self.same_bits(positions, expected)
         self.assertLess(int(triangles.max()), len(positions))
 
-    def test_what_is_held_is_not_written_again(self):
+    def test_referenced_arrays_are_not_overwritten(self):
         """All frames stay as they were, however many are made; memory that nobody holds is used again."""
         smoother = sinew.Smoother(self.character, self.rig)
         held = [frame.positions for frame in smoother.frames("Walk", fps=20)]
@@ -54,7 +54,7 @@ class Memory(Case):
         for positions, copy in zip(held, copies):
             self.same_bits(positions, copy)
 
-    def test_memory_is_used_again(self):
+    def test_memory_is_reused(self):
         smoother = sinew.Smoother(self.character, self.rig)
         places = set()
         for number in range(20):
@@ -63,7 +63,7 @@ class Memory(Case):
             del surface
         self.assertEqual(len(places), 1)
 
-    def test_a_used_surface_is_the_same_as_a_new_one(self):
+    def test_surface_in_reused_memory_matches_a_new_one(self):
         """Nothing of what was written into the memory before is left."""
         smoother = sinew.Smoother(self.character, self.rig)
         surface = smoother(clip="Walk", time=0.4)
@@ -76,7 +76,7 @@ class Memory(Case):
         self.same_bits(again.normals, new.normals)
         self.same_bits(again.split_normals, new.split_normals)
 
-    def test_an_abandoned_loop_leaves_nothing(self):
+    def test_abandoned_loop_keeps_its_first_frame_valid(self):
         for _ in range(3):
             frames = self.smoother.frames("Walk", fps=30, threads=2)
             first = next(frames)
@@ -84,7 +84,7 @@ class Memory(Case):
             gc.collect()
             self.assertTrue(numpy.isfinite(first.positions).all())
 
-    def test_what_is_written_is_saved(self):
+    def test_modified_positions_are_saved(self):
         surface = self.smoother()
         surface.positions[:, 1] += 5
         surface.save(self.folder / "up.obj")

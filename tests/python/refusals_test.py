@@ -47,7 +47,7 @@ class Refusals(Case):
             error = self.says("got %r in row 1, column 3" % float(number), self.smoother, bones=broken)
             self.assertEqual(error.place, "bones[2] (%s)" % self.character.names[2])
 
-    def test_attributes_that_are_not_there(self):
+    def test_unknown_attributes(self):
         """A setting that is misspelled must not seem to be set."""
         rig = self.rig.copy()
         for each in (rig, rig.muscles[0], self.character, self.smoother, self.smoother()):
@@ -57,7 +57,7 @@ class Refusals(Case):
         del rig, each
         self.assertIsNone(copy())
 
-    def test_what_is_right_is_taken(self):
+    def test_equivalent_arrays_are_accepted(self):
         good = self.character.sample("Walk", 0.2)
         expected = self.smoother(bones=good).positions
         strided = numpy.zeros((2 * len(good), 4, 8), numpy.float32)
@@ -95,7 +95,7 @@ class Refusals(Case):
         self.says("expected 3 numbers", self.character.from_locals, scales={"head": 2})
         self.says("expected a clip of the file", self.character.from_locals, clip="Range of motion")
 
-    def test_a_node_with_a_matrix_is_not_taken_apart(self):
+    def test_node_with_a_matrix_is_not_decomposed(self):
         glb = Glb(ASSETS / "humanoid.glb")
         head = next(node for node in glb.json["nodes"] if node.get("name") == "head")
         x, y, z = head.pop("translation", (0, 0, 0))
@@ -147,7 +147,7 @@ class Refusals(Case):
                 self.assertEqual(error.place, name)
                 self.assertEqual(rig, self.rig)
 
-    def test_objects_of_other_kinds(self):
+    def test_wrong_object_types(self):
         for wrong in (None, 3, "humanoid", self.rig):
             self.says("expected a sinew.Character", sinew.Rig, wrong)
             self.says("expected a sinew.Character", sinew.Smoother, wrong)
@@ -156,13 +156,13 @@ class Refusals(Case):
         self.says("expected a dict", self.smoother, shapes=[1])
         self.says("expected a dict", self.character.turned, [1])
 
-    def test_a_call_that_python_refuses_stays_a_type_error(self):
+    def test_wrong_call_arguments_raise_type_errors(self):
         for call in (lambda: self.smoother(clp="Walk"), lambda: self.rig.add_muscle("a"), lambda: sinew.load()):
             with self.assertRaises(TypeError) as caught:
                 call()
             self.assertNotIn("\n", str(caught.exception))
 
-    def test_bones_that_the_character_lacks(self):
+    def test_missing_bones(self):
         text = self.rig.to_json().replace('"chest"', '"chestt"')
         rig = sinew.Rig(self.character, text=text)
         self.assertTrue(rig.unattached)

@@ -12,12 +12,12 @@ class Rigs(Case):
         super().setUp()
         self.new = sinew.Rig(self.character)
 
-    def test_a_new_rig_is_that_of_the_editor(self):
+    def test_new_rig_has_the_editors_defaults(self):
         """Empty, with adaptive detail; its surface is that of the bare character."""
         self.assertEqual((len(self.new), self.new.groups, self.new.detail), (0, (), "adaptive"))
         self.assertEqual(json.loads(self.new.to_json())["character"], "humanoid.glb")
 
-    def test_fields_are_those_of_the_file(self):
+    def test_muscle_fields_match_the_file(self):
         muscle = self.new.add_muscle("a", bone="chest", center=(0.1, 0.2, 0.3), radii=numpy.array([0.1, 0.2, 0.3]),
                                      rotation=[0, 0, 0, 1], group="torso", reach=1.5, amount=0.5, sign=-1, core=0.5,
                                      belly=0.1, bend=(0.2, -0.1), territory=["chest", "spine"])
@@ -53,7 +53,7 @@ class Rigs(Case):
         self.refusal(getattr, muscle, "radii")
         self.assertEqual(repr(muscle), "<sinew.Muscle, removed>")
 
-    def test_leaders_are_one_of_each_pair(self):
+    def test_leaders_contain_one_muscle_of_each_pair(self):
         rig = sinew.load_rig(ASSETS / "humanoid.rig.json", self.character)
         before = {muscle.name: muscle.radii for muscle in rig}
         for muscle in rig.leaders:
@@ -75,7 +75,7 @@ class Rigs(Case):
         self.new.remove_group("limbs")
         self.assertEqual((self.new.groups, self.new.links), (("muscles",), ()))
 
-    def test_names_are_not_changed_in_silence(self):
+    def test_invalid_and_duplicate_names_are_refused(self):
         self.new.add_muscle("a", bone="chest")
         for name in ("a", "", None, 3):
             before = self.new.copy()
@@ -125,7 +125,7 @@ class Rigs(Case):
         self.assertFalse(numpy.array_equal(plain().positions, by_call.positions))
 
     @needs_program
-    def test_what_is_saved_opens_in_the_program(self):
+    def test_saved_rig_opens_in_the_program(self):
         self.new.add_muscle("a", bone="chest", center=(0.1, 0, 0), radii=(0.1, 0.1, 0.1))
         self.new.mirror("a")
         path = self.folder / "new.rig.json"
@@ -138,7 +138,7 @@ class Rigs(Case):
         again = sinew.Rig(self.character, text=text)
         self.assertEqual(again.to_json(), text)
 
-    def test_bundled_rigs_keep_what_they_hold(self):
+    def test_bundled_rigs_round_trip(self):
         def values(text):
             return json.loads(text, parse_float=lambda number: float(numpy.float32(number)), parse_int=float)
         for path in sorted(ASSETS.glob("*.rig.json")):
@@ -147,14 +147,14 @@ class Rigs(Case):
                 self.assertEqual(values(rig.to_json()), values(path.read_text()))
                 self.assertEqual(sinew.Rig(rig.character, text=rig.to_json()).to_json(), rig.to_json())
 
-    def test_a_copy_is_apart(self):
+    def test_copy_is_independent(self):
         rig = self.rig.copy()
         self.assertEqual(rig, self.rig)
         rig.muscles[0].amount = 0.1
         self.assertNotEqual(rig, self.rig)
         self.assertNotEqual(self.rig.muscles[0].amount, rig.muscles[0].amount)
 
-    def test_paths_of_any_kind(self):
+    def test_paths_of_any_type_are_accepted(self):
         path = self.folder / "Füchse ‹1›"
         path.mkdir()
         self.new.save(str(path / "a.rig.json").encode())
@@ -166,7 +166,7 @@ class Rigs(Case):
         self.assertEqual(os.fsencode(character.path), odd)
         self.assertIn("expected one of", self.refusal(character.duration, "x").reason)
 
-    def test_a_rig_for_another_character_names_that(self):
+    def test_rig_saved_for_another_character_refers_to_it(self):
         """Saved elsewhere, too, it opens with the character that it was opened for."""
         moved = self.folder / "moved" / "man.glb"
         moved.parent.mkdir()

@@ -36,7 +36,7 @@ def ply(path):
 
 class SameBits(Case):
     @needs_program
-    def test_of_the_command_line(self):
+    def test_surfaces_match_the_command_line(self):
         for name in RIGS:
             with self.subTest(rig=name):
                 rig = sinew.load_rig(ASSETS / (name + ".rig.json"))
@@ -66,7 +66,7 @@ class SameBits(Case):
         parts = glb.json["meshes"][0]["primitives"]
         self.assertEqual(sum(len(glb.rows(part["indices"])) for part in parts), 3 * len(surface.triangles))
 
-    def test_of_the_pose_of_a_clip(self):
+    def test_clip_matches_its_sampled_pose(self):
         for seconds in (0.0, 0.37, 1.0):
             clip = self.smoother(clip="Walk", time=seconds)
             bones = self.smoother(bones=self.character.sample("Walk", seconds))
@@ -74,14 +74,14 @@ class SameBits(Case):
             self.same_bits(clip.normals, bones.normals)
         self.same_bits(self.smoother().positions, self.smoother(bones=self.character.sample()).positions)
 
-    def test_of_frames(self):
+    def test_frames_match_single_surfaces(self):
         for threads in (1, 3):
             frames = list(self.smoother.frames("Walk", fps=10, threads=threads))
             self.assertEqual([round(frame.time * 10) for frame in frames], list(range(12)))
             for number, frame in enumerate(frames):
                 self.same_bits(frame.positions, self.smoother(clip="Walk", time=number / 10).positions)
 
-    def test_of_other_threads(self):
+    def test_concurrent_surfaces_match_sequential_ones(self):
         """Four threads on one character: each with a smoother of its own, then all with one."""
         times = [0.05 * number for number in range(12)]
         expected = [self.smoother(clip="Dance", time=each).positions for each in times]
@@ -104,7 +104,7 @@ class SameBits(Case):
             for number, positions in enumerate(expected):
                 self.same_bits(made[number], positions)
 
-    def test_the_lock_is_free_meanwhile(self):
+    def test_smoothing_releases_the_interpreter_lock(self):
         """Another thread runs while a large surface is made, though the interpreter makes no thread wait for another."""
         rig = self.rig.copy()
         rig.depth = 12
@@ -132,7 +132,7 @@ class SameBits(Case):
             thread.join()
         self.assertGreater(during, 0)
 
-    def test_after_edits(self):
+    def test_edited_rig_matches_a_fresh_smoother(self):
         """What is prepared again is what is prepared anew, and undoing an edit gives the bits back."""
         smoother, rig = sinew.Smoother(self.character, self.rig), self.rig.copy()
         before = smoother(clip="Walk", time=0.2).positions.copy()
@@ -147,7 +147,7 @@ class SameBits(Case):
         smoother.prepare(rig)
         self.same_bits(smoother(clip="Walk", time=0.2).positions, before)
 
-    def test_of_local_transforms(self):
+    def test_local_transforms_of_the_file_give_the_rest_pose(self):
         """Nothing set is rest and clip, bit for bit; a joint's own transform, read from the file apart, changes nothing."""
         self.same_bits(self.character.from_locals(), self.character.rest())
         self.same_bits(self.character.from_locals(clip="Walk", time=0.3), self.character.sample("Walk", 0.3))
@@ -161,7 +161,7 @@ class SameBits(Case):
         moved = [bone.name for bone in self.character.bones if bits_differ(raised, self.character.rest(), bone.number)]
         self.assertEqual(moved, ["head"])
 
-    def test_turned_joints_carry_what_hangs_on_them(self):
+    def test_rotated_joints_move_their_descendants(self):
         elbow = next(bone for bone in self.character.bones if bone.name == "forearm.L")
         half = numpy.sqrt(0.5)
         turned, still = self.character.turned({elbow.name: (half, 0, 0, half)}), self.character.sample()

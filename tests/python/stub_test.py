@@ -25,7 +25,7 @@ class Stub(Case):
     def setUpClass(cls):
         pass
 
-    def test_mypy_finds_the_stub_true(self):
+    def test_mypy_accepts_the_stub(self):
         if python("-m", "mypy", "--version").returncode != 0:
             self.skipTest("left out: what mypy says of the stub, it is not installed")
         allowed = self.folder / "known"
@@ -65,10 +65,10 @@ class Stub(Case):
             for parameter in inspect.signature(value).parameters:
                 self.assertIn(parameter, signature, name)
 
-    def test_type_checkers_know_that_it_is_typed(self):
+    def test_package_is_marked_as_typed(self):
         self.assertTrue((PACKAGE / "py.typed").is_file())
 
-    def test_importing_is_quick(self):
+    def test_import_does_not_load_numpy(self):
         """NumPy comes with the first array. Printed, and only compared: machines differ."""
         code = "import time; a = time.perf_counter(); import %s; print(time.perf_counter() - a)"
         env = dict(os.environ, PYTHONDONTWRITEBYTECODE="1")
@@ -80,7 +80,7 @@ class Stub(Case):
         loaded = python("-c", "import sinew, sys; print('numpy' in sys.modules)", env=env).stdout
         self.assertEqual(loaded, "False\n")
 
-    def test_only_its_entry_is_exported(self):
+    def test_module_exports_only_its_entry_point(self):
         """Libraries of other modules in the same interpreter do not meet what is linked here."""
         module, = PACKAGE.glob("_sinew*.so")
         told = subprocess.run(["nm", "-D", "--defined-only", module], capture_output=True, text=True)
@@ -94,13 +94,13 @@ class Stub(Case):
         self.assertIn("tinygltf", first)
         self.assertNotIn(True, ["libpython" in name for name in libraries])
 
-    def test_no_file_of_it_is_left_out(self):
+    def test_package_contains_all_files(self):
         source = pathlib.Path(__file__).resolve().parents[2] / "python" / "sinew"
         for path in source.iterdir():
             if path.is_file():
                 self.assertEqual((PACKAGE / path.name).read_bytes(), path.read_bytes(), path.name)
 
-    def test_the_documentation_is_that_of_python(self):
+    def test_docstrings_and_signatures_are_pythons(self):
         """help() shows signatures, not those of the layer below."""
         for name in ("load", "export", "Rig.add_muscle", "Smoother.__call__", "Character.sample"):
             target = sinew

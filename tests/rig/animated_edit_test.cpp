@@ -1,4 +1,4 @@
-// tests/rig/animated_edit_test.cpp: keys, drivers and channels edited; what refers to what.
+// tests/rig/animated_edit_test.cpp: edits of keys, drivers and channels, and the references between them.
 
 #include "core/rig/animated_edit.h"
 
@@ -52,7 +52,7 @@ struct AnimatedEdit : testing::Test {
   }
 };
 
-TEST_F(AnimatedEdit, KeysStayInOrderAndOneReplacesAnother) {
+TEST_F(AnimatedEdit, KeysStaySortedAndReplaceNearOnes) {
   edit(setKey(rig, kRadius, "Walk", 0.5f, 2.0f));
   edit(setKey(rig, kRadius, "Walk", 0.1f, 1.0f));
   edit(setKey(rig, kRadius, "Walk", 0.503f, 3.0f));
@@ -65,7 +65,7 @@ TEST_F(AnimatedEdit, KeysStayInOrderAndOneReplacesAnother) {
   EXPECT_EQ(trackIn(animationOf(rig, kRadius)->keys, ""), nullptr) << "no clip, no keys";
 }
 
-TEST_F(AnimatedEdit, TheLastKeyTakesItsTrackAndItsEntryAway) {
+TEST_F(AnimatedEdit, RemovingTheLastKeyRemovesItsTrackAndEntry) {
   const Rig before = rig;
   edit(setKey(rig, kRadius, "Walk", 0.5f, 2.0f));
   edit(setKey(rig, kRadius, "Walk", 0.7f, 2.0f));
@@ -75,7 +75,7 @@ TEST_F(AnimatedEdit, TheLastKeyTakesItsTrackAndItsEntryAway) {
   EXPECT_EQ(rig, before);
 }
 
-TEST_F(AnimatedEdit, RefusesWhatAFileCouldNotHold) {
+TEST_F(AnimatedEdit, RefusesValuesAFileCannotHold) {
   EXPECT_FALSE(setKey(rig, kRadius, "Walk", -1.0f, 2.0f));
   EXPECT_FALSE(setKey(rig, kRadius, "Walk", 1.0f, std::numeric_limits<float>::quiet_NaN()));
   Driver driver = lengthDriver();
@@ -89,7 +89,7 @@ TEST_F(AnimatedEdit, RefusesWhatAFileCouldNotHold) {
   EXPECT_EQ(animationOf(rig, kRadius), nullptr);
 }
 
-TEST_F(AnimatedEdit, DrivenKeysGatherInOneDriver) {
+TEST_F(AnimatedEdit, DrivenKeysShareOneDriver) {
   DriverInput bend;
   bend.bone = "fore";
   edit(setDrivenKey(rig, kRadius, bend, 0.0f, 1.0f));
@@ -104,7 +104,7 @@ TEST_F(AnimatedEdit, DrivenKeysGatherInOneDriver) {
   EXPECT_EQ(animationOf(rig, kRadius)->drivers.size(), 2u) << "another input, another driver";
 }
 
-TEST_F(AnimatedEdit, LengthsFollowTheLinesNameAndGoWithIt) {
+TEST_F(AnimatedEdit, LengthDriversFollowAndAreRemovedWithTheirLine) {
   const NumberRef other{Parameter::kAmount, 1};
   edit(setDriver(rig, other, lengthDriver()));
   edit(renameLine(rig, 0, "biceps L"));
@@ -115,7 +115,7 @@ TEST_F(AnimatedEdit, LengthsFollowTheLinesNameAndGoWithIt) {
   EXPECT_EQ(animationOf(rig, {Parameter::kAmount, 0}), nullptr) << "the driver went with its line";
 }
 
-TEST_F(AnimatedEdit, ChannelsAreRenamedAndRemovedWithWhatReadsThem) {
+TEST_F(AnimatedEdit, ChannelsAreRenamedAndRemovedWithTheirDrivers) {
   edit(setChannelKey(rig, "effort", "Lift", 0.0f, 0.0f));
   edit(setChannelKey(rig, "effort", "", 0.0f, 1.0f));
   Driver driver = lengthDriver();

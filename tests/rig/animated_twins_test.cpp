@@ -54,7 +54,7 @@ struct AnimatedTwins : testing::Test {
   }
 };
 
-TEST_F(AnimatedTwins, ArePlacedAsImagesInMirroredPoses) {
+TEST_F(AnimatedTwins, MirrorEachOtherInMirroredPoses) {
   test::Random random(11);
   const Rig start = rig;
   int driven = 0;
@@ -86,13 +86,13 @@ TEST_F(AnimatedTwins, ArePlacedAsImagesInMirroredPoses) {
   EXPECT_GT(driven, 60);
 }
 
-TEST_F(AnimatedTwins, TheImageOfTheImageIsTheOriginal) {
+TEST_F(AnimatedTwins, MirroringTwiceGivesTheOriginal) {
   test::Random random(12);
   for (int round = 0; round < 100; ++round) {
     Rig drawn = rig;
     test::addAnimation(random, {"leg L", "shin L"}, {"cross"}, drawn);
     Primitive first = drawn.primitives[0];
-    // Steps are rewritten, and products have an image only about 0.
+    // Steps are rewritten, and products have a mirror image only about 0.
     std::erase_if(first.animated, [](const AnimatedNumber& number) {
       return std::ranges::any_of(number.drivers, [](const Driver& driver) {
         return driver.curve.kind == CurveKind::kStep || driver.mode == DriverMode::kMultiply;
@@ -118,7 +118,7 @@ TEST_F(AnimatedTwins, TheImageOfTheImageIsTheOriginal) {
   }
 }
 
-TEST_F(AnimatedTwins, FollowAnEditAndReadTheTwinsLine) {
+TEST_F(AnimatedTwins, FollowAnEditWithTheTwinsLine) {
   Driver driver;
   driver.input.kind = DriverInputKind::kLength;
   driver.input.line = "hamstring L";
@@ -130,7 +130,7 @@ TEST_F(AnimatedTwins, FollowAnEditAndReadTheTwinsLine) {
   EXPECT_TRUE(rig.primitives[0].animated.empty()) << "and back";
 }
 
-TEST_F(AnimatedTwins, AStepAfterATwistIsAStepBeforeItInTheMirror) {
+TEST_F(AnimatedTwins, StepCurvesAreMirroredOverTwist) {
   Driver driver;
   driver.input.kind = DriverInputKind::kTwist;
   driver.input.bone = "leg L";

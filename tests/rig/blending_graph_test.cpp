@@ -1,4 +1,4 @@
-// tests/rig/blending_graph_test.cpp: cliques against brute force over all subsets.
+// tests/rig/blending_graph_test.cpp: cliques match brute force over all subsets.
 #include "core/rig/blending_graph.h"
 
 #include <algorithm>
@@ -74,7 +74,7 @@ TEST(BlendingGraph, ThousandsOfUnlinkedGroupsAreRefusedQuickly) {
   EXPECT_FALSE(makeBlendingGraph(kMaxCliques + 1, {}).ok());
 }
 
-TEST(CliquesAmong, EqualsTheCliquesOfTheInducedGraph) {
+TEST(CliquesAmong, MatchesTheCliquesOfTheInducedGraph) {
   std::mt19937 random(5);
   for (int round = 0; round < 200; ++round) {
     Links links;
@@ -107,7 +107,7 @@ TEST(CliquesAmong, EqualsTheCliquesOfTheInducedGraph) {
   }
 }
 
-TEST(BlendingGraphMemo, EnumeratesCliquesOnlyWhereGroupsOrLinksChange) {
+TEST(BlendingGraphMemo, EnumeratesCliquesOnlyIfGroupsOrLinksChange) {
   BlendingGraphMemo memo;
   const auto cliques = [&](int groups, const Links& links) {
     return memo.graph(groups, links).value()->cliques.data();

@@ -1,4 +1,4 @@
-// tests/rig/bundled_lines_test.cpp: the bundled characters' muscles on lines work, and stay where anatomy has them.
+// tests/rig/bundled_lines_test.cpp: the bundled characters' muscles on lines work, and stay in their anatomical place.
 
 #include <filesystem>
 
@@ -44,8 +44,8 @@ TEST(BundledLines, StayWithinPlausibleLengths) {
   }
 }
 
-// A muscle that keeps its length in the gallop had better been left on its bone.
-TEST(BundledLines, OfTheHorseWorkInItsGallop) {
+// A muscle with constant length in the gallop would not need a line.
+TEST(BundledLines, ChangeLengthInTheHorsesGallop) {
   const Bundled horse("horse");
   for (const MuscleLine& line : horse.rig.lines) {
     const LineLengths lengths = horse.lengths(line, {&horse.clip("Gallop"), 1});
@@ -54,7 +54,7 @@ TEST(BundledLines, OfTheHorseWorkInItsGallop) {
   }
 }
 
-// Where the belly thickens is where it peaks.
+// The belly's thickest point is the peak.
 TEST(BundledLines, BicepsPeaksOverTheMiddleOfTheUpperArm) {
   const Bundled humanoid("humanoid");
   const Skeleton& skeleton = humanoid.character->skeleton;

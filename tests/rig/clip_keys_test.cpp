@@ -1,4 +1,5 @@
-// tests/rig/clip_keys_test.cpp: keys follow clips that are called otherwise.
+// tests/rig/clip_keys_test.cpp: keys follow renamed clips.
+
 #include "core/rig/animated_edit.h"
 
 #include <random>
@@ -32,13 +33,13 @@ Rig rigKeyedIn(const std::vector<std::string>& clips) {
   return rig;
 }
 
-TEST(ClipKeys, AreCountedOfEveryOwner) {
+TEST(ClipKeys, AreCountedForEveryOwner) {
   const Rig rig = rigKeyedIn({"Walk", "Run"});
   EXPECT_EQ(countKeyTracks(rig, "Walk"), 5u);
   EXPECT_EQ(countKeyTracks(rig, "Jump"), 0u);
 }
 
-TEST(ClipKeys, GoWithTheirClipsAndBack) {
+TEST(ClipKeys, FollowRenamedClipsAndBack) {
   const Rig rig = rigKeyedIn({"Walk", "Walk 2", "Run", ""});
   const Rig swapped = withClipsRenamed(rig, {{"Walk", "Walk 2"}, {"Walk 2", "Walk"}});
   EXPECT_EQ(swapped.surface.animated[0].keys[0], track("Walk 2", 0.0f));
@@ -51,21 +52,21 @@ TEST(ClipKeys, GoWithTheirClipsAndBack) {
   EXPECT_EQ(withClipsRenamed(rig, {{"Walk", "Walk"}, {"Run", "Run"}}), rig);
 }
 
-TEST(ClipKeys, OfAClipThatIsNotThereGiveWay) {
+TEST(ClipKeys, OfAMissingClipAreReplaced) {
   const Rig rig = rigKeyedIn({"Walk", "Walk 2"});
   const Rig renamed = withClipsRenamed(rig, {{"Walk 2", "Walk"}});
   ASSERT_EQ(renamed.lines[0].animated[0].keys.size(), 1u);
   EXPECT_EQ(renamed.lines[0].animated[0].keys[0], track("Walk", 1.0f));
   ASSERT_EQ(renamed.channels.size(), 1u);
   EXPECT_EQ(renamed.channels[0].track, track("Walk", 1.0f));
-  // A channel is not lost with its last track: drivers read it.
+  // A channel stays when its last track is removed, since drivers read it.
   const Rig stale = withClipsRenamed(rigKeyedIn({"Walk"}), {{"Walk 2", "Walk"}});
   EXPECT_TRUE(stale.lines[0].animated.empty());
   EXPECT_EQ(stale.channels.size(), 1u);
 }
 
-/// Whatever permutation of names: as many tracks, and each clip once in every list.
-TEST(ClipKeys, NoListNamesAClipTwice) {
+/// For any permutation of names: as many tracks, and each clip once in every list.
+TEST(ClipKeys, NeverNameAClipTwice) {
   std::mt19937 random(5);
   for (int trial = 0; trial < 50; ++trial) {
     std::vector<std::string> clips{"a", "b", "c", "d"};

@@ -1,4 +1,4 @@
-// tests/rig/curve_test.cpp: curves of keys and drivers: through their points, never beyond them.
+// tests/rig/curve_test.cpp: curves of keys and drivers pass through their points without overshoot.
 
 #include <algorithm>
 #include <cmath>
@@ -10,7 +10,7 @@
 namespace sinew {
 namespace {
 
-TEST(Curves, GoThroughTheirPointsAndStayConstantOutside) {
+TEST(Curves, PassThroughTheirPointsAndAreConstantOutside) {
   test::Random random(1);
   for (int i = 0; i < 2000; ++i) {
     const Curve curve = test::anyCurve(random, -3.0f, 8.0f, 16);
@@ -41,7 +41,7 @@ TEST(Curves, NeverOvershoot) {
   }
 }
 
-TEST(Curves, SmoothOnesHaveOneSlopeAtAPoint) {
+TEST(Curves, SmoothCurvesHaveContinuousDerivatives) {
   test::Random random(3);
   int checked = 0;
   for (int i = 0; i < 500; ++i) {
@@ -68,7 +68,7 @@ TEST(Curves, LargeNumbersStayFinite) {
   }
 }
 
-TEST(Curves, ThreeKindsBetweenTwoPoints) {
+TEST(Curves, EachKindInterpolatesAsDefined) {
   const std::vector<glm::vec2> points{{1.0f, 0.0f}, {3.0f, 8.0f}};
   EXPECT_FLOAT_EQ(valueAt({points, CurveKind::kLinear}, 1.5f), 2.0f);
   EXPECT_FLOAT_EQ(valueAt({points, CurveKind::kStep}, 2.9f), 0.0f);

@@ -1,4 +1,4 @@
-// tests/rig/driven_morphs_test.cpp: what file, clip, keys and drivers make of a target's weight, and the surface.
+// tests/rig/driven_morphs_test.cpp: morph target weights from file, clip, keys and drivers, and the resulting surface.
 #include <limits>
 
 #include <gtest/gtest.h>
@@ -40,7 +40,7 @@ class DrivenMorphs : public ::testing::Test {
   Rig rig_;
 };
 
-TEST_F(DrivenMorphs, TheRigAddsToTheClip) {
+TEST_F(DrivenMorphs, RigWeightsAddToTheClip) {
   const Rig more = setMorphWeight(rig_, morphName(1), 0.5f).value();
   for (const float time : {0.0f, 0.2f, 0.9f}) {
     const Pose pose = at(time);
@@ -53,8 +53,8 @@ TEST_F(DrivenMorphs, TheRigAddsToTheClip) {
   }
 }
 
-/// A corrective: the more the knee bends, the more of the shape.
-TEST_F(DrivenMorphs, ABendDrivesAShape) {
+/// A corrective: the further the knee bends, the larger the weight.
+TEST_F(DrivenMorphs, BendDrivesAShape) {
   DriverInput input;
   input.bone = "knee";
   const Driver driver{input, {{{0.0f, 0.0f}, {90.0f, 2.0f}}, CurveKind::kLinear}, DriverMode::kAdd, {}};
@@ -65,7 +65,7 @@ TEST_F(DrivenMorphs, ABendDrivesAShape) {
   }
 }
 
-TEST_F(DrivenMorphs, KeysStandForTheRigsNumberAndStayInRange) {
+TEST_F(DrivenMorphs, KeysReplaceTheRigWeightAndAreClamped) {
   Rig rig = setMorphWeight(rig_, morphName(0), 3.0f).value();
   rig = setKey(std::move(rig), {Parameter::kMorphWeight, 0}, "bend", 0.0f, 1.0f).value();
   const Pose pose = at(0.4f);
@@ -75,8 +75,8 @@ TEST_F(DrivenMorphs, KeysStandForTheRigsNumberAndStayInRange) {
   EXPECT_NEAR(weights(rig, pose)[0], pose.morphWeights[0] + kMostMorphWeight, 1e-5f);
 }
 
-/// The same weights give the same surface, wherever they come from; with adaptive detail the levels stay.
-TEST_F(DrivenMorphs, TheSurfaceDependsOnTheSumAlone) {
+/// Equal weights give the same surface, wherever they come from; with adaptive detail the levels stay.
+TEST_F(DrivenMorphs, SurfaceDependsOnlyOnTheSum) {
   for (const DetailKind detail : {DetailKind::kUniform, DetailKind::kAdaptive}) {
     rig_.smoothing.detail = detail;
     const Rig more = setMorphWeight(rig_, morphName(1), 0.75f).value();
@@ -90,7 +90,7 @@ TEST_F(DrivenMorphs, TheSurfaceDependsOnTheSumAlone) {
   }
 }
 
-TEST_F(DrivenMorphs, ASurfaceDoesNotDependOnTheOneBefore) {
+TEST_F(DrivenMorphs, SurfaceDoesNotDependOnThePreviousOne) {
   rig_.smoothing.creaseAngle = 30.0f;
   Smoother kept(character_);
   ASSERT_TRUE(kept.prepare(rig_).ok());

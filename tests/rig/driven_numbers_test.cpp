@@ -1,5 +1,4 @@
-// tests/rig/driven_numbers_test.cpp: numbers that follow the pose: joined, within range, independent of what came
-// before.
+// tests/rig/driven_numbers_test.cpp: parameters that follow the pose: combined, within range, independent of history.
 
 #include <cmath>
 
@@ -24,12 +23,12 @@
 namespace sinew {
 namespace {
 
-struct Driven : testing::Test {
+struct DrivenParameters : testing::Test {
   std::shared_ptr<const Character> character = test::makeLimb();
   const Skeleton& skeleton = character->skeleton;
   Rig rig;
 
-  Driven() {
+  DrivenParameters() {
     Primitive belly;
     belly.name = "belly";
     belly.bone = "middle";
@@ -61,7 +60,7 @@ struct Driven : testing::Test {
   }
 };
 
-TEST_F(Driven, DriversJoinTheNumberInOrder) {
+TEST_F(DrivenParameters, DriversApplyInOrder) {
   drive(Parameter::kRadiusX, byBend(DriverMode::kAdd, {{0.0f, 0.0f}, {90.0f, 0.1f}}));
   EXPECT_NEAR(at(Parameter::kRadiusX, bentBy(45.0f)), 0.25f, 1e-4f);
   drive(Parameter::kRadiusX, byBend(DriverMode::kMultiply, {{0.0f, 1.0f}, {90.0f, 2.0f}}));
@@ -71,7 +70,7 @@ TEST_F(Driven, DriversJoinTheNumberInOrder) {
   EXPECT_EQ(at(Parameter::kRadiusY, bentBy(45.0f)), 0.3f) << "what is not driven stays";
 }
 
-TEST_F(Driven, KeysReplaceTheNumberInTheirClipAlone) {
+TEST_F(DrivenParameters, KeysReplaceTheNumberOnlyInTheirClip) {
   const AnimationClip& clip = character->clips.front();
   rig = setKey(rig, {Parameter::kRadiusX, 0}, clip.name, 0.5f, 0.4f).value();
   rig = setKey(rig, {Parameter::kRadiusX, 0}, clip.name, 1.5f, 0.8f).value();
@@ -86,7 +85,7 @@ TEST_F(Driven, KeysReplaceTheNumberInTheirClipAlone) {
   EXPECT_NEAR(at(Parameter::kRadiusX, samplePose(skeleton, clip, 1.0f)), 0.7f, 1e-5f) << "drivers join the keyed value";
 }
 
-TEST_F(Driven, ChannelsAreReadAtTheMoment) {
+TEST_F(DrivenParameters, ChannelsAreSampledAtTheCurrentTime) {
   const AnimationClip& clip = character->clips.front();
   rig = setChannelKey(rig, "effort", clip.name, 0.0f, 0.0f).value();
   rig = setChannelKey(rig, "effort", clip.name, 2.0f, 1.0f).value();
@@ -99,7 +98,7 @@ TEST_F(Driven, ChannelsAreReadAtTheMoment) {
   EXPECT_EQ(at(Parameter::kRadiusX, bindPose(skeleton)), 0.2f);
 }
 
-TEST_F(Driven, LengthsAreThoseOfTheLineAsItIsDrawn) {
+TEST_F(DrivenParameters, LengthsUseTheUnanimatedLine) {
   MuscleLine line;
   line.name = "flexor";
   line.origin = {"root", {0.1f, 0.2f, 0.0f}, {}};
@@ -111,7 +110,7 @@ TEST_F(Driven, LengthsAreThoseOfTheLineAsItIsDrawn) {
   driver.input.kind = DriverInputKind::kLength;
   driver.input.line = "flexor";
   drive(Parameter::kReach, driver);
-  // The line's own rest length is driven too: nobody reads another's result.
+  // The line's own rest length is driven too: no driver reads another's result.
   rig = setDriver(rig, {Parameter::kRest, 0}, byBend(DriverMode::kReplace, {{0.0f, 3.0f}})).value();
   for (const float degrees : {-60.0f, 30.0f, 80.0f}) {
     const Pose pose = bentBy(degrees);
@@ -121,7 +120,7 @@ TEST_F(Driven, LengthsAreThoseOfTheLineAsItIsDrawn) {
   }
 }
 
-TEST_F(Driven, DistancesAreRelativeToTheBindPose) {
+TEST_F(DrivenParameters, DistancesAreRelativeToTheBindPose) {
   Driver driver = byBend(DriverMode::kReplace, {{0.0f, 0.0f}, {10.0f, 10.0f}});
   driver.input = {};
   driver.input.kind = DriverInputKind::kDistance;
@@ -143,7 +142,7 @@ TEST_F(Driven, DistancesAreRelativeToTheBindPose) {
   EXPECT_LE(at(bend, pose), kMostBend) << "brought into range";
 }
 
-TEST_F(Driven, ADriverWhoseBoneIsMissingIsLeftOutAndListed) {
+TEST_F(DrivenParameters, DriverOfAMissingBoneIsIgnoredAndListed) {
   Driver driver = byBend(DriverMode::kReplace, {{0.0f, 0.7f}});
   driver.input.bone = "tail";
   drive(Parameter::kRadiusX, driver);
@@ -153,7 +152,7 @@ TEST_F(Driven, ADriverWhoseBoneIsMissingIsLeftOutAndListed) {
   EXPECT_EQ(missing[0].place, "primitives[0].animated[0].drivers[0].input.bone");
 }
 
-TEST(DrivenRigs, AreRigsAndDoNotDependOnWhatCameBefore) {
+TEST(DrivenRigs, AreValidAndDoNotDependOnHistory) {
   const auto character = test::makeLimb();
   const AnimationClip& clip = character->clips.front();
   int changed = 0;
@@ -175,7 +174,7 @@ TEST(DrivenRigs, AreRigsAndDoNotDependOnWhatCameBefore) {
   EXPECT_GT(changed, 100);
 }
 
-TEST(DrivenRigs, PosingAllocatesNothingOnceItHasRun) {
+TEST(DrivenRigs, RepeatedPosingAllocatesNothing) {
   const auto character = test::makeLimb();
   const AnimationClip& clip = character->clips.front();
   const Rig rig = test::animatedLimbRig(*character, 7);

@@ -36,7 +36,7 @@ TEST(Field, ChainBlendsWithTheMiddleOnly) {
   EXPECT_NEAR(sampleField(three, all, {}, x).value, f[0] + f[1] + f[2], 1e-6f);
 }
 
-TEST(Field, CarveWorksWhateverUnlinkedGroupsExist) {
+TEST(Field, CarveIgnoresUnlinkedGroups) {
   const std::vector<PosedPrimitive> two{sphere({0, 0, 0}, 1, -1.0f), sphere({9, 0, 0}, 1)};
   const std::vector<Candidate> all{{0, 1.0f, 0}, {1, 1.0f, 1}};
   const CliqueLists unlinked{{0}, {1}};
@@ -82,8 +82,8 @@ TEST(Field, GradientMatchesDifferences) {
 TEST(Field, GradientBetweenMirroredMusclesLiesInThePlane) {
   const std::vector<PosedPrimitive> two{sphere({-0.4f, 0, 0}, 0.8f), sphere({0.4f, 0, 0}, 0.8f)};
   const std::vector<Candidate> all{{0, 1.0f, 0}, {1, 1.0f, 1}, {1, 0.0f, 2}, {1, 1e-6f, 3}};
-  // The second one in three cliques, beside a group that adds nothing here and one that adds next to nothing: they must
-  // not count as another one.
+  // The second one is in three cliques, next to a group that adds nothing here and one that adds almost nothing: they
+  // must not count as another one.
   const CliqueLists unlinked{{0}, {1, 2}, {1}, {1, 3}};
   const auto gradientAt = [&](float x) { return sampleField(two, all, unlinked, {x, 0.5f, 0.1f}).gradient; };
   const glm::vec3 between = gradientAt(0.0f);
@@ -103,7 +103,7 @@ TEST(Field, GradientBetweenMirroredMusclesLiesInThePlane) {
 }
 
 // An empty clique ties with one that is nearly empty, and must not count.
-TEST(Field, GradientNearARimIsTheMusclesOwnWhateverIsFarAway) {
+TEST(Field, GradientNearARimIgnoresDistantMuscles) {
   const std::vector<PosedPrimitive> two{sphere({0, 0, 0}, 1), sphere({100, 0, 0}, 1)};
   const std::vector<Candidate> all{{0, 1.0f, 0}, {1, 1.0f, 1}};
   const CliqueLists unlinked{{0}, {1}};

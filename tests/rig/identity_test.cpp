@@ -35,7 +35,7 @@ bool allDifferent(const Rig& rig) {
   return unique.size() == ids.size() && !unique.contains(PrimitiveId{});
 }
 
-TEST(Identity, EveryPrimitiveAndGroupGetsOne) {
+TEST(RigIdentity, EveryPrimitiveAndGroupGetsAnIdentity) {
   Rig rig = rigOf(5);
   IdentitySource source;
   source.identify(rig, Rig{});
@@ -44,14 +44,14 @@ TEST(Identity, EveryPrimitiveAndGroupGetsOne) {
   for (const Group& group : rig.groups) EXPECT_TRUE(group.id());
 }
 
-TEST(Identity, IsNoPartOfTheDocument) {
+TEST(RigIdentity, IsNotPartOfTheDocument) {
   Rig rig = rigOf(3);
   const Rig before = rig;
   IdentitySource().identify(rig, Rig{});
   EXPECT_EQ(rig, before);
 }
 
-TEST(Identity, ACopyGetsItsOwnWhereverItStands) {
+TEST(RigIdentity, CopyGetsItsOwnIdentity) {
   Rig before = rigOf(3);
   IdentitySource source;
   source.identify(before, Rig{});
@@ -66,18 +66,18 @@ TEST(Identity, ACopyGetsItsOwnWhereverItStands) {
   }
 }
 
-TEST(Identity, AnOverwrittenTwinKeepsItsOwn) {
+TEST(RigIdentity, OverwrittenTwinKeepsItsIdentity) {
   Rig before = rigOf(2);
   IdentitySource source;
   source.identify(before, Rig{});
   Rig rig = before;
-  rig.primitives[0] = before.primitives[1];  // As a mirror image is made from the leader.
+  rig.primitives[0] = before.primitives[1];  // As mirroring creates an image from its leader.
   rig.primitives[0].name = before.primitives[0].name;
   source.identify(rig, before);
   EXPECT_EQ(idsOf(rig), idsOf(before));
 }
 
-TEST(Identity, WhatIsMadeAnewInEveryFrameOfADragStaysTheSame) {
+TEST(RigIdentity, MuscleRecreatedInEveryDragFrameKeepsItsIdentity) {
   Rig start = rigOf(2);
   IdentitySource source;
   source.identify(start, Rig{});
@@ -95,8 +95,8 @@ TEST(Identity, WhatIsMadeAnewInEveryFrameOfADragStaysTheSame) {
   }
 }
 
-/// Whatever is edited: who is still there, by index and with what it holds, is still the same one.
-TEST(Identity, RandomEdits) {
+/// After any edits, remaining items keep their identity, by index and contents.
+TEST(RigIdentity, SurvivesRandomEdits) {
   std::mt19937 random(7);
   Rig rig = rigOf(4);
   IdentitySource source;

@@ -1,4 +1,4 @@
-// tests/rig/joint_turns_test.cpp: bend, twist and nearness against turns that were put in.
+// tests/rig/joint_turns_test.cpp: bend, twist and nearness measured for given rotations.
 
 #include "core/rig/driver_input.h"
 
@@ -21,14 +21,14 @@ namespace {
 
 int boneNamed(const Character& character, const char* name) { return *character.skeleton.findBone(name); }
 
-/// One joint turned from the bind pose, in its own turn frame.
+/// One joint rotated from the bind pose, in its own frame for rotations.
 Pose turned(const Character& character, int bone, const glm::quat& turn) {
   PoseOverrides overrides;
   overrides.set(bone, turn);
   return posed(character.skeleton, bindPose(character.skeleton), overrides);
 }
 
-TEST(JointTurns, NothingInTheBindPose) {
+TEST(JointRotations, AreZeroInTheBindPose) {
   const auto character = test::makeTwoLegged();
   const Pose bind = bindPose(character->skeleton);
   for (int bone = 0; bone < static_cast<int>(character->skeleton.bones.size()); ++bone) {
@@ -37,7 +37,7 @@ TEST(JointTurns, NothingInTheBindPose) {
   }
 }
 
-TEST(JointTurns, ABendIsTheAngleThatWasPutIn) {
+TEST(JointRotations, BendIsTheAppliedAngle) {
   const auto character = test::makeLimb();
   const int bone = boneNamed(*character, "middle");
   const glm::vec3 along = boneDirection(character->skeleton.bones[static_cast<std::size_t>(bone)]);
@@ -49,7 +49,7 @@ TEST(JointTurns, ABendIsTheAngleThatWasPutIn) {
   }
 }
 
-TEST(JointTurns, ATwistIsTheAngleThatWasPutInAndNoBend) {
+TEST(JointRotations, TwistIsTheAppliedAngleWithoutBend) {
   const auto character = test::makeLimb();
   const int bone = boneNamed(*character, "middle");
   const glm::vec3 along = boneDirection(character->skeleton.bones[static_cast<std::size_t>(bone)]);
@@ -67,7 +67,7 @@ TEST(JointTurns, ATwistIsTheAngleThatWasPutInAndNoBend) {
   }
 }
 
-TEST(JointTurns, NearnessIsTheClosedForm) {
+TEST(JointRotations, NearnessMatchesTheClosedForm) {
   test::Random random(6);
   for (int i = 0; i < 200; ++i) {
     const glm::quat wanted = random.rotation();
@@ -79,12 +79,12 @@ TEST(JointTurns, NearnessIsTheClosedForm) {
   }
 }
 
-/// Largest change of any joint's measures over the range of motion, by steps of a tenth of a degree or less.
+/// Largest change of any joint's measures over the range of motion, in steps of at most a tenth of a degree.
 void expectContinuous(const Character& character) {
   const AnimationClip clip = rangeOfMotion(character.skeleton);
   const Skeleton& skeleton = character.skeleton;
   std::vector<Pose> poses;
-  // Dense stretches, a few frames each, over the whole clip: all of it takes minutes on a detailed skeleton.
+  // Dense intervals of a few frames each, spread over the clip: all of it takes minutes on a detailed skeleton.
   const float step = 0.0005f;
   for (float from = 0.0f; from < clip.duration; from += clip.duration / 60.0f) {
     Pose last = samplePose(skeleton, clip, from);
@@ -103,9 +103,9 @@ void expectContinuous(const Character& character) {
   }
 }
 
-TEST(JointTurns, ContinuousOverTheRangeOfMotion) { expectContinuous(*test::makeTwoLegged()); }
+TEST(JointRotations, AreContinuousOverTheRangeOfMotion) { expectContinuous(*test::makeTwoLegged()); }
 
-TEST(JointTurns, ContinuousOverTheRangeOfMotionOfFox) {
+TEST(JointRotations, AreContinuousOverTheRangeOfMotionOfFox) {
   const auto fox = test::realCharacter("Fox.glb");
   if (!fox) GTEST_SKIP() << "left out: real characters are not at hand";
   expectContinuous(*fox);

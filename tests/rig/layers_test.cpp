@@ -1,4 +1,4 @@
-// tests/rig/layers_test.cpp: parts that are guessed and chosen, and what pieces of the mesh make of it.
+// tests/rig/layers_test.cpp: guessed and selected layers of parts, and the resulting pieces of the mesh.
 #include "core/rig/mesh_layers.h"
 
 #include <algorithm>
@@ -25,7 +25,7 @@ SkinLayer layerOf(const Character& character, const std::vector<SkinLayer>& laye
   return layers[static_cast<std::size_t>(found - character.parts.begin())];
 }
 
-TEST(LayerGuess, ADressedBodyIsUnderstood) {
+TEST(LayerGuess, RecognizesADressedBody) {
   const auto dressed = test::dressedHumanoid();
   const std::vector<SkinLayer> guessed = guessLayers(*dressed);
   ASSERT_EQ(guessed.size(), 5u);
@@ -36,7 +36,7 @@ TEST(LayerGuess, ADressedBodyIsUnderstood) {
   EXPECT_EQ(layerOf(*dressed, guessed, "Eyes"), kRigid);
 }
 
-TEST(LayerGuess, PlaceDecidesWhereNamesSayNothing) {
+TEST(LayerGuess, UsesPositionsIfNamesAreMeaningless) {
   Character dressed = *test::dressedHumanoid();
   const std::vector<SkinLayer> named = guessLayers(dressed);
   for (std::size_t i = 0; i < dressed.parts.size(); ++i) dressed.parts[i].name = "Cube." + std::to_string(i);
@@ -44,7 +44,7 @@ TEST(LayerGuess, PlaceDecidesWhereNamesSayNothing) {
   EXPECT_EQ(guessLayers(dressed), named);
 }
 
-TEST(LayerGuess, WhatIsSewnToTheRestIsSkinWhateverItsName) {
+TEST(LayerGuess, ConnectedPartsAreSkinWhateverTheirName) {
   Character character = *importGltf(std::filesystem::path(SINEW_SOURCE_DIR) / "assets" / "humanoid.glb").value();
   character.parts = {{"Body", 0}, {"Eye shoe hair shirt", 0}};
   for (std::size_t t = 0; t < character.mesh.triangles.size(); ++t) {
@@ -54,7 +54,7 @@ TEST(LayerGuess, WhatIsSewnToTheRestIsSkinWhateverItsName) {
   EXPECT_EQ(guessLayers(character), (std::vector<SkinLayer>{kSkin, kSkin}));
 }
 
-TEST(LayerGuess, OfOnePartNothingIsAsked) {
+TEST(LayerGuess, SinglePartIsSkin) {
   for (const char* file : {"humanoid.glb", "horse.glb", "demo.glb", "tangle.glb", "wrapped.glb"}) {
     const auto character = importGltf(std::filesystem::path(SINEW_SOURCE_DIR) / "assets" / file).value();
     EXPECT_EQ(character->parts.size(), 1u) << file;
@@ -62,7 +62,7 @@ TEST(LayerGuess, OfOnePartNothingIsAsked) {
   }
 }
 
-TEST(LayerGuess, BodiesSewnFromMaterialsStaySkin) {
+TEST(LayerGuess, BodiesSplitByMaterialStaySkin) {
   for (const char* file : {"robot.glb", "RobotExpressive.glb", "Bull.glb", "Husky.glb", "Trex.glb"}) {
     const auto character = test::realCharacter(file);
     if (!character) GTEST_SKIP() << "left out: real characters are not at hand";
@@ -71,7 +71,7 @@ TEST(LayerGuess, BodiesSewnFromMaterialsStaySkin) {
   }
 }
 
-TEST(Layers, TheRigsChoiceWinsAndUnknownPartsAreKept) {
+TEST(Layers, RigOverridesTheGuessAndKeepsUnknownParts) {
   const auto dressed = test::dressedHumanoid();
   const std::vector<SkinLayer> guessed = guessLayers(*dressed);
   Rig rig;
@@ -89,12 +89,12 @@ TEST(Layers, TheRigsChoiceWinsAndUnknownPartsAreKept) {
   EXPECT_FALSE(validateLayers(rig).ok()) << "twice";
 }
 
-TEST(Layers, NamesGoBothWays) {
+TEST(Layers, NamesRoundTrip) {
   for (const SkinLayer layer : {kSkin, kCloth, kRigid}) EXPECT_EQ(skinLayerNamed(nameOf(layer)), layer);
   EXPECT_FALSE(skinLayerNamed("Cloth").has_value());
 }
 
-TEST(MeshLayers, WhatPartsShareIsSkinThenCloth) {
+TEST(MeshLayers, SharedCarriersAreSkinThenCloth) {
   Character character = *importGltf(std::filesystem::path(SINEW_SOURCE_DIR) / "assets" / "humanoid.glb").value();
   character.parts = {{"a", 0}, {"b", 0}, {"c", 0}};
   for (std::size_t t = 0; t < character.mesh.triangles.size(); ++t) {

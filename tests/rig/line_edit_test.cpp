@@ -1,4 +1,4 @@
-// tests/rig/line_edit_test.cpp: lines come, change and go with what rides them.
+// tests/rig/line_edit_test.cpp: lines are added, edited and removed together with their muscles.
 
 #include "core/rig/line_edit.h"
 
@@ -38,7 +38,7 @@ struct LineEdit : testing::Test {
   ~LineEdit() override { EXPECT_TRUE(validate(rig)) << validate(rig).error().text(); }
 };
 
-TEST_F(LineEdit, NamesAreMadeUniqueAndFollowed) {
+TEST_F(LineEdit, NamesAreUniqueAndRenamesAreFollowed) {
   rig = addLine(rig, lineNamed("biceps")).value();
   EXPECT_EQ(rig.lines[1].name, "biceps 2");
   EXPECT_FALSE(renameLine(rig, 1, "biceps").ok());
@@ -48,7 +48,7 @@ TEST_F(LineEdit, NamesAreMadeUniqueAndFollowed) {
   EXPECT_EQ(primitivesOn(rig, "triceps"), (std::vector<int>{0, 1}));
 }
 
-TEST_F(LineEdit, ALineGoesWithItsLastPrimitive) {
+TEST_F(LineEdit, LineIsRemovedWithItsLastPrimitive) {
   rig = addLine(rig, lineNamed("bare")).value();
   rig = removePrimitives(rig, std::vector<int>{0});
   EXPECT_GE(findLine(rig, "biceps"), 0);
@@ -57,14 +57,14 @@ TEST_F(LineEdit, ALineGoesWithItsLastPrimitive) {
   EXPECT_GE(findLine(rig, "bare"), 0) << "a line that carried nothing is not this edit's to take";
 }
 
-TEST_F(LineEdit, TakenOffTheLineMusclesRideTheirBones) {
+TEST_F(LineEdit, MusclesRemovedFromTheirLineFollowTheirBones) {
   const Rig off = setLineOfSeveral(rig, std::vector<int>{0, 1}, -1);
   EXPECT_TRUE(off.primitives[0].line.empty());
   EXPECT_TRUE(off.lines.empty());
   EXPECT_TRUE(validate(off));
 }
 
-TEST_F(LineEdit, TwinsNameEachOther) {
+TEST_F(LineEdit, TwinLinesReferToEachOther) {
   MuscleLine twin = lineNamed("other");
   twin.mirror = "biceps";
   rig = addLine(rig, twin).value();
@@ -75,7 +75,7 @@ TEST_F(LineEdit, TwinsNameEachOther) {
   EXPECT_TRUE(rig.lines[0].mirror.empty()) << "it went with its last muscle";
 }
 
-TEST_F(LineEdit, WhatIsOutOfRangeIsRefusedAndNothingChanges) {
+TEST_F(LineEdit, OutOfRangeValuesAreRefused) {
   const Rig before = rig;
   EXPECT_FALSE(editLine(rig, 0, [](MuscleLine& line) { line.settings.full = 1.0f; }).ok());
   EXPECT_FALSE(addPrimitive(rig, on("calf")).ok());

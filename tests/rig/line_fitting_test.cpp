@@ -29,13 +29,13 @@ struct LineFitting : testing::Test {
   [[nodiscard]] LineLengths lengths() const {
     return lengthsOver(lineRest(rig.lines[0], *limb).value(), *limb, limb->clips);
   }
-  /// Independent of lengthsOver: at one time of the clip.
+  /// Stretch at one time of the clip, computed independently of lengthsOver.
   [[nodiscard]] float stretchAt(const Rig& of, float time) const {
     return RigPoser(of, *limb).pose(samplePose(limb->skeleton, limb->clips.front(), time)).lines.front().stretch;
   }
 };
 
-TEST_F(LineFitting, ClipsOfAgesAreSampledThinly) {
+TEST_F(LineFitting, LongClipsAreSampledSparsely) {
   const LineLengths seen = lengths();
   for (const float seconds : {3700.0f, 1e6f, 1e15f}) {
     Character slow = *limb;
@@ -48,7 +48,7 @@ TEST_F(LineFitting, ClipsOfAgesAreSampledThinly) {
     const LineLengths all = lengthsOver(lineRest(rig.lines[0], slow).value(), slow, slow.clips);
     EXPECT_GT(all.poses, 50'000);
     EXPECT_LE(all.poses, 60'002);
-    // Of more moments the shortest is shorter, if not by much.
+    // With more sample times the minimum is smaller, but not by much.
     EXPECT_LE(all.least, seen.least + 1e-4f);
     EXPECT_NEAR(all.least, seen.least, 0.03f);
     EXPECT_GE(all.most, seen.most - 1e-4f);
@@ -56,7 +56,7 @@ TEST_F(LineFitting, ClipsOfAgesAreSampledThinly) {
   }
 }
 
-TEST_F(LineFitting, LengthsAreThoseOfTheClip) {
+TEST_F(LineFitting, LengthsCoverTheClip) {
   const LineLengths seen = lengths();
   EXPECT_EQ(seen.poses, 31);
   EXPECT_LT(seen.least, 0.98f);
@@ -68,7 +68,7 @@ TEST_F(LineFitting, LengthsAreThoseOfTheClip) {
   EXPECT_EQ(seen.shortestIn, "bend");
 }
 
-TEST_F(LineFitting, LearnedContractionActivatesFullyWhereTheLineIsShortest) {
+TEST_F(LineFitting, LearnedContractionIsFullAtTheShortestLength) {
   const LineLengths seen = lengths();
   const Result<Learned> learned = withLearned(rig, 0, seen);
   ASSERT_TRUE(learned.ok()) << learned.error().text();
@@ -81,7 +81,7 @@ TEST_F(LineFitting, LearnedContractionActivatesFullyWhereTheLineIsShortest) {
   EXPECT_NE(withLearned(rig, 0, far)->warning.find("160 %"), std::string::npos);
 }
 
-TEST_F(LineFitting, RestNowIsAHundredPercentThere) {
+TEST_F(LineFitting, RestNowMakesTheCurrentLengthOneHundredPercent) {
   const float before = stretchAt(rig, 0.5f);
   const Rig rested = withRestNow(rig, 0, before).value();
   EXPECT_NEAR(stretchAt(rested, 0.5f), 1.0f, 1e-5f);
@@ -89,11 +89,11 @@ TEST_F(LineFitting, RestNowIsAHundredPercentThere) {
   EXPECT_FLOAT_EQ(withFullNow(rig, 0, 0.8f)->lines[0].settings.full, 0.8f);
 }
 
-TEST_F(LineFitting, AViaPointKeepsTheLineOutOfTheJoint) {
+TEST_F(LineFitting, ViaPointKeepsTheLineOutOfTheJoint) {
   const Rig bent = withViaPoint(rig, 0, *limb).value();
   ASSERT_TRUE(bent.lines[0].via);
   EXPECT_EQ(bent.lines[0].via->bone, "root");
-  // In the bind pose the line passes the joint on this side, and no nearer than it did.
+  // In the bind pose the line passes the joint on this side, and no closer than before.
   const LineRest rest = lineRest(bent.lines[0], *limb).value();
   const glm::dvec3 joint(limb->skeleton.bones[1].bindInWorld[3]);
   EXPECT_GT(rest.via->inBind.z, joint.z);
@@ -101,7 +101,7 @@ TEST_F(LineFitting, AViaPointKeepsTheLineOutOfTheJoint) {
   EXPECT_EQ(withoutViaPoint(bent, 0).value(), rig);
 }
 
-TEST(OtherEnd, TheMuscleStaysWhereItIsAndItsTwinFollows) {
+TEST(OtherEnd, KeepsTheMuscleInPlaceAndTheTwinFollows) {
   const std::shared_ptr<const Character> legs = test::makeTwoLegged();
   const MirrorPlan plan = makeMirrorPlan(*legs);
   Primitive thigh;

@@ -1,5 +1,4 @@
-// tests/rig/line_pose_test.cpp: what a line makes of its belly: formulas against closed forms, and what may not
-// change.
+// tests/rig/line_pose_test.cpp: effect of a line on its belly: closed forms and invariants.
 
 #include "core/rig/line_pose.h"
 
@@ -20,7 +19,7 @@ constexpr double kPi = 3.14159265358979323846;
 constexpr int kUpper = 0;
 constexpr int kFore = 1;
 
-/// An upper arm of 30 that hangs down, a forearm below it; +z is the front. No skin: a line needs it only where its
+/// An upper arm of length 30 that hangs down, a forearm below it; +z is the front. No skin: a line needs it only if its
 /// anchors lie on the bone's axis.
 Character arm() {
   Character character;
@@ -38,7 +37,7 @@ Character arm() {
   return character;
 }
 
-/// MUSCLES.md A2's biceps: 3 along the humerus, 4 along the forearm, both 1.5 in front.
+/// The biceps of docs/muscles.md: 3 along the humerus, 4 along the forearm, both 1.5 in front.
 MuscleLine biceps() {
   MuscleLine line;
   line.name = "biceps";
@@ -73,7 +72,7 @@ class Random {
     m = glm::rotate(m, in(-kPi, kPi), direction());
     return glm::scale(m, glm::dvec3(in(leastScale, mostScale)));
   }
-  /// Any line that can be drawn on the arm.
+  /// A random line on the arm.
   MuscleLine line() {
     MuscleLine line = biceps();
     const auto point = [&] { return glm::vec3(in(-3, 3), in(-12, 0), in(0.5, 4)); };
@@ -81,7 +80,7 @@ class Random {
     line.insertion.point = point();
     if (in(0, 1) < 0.5) line.via = LineAnchor{"upper", point(), {}};
     LineSettings& s = line.settings;
-    s.rest = static_cast<float>(in(0.5, 1.0));  // Longer lines are slack in the bind pose, and so active.
+    s.rest = static_cast<float>(in(0.5, 1.0));  // Longer lines are slack in the bind pose, hence active.
     s.tendons = {in(0, 0.3), in(0, 0.3)};
     s.volume = static_cast<float>(in(0, 2));
     s.pivot = static_cast<float>(in(0, 1));
@@ -110,7 +109,7 @@ TEST(LinePose, BindPoseDeformsNothingBitForBit) {
   }
 }
 
-TEST(LinePose, BindPoseIsWhatTheFormulaComesTo) {
+TEST(LinePose, FormulaGivesIdentityInTheBindPose) {
   const Character character = arm();
   Random random(2);
   Pose almost = bindPose(character.skeleton);
@@ -125,8 +124,8 @@ TEST(LinePose, BindPoseIsWhatTheFormulaComesTo) {
   }
 }
 
-/// The definition's table of a biceps over the elbow.
-TEST(LinePose, BicepsOverTheElbow) {
+/// The documented table of a biceps over the elbow.
+TEST(LinePose, BicepsMatchesTheDocumentedTable) {
   struct Row {
     double degrees, stretch, belly, girth, activation, height;
   };
@@ -146,7 +145,7 @@ TEST(LinePose, BicepsOverTheElbow) {
   }
 }
 
-TEST(LinePose, VolumeStaysWhereTheDesignerAsksForIt) {
+TEST(LinePose, VolumeIsPreservedIfRequested) {
   const Character character = arm();
   Random random(3);
   int kept = 0;
@@ -163,7 +162,8 @@ TEST(LinePose, VolumeStaysWhereTheDesignerAsksForIt) {
       pose.boneInWorld[b] = glm::mat4(motion * glm::dmat4(pose.boneInWorld[b]));
     }
     const PosedLine at = posed(line, character, pose);
-    // Even wide limits bend girth a little where the belly is pressed flat; its least length keeps no volume at all.
+    // Even wide limits change the girth slightly where the belly is compressed; at minimum length the volume is not
+    // kept.
     if (at.bellyStretch < 0.5f || at.bellyStretch > 2.0f) continue;
     ++kept;
     const double sigma = std::sqrt(scale[0] * scale[1]);
@@ -172,7 +172,7 @@ TEST(LinePose, VolumeStaysWhereTheDesignerAsksForIt) {
   EXPECT_GT(kept, 3000);
 }
 
-TEST(LinePose, TheBellyLiesAlongTheLine) {
+TEST(LinePose, BellyLiesAlongTheLine) {
   const Character character = arm();
   Random random(4);
   for (int i = 0; i < 2000; ++i) {
@@ -188,7 +188,7 @@ TEST(LinePose, TheBellyLiesAlongTheLine) {
   }
 }
 
-TEST(LinePose, FlexingLeavesWhatGirthGrowsFrom) {
+TEST(LinePose, FlexingKeepsThePivot) {
   const Character character = arm();
   Random random(5);
   for (int i = 0; i < 500; ++i) {
@@ -226,7 +226,7 @@ TEST(LinePose, TendonsKeepTheirLength) {
   }
 }
 
-TEST(LinePose, ScheepersClosedForm) {
+TEST(LinePose, GirthMatchesScheepersClosedForm) {
   LineSettings settings;
   settings.limits = {1e-30f, 1e30f};
   for (double stretch = 0.3; stretch < 3.0; stretch += 0.1) {
@@ -234,7 +234,7 @@ TEST(LinePose, ScheepersClosedForm) {
   }
 }
 
-TEST(LinePose, GirthFallsAsTheBellyStretchesAndLevelsOff) {
+TEST(LinePose, GirthDecreasesWithStretchAndLevelsOff) {
   LineSettings settings;
   double before = 1e9;
   for (double stretch = 0.05; stretch < 20.0; stretch *= 1.01) {
@@ -246,7 +246,7 @@ TEST(LinePose, GirthFallsAsTheBellyStretchesAndLevelsOff) {
   }
 }
 
-TEST(LinePose, MovesAndGrowsWithTheWholeBody) {
+TEST(LinePose, MovesAndScalesWithTheWholeBody) {
   const Character character = arm();
   Random random(7);
   for (int i = 0; i < 500; ++i) {
@@ -267,7 +267,7 @@ TEST(LinePose, MovesAndGrowsWithTheWholeBody) {
   }
 }
 
-TEST(LinePose, MirroredPoseMirroredBelly) {
+TEST(LinePose, MirroredPoseGivesAMirroredBelly) {
   const Character character = arm();
   Random random(8);
   const glm::dmat4 mirror = glm::scale(glm::dmat4(1.0), glm::dvec3(-1.0, 1.0, 1.0));
@@ -292,13 +292,13 @@ TEST(LinePose, MirroredPoseMirroredBelly) {
   }
 }
 
-TEST(LinePose, TwistFollowsOneBoneOrTheOther) {
+TEST(LinePose, TwistFollowsTheChosenBone) {
   const Character character = arm();
   MuscleLine line = biceps();
   line.origin.point = {0.0f, -3.0f, 1.5f};
   Pose pose = bindPose(character.skeleton);
   const LineRest rest = lineRest(line, character).value();
-  // The forearm turns about the line itself: nothing but its roll changes.
+  // The forearm rotates about the line itself: only its roll changes.
   const glm::dmat4 about = glm::translate(glm::dmat4(1.0), rest.insertion.inBind);
   const glm::dmat4 roll = about * glm::rotate(glm::dmat4(1.0), 0.5 * kPi, rest.direction) * glm::inverse(about);
   pose.boneInWorld[kFore] = glm::mat4(roll * glm::dmat4(pose.boneInWorld[kFore]));
@@ -312,8 +312,8 @@ TEST(LinePose, TwistFollowsOneBoneOrTheOther) {
   EXPECT_NEAR(turnAt(1.0f), 90.0, 1e-3);
 }
 
-/// Behind the elbow a straight line passes through the joint as the arm bends; round a via point it does not.
-TEST(LinePose, AViaPointKeepsTheBellyOutOfTheJoint) {
+/// Behind the elbow a straight line passes through the joint as the arm bends; one around a via point does not.
+TEST(LinePose, ViaPointKeepsTheBellyOutOfTheJoint) {
   const Character character = arm();
   MuscleLine line;
   line.name = "triceps";
@@ -336,7 +336,7 @@ TEST(LinePose, AViaPointKeepsTheBellyOutOfTheJoint) {
   EXPECT_GT(round.stretch, 1.05f);
 }
 
-TEST(LinePose, SweepsWithoutJumps) {
+TEST(LinePose, MovesContinuously) {
   const Character character = arm();
   Random random(9);
   for (int i = 0; i < 20; ++i) {
@@ -356,7 +356,7 @@ TEST(LinePose, SweepsWithoutJumps) {
   }
 }
 
-TEST(LinePose, WhatIsNotThereIsNotSeen) {
+TEST(LinePose, UnusableLinesAreHidden) {
   const Character character = arm();
   Pose flat = bindPose(character.skeleton);
   flat.boneInWorld[kFore] = glm::scale(flat.boneInWorld[kFore], {1.0f, 0.0f, 1.0f});
@@ -374,12 +374,12 @@ TEST(LinePose, WhatIsNotThereIsNotSeen) {
             "Muscle line \"biceps\", origin: this character has no bone \"tail\"");
 }
 
-TEST(NearestRotation, OfTurnedScaledShearedMatrices) {
+TEST(NearestRotation, RecoversTheRotationOfScaledAndShearedMatrices) {
   Random random(10);
   for (int i = 0; i < 1000; ++i) {
     const glm::dmat3 turn(glm::rotate(glm::dmat4(1.0), random.in(-kPi, kPi), random.direction()));
     const glm::dmat3 axes(glm::rotate(glm::dmat4(1.0), random.in(-kPi, kPi), random.direction()));
-    // Polar decomposition: a rotation after a symmetric positive stretch is the rotation.
+    // Polar decomposition of a rotation after a symmetric positive stretch gives the rotation.
     const glm::dmat3 grow(random.in(0.2, 5.0), 0, 0, 0, random.in(0.2, 5.0), 0, 0, 0, random.in(0.2, 5.0));
     const glm::dmat3 found = nearestRotation(turn * axes * grow * glm::transpose(axes));
     for (int column = 0; column < 3; ++column) EXPECT_LT(glm::distance(found[column], turn[column]), 1e-9) << i;

@@ -37,7 +37,7 @@ struct LineSurface : testing::TestWithParam<SurfaceMode> {
     Rig rigid = rig;
     rigid.lines.clear();
     rigid.primitives[0].line.clear();
-    // The territory that a line's muscle has by default.
+    // Default territory of a line's muscle.
     rigid.primitives[0].territory = {"root", "middle", "end"};
     return rigid;
   }
@@ -54,7 +54,7 @@ struct LineSurface : testing::TestWithParam<SurfaceMode> {
   [[nodiscard]] Pose bent(float time) const { return samplePose(character->skeleton, character->clips.front(), time); }
 };
 
-TEST_P(LineSurface, InTheBindPoseTheLineChangesNothing) {
+TEST_P(LineSurface, LineChangesNothingInTheBindPose) {
   const Pose bind = bindPose(character->skeleton);
   const Surface on = smoothed(rig, bind);
   EXPECT_EQ(on.positions, smoothed(withoutLine(), bind).positions);
@@ -70,7 +70,7 @@ TEST_P(LineSurface, FlexingSwells) {
   EXPECT_GT(front(tense), front(loose) + 0.02f);
 }
 
-TEST_P(LineSurface, FlexesTheNamedLinesAlone) {
+TEST_P(LineSurface, FlexesOnlyTheNamedLines) {
   rig.lines.push_back(rig.lines[0]);
   rig.lines[1].name = "other";
   Pose pose = bindPose(character->skeleton);
@@ -83,12 +83,12 @@ TEST_P(LineSurface, FlexesTheNamedLinesAlone) {
   EXPECT_EQ(smoothed(rig, pose).positions, tense.positions);
 }
 
-TEST_P(LineSurface, BendingMovesTheSkinOtherwiseThanARigidMuscle) {
+TEST_P(LineSurface, BendingDiffersFromARigidMuscle) {
   const Pose pose = bent(0.5f);
   EXPECT_NE(smoothed(rig, pose).positions, smoothed(withoutLine(), pose).positions);
 }
 
-TEST_P(LineSurface, TheWholeBodyCarriesItRigidly) {
+TEST_P(LineSurface, MovesRigidlyWithTheWholeBody) {
   const glm::mat4 motion = glm::mat4_cast(glm::angleAxis(1.0f, glm::normalize(glm::vec3(1.0f, 2.0f, -1.0f))));
   Pose pose = bent(0.5f);
   const Surface here = smoothed(rig, pose);
@@ -101,7 +101,7 @@ TEST_P(LineSurface, TheWholeBodyCarriesItRigidly) {
   EXPECT_LT(most, 2e-5f * character->height);
 }
 
-TEST_P(LineSurface, EditingTheLineIsSeenAndReattachesNothing) {
+TEST_P(LineSurface, LineEditTakesEffectWithoutReattaching) {
   Smoother smoother(character);
   ASSERT_TRUE(smoother.prepare(rig).ok());
   Rig edited = rig;
@@ -122,7 +122,7 @@ TEST_P(LineSurface, EditingTheLineIsSeenAndReattachesNothing) {
   EXPECT_EQ(out.positions, smoothed(moved, pose).positions);
 }
 
-TEST_P(LineSurface, AMissingBoneLeavesTheMuscleOutAndTheRigAlone) {
+TEST_P(LineSurface, MuscleWithAMissingBoneIsOmitted) {
   Rig foreign = rig;
   foreign.lines[0].insertion.bone = "tail";
   Smoother smoother(character);
@@ -133,7 +133,7 @@ TEST_P(LineSurface, AMissingBoneLeavesTheMuscleOutAndTheRigAlone) {
   EXPECT_EQ(missing[0].place, "lines[0].insertion.bone");
 }
 
-TEST_P(LineSurface, AFrameAllocatesNothing) {
+TEST_P(LineSurface, FrameAllocatesNothing) {
   Smoother smoother(character);
   ASSERT_TRUE(smoother.prepare(rig).ok());
   const Pose first = bent(0.5f);

@@ -1,4 +1,4 @@
-// tests/rig/line_twins_test.cpp: lines of both sides: made with their muscles, followed, turned over.
+// tests/rig/line_twins_test.cpp: lines of both sides: created with their muscles, kept in sync, mirrored.
 
 #include "core/rig/twins.h"
 
@@ -28,7 +28,7 @@ struct LineTwins : testing::Test {
     rig = keepTwins(rig, rig, edited.value(), plan);
   }
 
-  /// Both bellies are mirror images in a pose that is its own mirror image.
+  /// Both bellies are mirror images in a symmetric pose.
   void expectMirrored() {
     Pose pose = bindPose(character->skeleton);
     pose.flex = 0.7f;
@@ -42,7 +42,7 @@ struct LineTwins : testing::Test {
   }
 };
 
-TEST_F(LineTwins, APairOfMusclesGetsAPairOfLines) {
+TEST_F(LineTwins, PairOfMusclesGetsAPairOfLines) {
   ASSERT_EQ(rig.lines.size(), 2u);
   EXPECT_EQ(rig.lines[1].name, "hamstring R");
   EXPECT_EQ(line("hamstring L").mirror, "hamstring R");
@@ -52,7 +52,7 @@ TEST_F(LineTwins, APairOfMusclesGetsAPairOfLines) {
   expectMirrored();
 }
 
-TEST_F(LineTwins, WhatIsDoneToOneIsDoneToTheOther) {
+TEST_F(LineTwins, EditsApplyToBothLines) {
   edit(editLine(rig, 1, [](MuscleLine& line) {
     line.origin.point.y -= 0.05f;
     line.settings.flex = {0.6f, -0.2f};
@@ -64,12 +64,12 @@ TEST_F(LineTwins, WhatIsDoneToOneIsDoneToTheOther) {
   expectMirrored();
 }
 
-TEST_F(LineTwins, OffTheLineOnBothSides) {
+TEST_F(LineTwins, RemovingFromTheLineAppliesToBothSides) {
   edit(setLineOfSeveral(rig, std::vector<int>{0}, -1));
   EXPECT_TRUE(rig.primitives[1].line.empty());
 }
 
-TEST_F(LineTwins, TurnedOverAndBack) {
+TEST_F(LineTwins, FlippingTwiceRestoresTheLine) {
   const Rig before = rig;
   rig = flipPrimitives(rig, std::vector<int>{0}, plan).value();
   EXPECT_EQ(line("hamstring L").origin.bone, "leg R");
@@ -79,14 +79,14 @@ TEST_F(LineTwins, TurnedOverAndBack) {
   EXPECT_LT(glm::distance(line("hamstring L").origin.point, before.lines[0].origin.point), 1e-6f);
 }
 
-TEST_F(LineTwins, DeletingOneOfThePairKeepsTheOther) {
+TEST_F(LineTwins, DeletingOneMuscleKeepsTheOtherLine) {
   rig = removePrimitives(rig, std::vector<int>{0});
   ASSERT_EQ(rig.lines.size(), 1u);
   EXPECT_EQ(rig.lines[0].name, "hamstring R");
   EXPECT_TRUE(rig.lines[0].mirror.empty());
 }
 
-TEST_F(LineTwins, ALineInTheMiddleIsItsOwnImage) {
+TEST_F(LineTwins, LineInTheMiddleIsItsOwnMirrorImage) {
   MuscleLine middle;
   middle.name = "abdomen";
   middle.origin = {"spine", {0.0f, 0.3f, 0.2f}, {}};
@@ -104,7 +104,7 @@ TEST_F(LineTwins, ALineInTheMiddleIsItsOwnImage) {
   EXPECT_EQ(rig.lines.size(), 3u);
 }
 
-TEST_F(LineTwins, WithoutASideInTheNameBothGetOne) {
+TEST_F(LineTwins, BothGetASideInTheirName) {
   MuscleLine line = rig.lines[0];
   line.name = "calf";
   line.mirror.clear();

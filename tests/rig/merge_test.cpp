@@ -1,4 +1,4 @@
-// tests/rig/merge_test.cpp: what is brought in refers to what came with it, whatever that is called now.
+// tests/rig/merge_test.cpp: merged items refer to the items they came with, whatever their names are now.
 
 #include "core/rig/merge.h"
 
@@ -32,13 +32,13 @@ Driver readsLength(const std::string& line) {
   return driver;
 }
 
-/// A pair of calves on a pair of lines, each driven by the length of its own.
-struct Merging : testing::Test {
+/// A pair of calves on a pair of lines, each driven by the length of its own line.
+struct RigMerge : testing::Test {
   std::shared_ptr<const Character> legs = test::makeTwoLegged();
   MirrorPlan plan = makeMirrorPlan(*legs);
   Rig calves;
 
-  Merging() {
+  RigMerge() {
     calves.character = "legs.glb";
     calves.groups = {{"legs", {}}, {"torso", {}}};
     calves.links = {{"legs", "torso"}};
@@ -64,13 +64,13 @@ struct Merging : testing::Test {
   }
 };
 
-TEST_F(Merging, IntoNothingIsARigAgain) {
+TEST_F(RigMerge, IntoAnEmptyRigGivesTheSource) {
   Rig empty;
   empty.character = calves.character;
   EXPECT_EQ(merged(empty, calves).rig, calves);
 }
 
-TEST_F(Merging, IntoItselfEverythingIsThereTwice) {
+TEST_F(RigMerge, IntoItselfDuplicatesEverything) {
   const Merged twice = merged(calves, calves);
   EXPECT_EQ(twice.primitives, (std::vector<int>{2, 3}));
   EXPECT_EQ(twice.lines, (std::vector<int>{2, 3}));
@@ -85,7 +85,7 @@ TEST_F(Merging, IntoItselfEverythingIsThereTwice) {
   }
 }
 
-TEST_F(Merging, MirroredASideBecomesTheOther) {
+TEST_F(RigMerge, MirroredMergeSwapsTheSide) {
   const Rig left = excerpt(calves, std::vector<int>{0});
   Rig empty;
   empty.groups = {{"torso", {}}};
@@ -97,8 +97,8 @@ TEST_F(Merging, MirroredASideBecomesTheOther) {
   EXPECT_EQ(right.rig.lines.front().insertion.bone, "shin R");
 }
 
-TEST_F(Merging, TheSameNameInAnotherRigMeansNothing) {
-  // "calf 2" of the source is only read, and stays behind; what came becomes "calf 2" here.
+TEST_F(RigMerge, EqualNamesInDifferentRigsAreUnrelated) {
+  // The source's "calf 2" is only read and stays there; the merged item becomes "calf 2" here.
   Rig source = addLine(addLine(Rig{}, lineNamed("calf")).value(), lineNamed("calf 2")).value();
   Primitive muscle = calves.primitives[0];
   muscle.mirror.clear();
@@ -114,7 +114,7 @@ TEST_F(Merging, TheSameNameInAnotherRigMeansNothing) {
   EXPECT_EQ(result.rig.primitives[0].line, "calf 2");
 }
 
-TEST_F(Merging, WhatComesHasNoIdentityYetAndTheRigIsNotCopied) {
+TEST_F(RigMerge, MergedItemsHaveNoIdentityAndTheRigIsNotCopied) {
   Rig known = calves;
   IdentitySource().identify(known, Rig{});
   Rig into = addPrimitive(known, known.primitives[0]).value();
@@ -126,7 +126,7 @@ TEST_F(Merging, WhatComesHasNoIdentityYetAndTheRigIsNotCopied) {
   EXPECT_FALSE(result.rig.lines.back().id());
 }
 
-TEST_F(Merging, ALineWithoutItsBonesKeepsItsMuscleAwayAndIsSaid) {
+TEST_F(RigMerge, MuscleWithALineOfMissingBonesIsRefusedWithAReason) {
   Rig lost = calves;
   for (MuscleLine& line : lost.lines) line.insertion.bone = "elsewhere";
   const Merged result = merged(calves, lost);

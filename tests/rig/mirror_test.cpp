@@ -1,4 +1,4 @@
-// tests/rig/mirror_test.cpp: the plane, the pairs, and mirrored placements, on real and on nasty skeletons.
+// tests/rig/mirror_test.cpp: mirror plane, bone pairs, and mirrored placements on real and pathological skeletons.
 
 #include "core/rig/mirror.h"
 
@@ -22,8 +22,8 @@ namespace {
 
 using test::Random;
 
-/// How far an ellipsoid reaches along a unit direction, from the world's origin. Two convex bodies whose support
-/// functions differ by at most e lie within e of each other.
+/// Extent of an ellipsoid along a unit direction, from the world's origin. Two convex bodies whose support functions
+/// differ by at most e lie within e of each other.
 double support(const Placement& inBone, const glm::mat4& boneInWorld, const glm::dvec3& direction) {
   const glm::dmat4 bone(boneInWorld);
   const glm::dmat3 axes = glm::dmat3(bone) * glm::mat3_cast(glm::normalize(glm::dquat(inBone.rotation)));
@@ -55,7 +55,7 @@ Placement randomPlacement(Random& random, const glm::mat4& boneInWorld, float he
   return placement;
 }
 
-/// @param canonical  the placement comes back, not only the ellipsoid.
+/// @param canonical  the placement itself is reproduced, not only the ellipsoid
 void expectMirrored(const MirrorPlan& plan, Random& random, int bone, bool canonical = true) {
   const auto from = static_cast<std::size_t>(bone);
   const auto to = static_cast<std::size_t>(plan.twinOf[from]);
@@ -64,7 +64,7 @@ void expectMirrored(const MirrorPlan& plan, Random& random, int bone, bool canon
   const Placement image = imageOf(original, *plan.mirrors[from]);
   for (int i = 0; i < 20; ++i) {
     const glm::dvec3 d = randomDirection(random);
-    // Reflecting a body reflects its support: h'(d) = h(S d) + what the plane's offset adds.
+    // Reflecting a body reflects its support: h'(d) = h(S d) + a term for the plane's offset.
     const glm::dvec3 turned = d - 2.0 * glm::dot(d, plan.plane.normal) * plan.plane.normal;
     const double expected = support(original, bind, turned) + 2.0 * plan.plane.offset * glm::dot(d, plan.plane.normal);
     EXPECT_NEAR(support(image, plan.skeleton.bones[to].bindInWorld, d), expected,
@@ -122,9 +122,9 @@ struct Expected {
 
 void PrintTo(const Expected& expected, std::ostream* out) { *out << expected.file; }
 
-class RealCharacters : public testing::TestWithParam<Expected> {};
+class MirrorOnCharacters : public testing::TestWithParam<Expected> {};
 
-TEST_P(RealCharacters, ArePairedAndMirrored) {
+TEST_P(MirrorOnCharacters, ArePairedAndMirrored) {
   const auto character = test::realCharacter(GetParam().file);
   if (!character) SINEW_SKIP_WITHOUT_CHARACTERS();
   const MirrorPlan plan = makeMirrorPlan(*character);
@@ -135,13 +135,13 @@ TEST_P(RealCharacters, ArePairedAndMirrored) {
   expectSoundPlan(plan);
 }
 
-INSTANTIATE_TEST_SUITE_P(Mirror, RealCharacters,
+INSTANTIATE_TEST_SUITE_P(Mirror, MirrorOnCharacters,
                          testing::Values(Expected{"Fox.glb", {1, 0, 0}, 7, 10},
                                          Expected{"greenman.glb", {1, 0, 0}, 4, 4},
                                          Expected{"cesium_man.gltf", {0, 0, 1}, 7, 5},
                                          Expected{"robot.glb", {1, 0, 0}, 18, 7}));
 
-TEST(Mirror, TheBundledLizardIsPairedToTheLastBone) {
+TEST(Mirror, BundledLizardIsFullyPaired) {
   const auto lizard = importGltf(std::filesystem::path(SINEW_SOURCE_DIR) / "assets/demo.glb");
   ASSERT_TRUE(lizard);
   const MirrorPlan plan = makeMirrorPlan(*lizard.value());
@@ -150,7 +150,7 @@ TEST(Mirror, TheBundledLizardIsPairedToTheLastBone) {
   expectSoundPlan(plan);
 }
 
-// Nasty skeletons ---------------------------------------------------------------------------------------------------
+// Pathological skeletons -------------------------------------------------------------------------------------------
 
 struct Joint {
   const char* name;
@@ -158,7 +158,7 @@ struct Joint {
   glm::vec3 at;
 };
 
-/// Bones with frames turned at random, as exporters leave them.
+/// Bones with randomly rotated frames, as exporters write them.
 Skeleton skeletonOf(const std::vector<Joint>& joints, bool turned = true) {
   Random random(3);
   Skeleton skeleton;
@@ -179,7 +179,7 @@ std::string twinNameOf(const MirrorPlan& plan, int bone) {
   return twin < 0 ? "" : plan.skeleton.bones[static_cast<std::size_t>(twin)].path;
 }
 
-TEST(Mirror, PairsNastyNames) {
+TEST(Mirror, PairsIrregularNames) {
   const std::vector<Joint> joints = {{"Root", -1, {0, 0, 0}},
                                      {"b_LeftLeg01_015", 0, {1, 0, 0}},
                                      {"b_RightLeg01_019", 0, {-1, 0, 0}},
@@ -205,8 +205,8 @@ TEST(Mirror, PairsNastyNames) {
   EXPECT_EQ(plan.pairedBy[0], PairedBy::kCenter);
 }
 
-TEST(Mirror, PairsBonesWithoutNamesByPlaceThroughTheTree) {
-  // Two bones at one place on each side: only the tree says which is whose.
+TEST(Mirror, PairsUnnamedBonesByPositionAndHierarchy) {
+  // Two bones in the same place on each side: only the tree distinguishes them.
   const std::vector<Joint> joints = {
       {"joint 0", -1, {0, 0, 0}}, {"joint 1", 0, {1, 0, 0}}, {"joint 2", 0, {-1, 0, 0}},
       {"joint 3", 2, {-2, 0, 0}}, {"joint 4", 1, {2, 0, 0}}, {"joint 5", 4, {2, 0, 0}},
@@ -217,7 +217,7 @@ TEST(Mirror, PairsBonesWithoutNamesByPlaceThroughTheTree) {
   EXPECT_EQ(plan.twinOf, expected);
 }
 
-TEST(Mirror, NamedPairsThatAreNotOppositeAreNotBelieved) {
+TEST(Mirror, NamedPairsMustBeOpposite) {
   const std::vector<Joint> joints = {{"root", -1, {0, 0, 0}},
                                      {"wing L", 0, {1, 0, 0}},
                                      {"wing R", 0, {-1, 9, 0}},
@@ -228,7 +228,7 @@ TEST(Mirror, NamedPairsThatAreNotOppositeAreNotBelieved) {
   EXPECT_EQ(twinNameOf(plan, 3), "root/foot R");
 }
 
-TEST(Mirror, UnevenScaleAndShearAreExact) {
+TEST(Mirror, NonuniformScaleAndShearAreExact) {
   Random random(11);
   std::vector<Joint> joints = {{"root", -1, {0, 0, 0}}, {"arm L", 0, {1, 1, 0}}, {"arm R", 0, {-1, 1, 0}}};
   Skeleton skeleton = skeletonOf(joints);
@@ -244,7 +244,7 @@ TEST(Mirror, UnevenScaleAndShearAreExact) {
   for (int i = 0; i < 200; ++i) expectMirrored(plan, random, 1 + i % 2, false);
 }
 
-TEST(Mirror, AFlattenedBoneHasNoCounterpart) {
+TEST(Mirror, FlattenedBoneHasNoCounterpart) {
   Skeleton skeleton = skeletonOf({{"root", -1, {0, 0, 0}}, {"arm L", 0, {1, 1, 0}}, {"arm R", 0, {-1, 1, 0}}});
   skeleton.bones[2].bindInWorld[1] = glm::vec4(0.0f);
   const MirrorPlan plan = pairBones(skeleton, {}, 2.0f);
@@ -253,7 +253,7 @@ TEST(Mirror, AFlattenedBoneHasNoCounterpart) {
   EXPECT_FALSE(twinBone(plan, "tail"));
 }
 
-/// Placements equal in every bit.
+/// Bitwise equal placements.
 bool sameBits(const Placement& a, const Placement& b) { return std::memcmp(&a, &b, sizeof(Placement)) == 0; }
 
 Placement mirroredPlacement(const Placement& inBone, const glm::mat4& bone, const glm::mat4& twin,
@@ -261,9 +261,9 @@ Placement mirroredPlacement(const Placement& inBone, const glm::mat4& bone, cons
   return imageOf(inBone, boneMirror(bone, twin, plane).value());
 }
 
-TEST(Mirror, FramesMirroredAlongTheirAxesGiveTheBitsBack) {
+TEST(Mirror, AxisMirroredFramesRoundTripBitForBit) {
   Random random(5);
-  // Frames of twins as tools make them: both upright, or the twin's turned over along some of its axes, or all three.
+  // Frames of twins as tools create them: both upright, or the twin's flipped along some or all of its axes.
   for (const glm::vec3 signs : {glm::vec3(1, 1, 1), glm::vec3(-1, 1, -1), glm::vec3(1, -1, -1), glm::vec3(-1, -1, 1)}) {
     const glm::mat4 bone = glm::translate(glm::mat4(1.0f), {0.25f, 1.0f, 0.125f});
     glm::mat4 twin = glm::translate(glm::mat4(1.0f), {-0.25f, 1.0f, 0.125f});
@@ -276,13 +276,13 @@ TEST(Mirror, FramesMirroredAlongTheirAxesGiveTheBitsBack) {
       EXPECT_EQ(image.radii, original.radii);
       EXPECT_TRUE(sameBits(mirroredPlacement(image, twin, bone, plane), original));
     }
-    // What nobody turned does not come back turned.
+    // An unrotated placement comes back unrotated.
     const Placement straight{{0.1f, 0.2f, 0.3f}, glm::quat(1, 0, 0, 0), {0.1f, 0.2f, 0.3f}};
     EXPECT_GT(mirroredPlacement(straight, bone, twin, plane).rotation.w, 0.99f);
   }
 }
 
-TEST(Mirror, AnUnsymmetricCharacterWithoutNamesHasNoPlane) {
+TEST(Mirror, AsymmetricCharacterWithoutNamesHasNoPlane) {
   const auto limb = test::makeLimb();
   Character lopsided = *limb;
   Random random(2);
@@ -293,7 +293,7 @@ TEST(Mirror, AnUnsymmetricCharacterWithoutNamesHasNoPlane) {
   EXPECT_TRUE(makeMirrorPlan(*limb).usable());
 }
 
-TEST(Mirror, SnapsToThePlaneAndKnowsWhatLiesInIt) {
+TEST(Mirror, SnapsToThePlaneAndDetectsWhatLiesInIt) {
   const auto legs = test::makeTwoLegged();
   const MirrorPlan plan = makeMirrorPlan(*legs);
   ASSERT_EQ(plan.pairCount(), 2);
@@ -307,7 +307,7 @@ TEST(Mirror, SnapsToThePlaneAndKnowsWhatLiesInIt) {
   ASSERT_TRUE(snapped);
   belly.placement = *snapped;
   EXPECT_TRUE(liesInPlane(plan, belly, 1e-5f));
-  // A shape that is not symmetric is no image of itself, until it is snapped.
+  // An asymmetric shape is not its own image until it is snapped.
   for (const Shape& shape : {Shape{0.3f, 0.2f, {}}, Shape{0.0f, 0.0f, {0.5f, 0.0f}}, Shape{0.4f, 0.1f, {0.2f, 0.5f}}}) {
     Primitive shaped = belly;
     shaped.placement.shape = shape;

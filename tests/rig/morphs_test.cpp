@@ -38,12 +38,12 @@ Driver bendDriver() {
   return {input, {{{0.0f, 0.0f}, {90.0f, 1.0f}}, CurveKind::kLinear}, DriverMode::kAdd, {}};
 }
 
-TEST(Morphs, NamesComeOnceInTheOrderOfTheFile) {
+TEST(Morphs, NamesAreUniqueInFileOrder) {
   const Character character = withTargets({"smile", "blink.L", "smile", "jaw"});
   EXPECT_EQ(morphNames(character), (std::vector<std::string>{"smile", "blink.L", "jaw"}));
 }
 
-TEST(Morphs, EntriesFollowTheCharacterAndWhatDoesSomethingStays) {
+TEST(Morphs, EntriesFollowTheCharacterAndNonIdleOnesStay) {
   Rig rig = setMorphWeight(emptyRig(), "gone", 0.5f).value();
   rig = setMorphWeight(std::move(rig), "jaw", 0.25f).value();
   rig.morphs.push_back({.name = "idle", .weight = 0.0f, .animated = {}, .unknownKeys = {}});
@@ -54,15 +54,15 @@ TEST(Morphs, EntriesFollowTheCharacterAndWhatDoesSomethingStays) {
   EXPECT_EQ(withMorphsOf(rig, withTargets({"smile", "jaw"})), rig);
 }
 
-TEST(Morphs, WhileADocumentIsEditedNoEntryVanishes) {
+TEST(Morphs, KeepIdleKeepsEveryEntry) {
   Rig rig = emptyRig();
   rig.morphs.push_back({.name = "idle", .weight = 0.0f, .animated = {}, .unknownKeys = {}});
   rig = withMorphsOf(std::move(rig), withTargets({"smile"}), KeepIdle::kYes);
   EXPECT_EQ(namesIn(rig), (std::vector<std::string>{"smile", "idle"}));
 }
 
-/// Idle entries are of the character, which may have more names than a rig may use.
-TEST(Morphs, OnlyThoseThatDoSomethingAreCounted) {
+/// Idle entries come from the character, which may have more names than a rig may use.
+TEST(Morphs, IdleEntriesAreNotCounted) {
   Rig rig = emptyRig();
   for (int i = 0; i < 1024; ++i) rig = setMorphWeight(std::move(rig), "shape " + std::to_string(i), 1.0f).value();
   rig.morphs.push_back({.name = "idle", .weight = 0.0f, .animated = {}, .unknownKeys = {}});
@@ -90,7 +90,7 @@ TEST(Morphs, ResettingKeepsDrivers) {
   EXPECT_EQ(rig.morphs[0].animated.size(), 1U);
 }
 
-TEST(MorphsJson, ComeBackAsTheyWere) {
+TEST(MorphsJson, RoundTrip) {
   Rig rig = withMorphsOf(emptyRig(), withTargets({"smile", "jaw", "blink.L"}));
   rig = setMorphWeight(std::move(rig), "smile", -0.75f).value();
   rig = setDriver(std::move(rig), {Parameter::kMorphWeight, 1}, bendDriver(), -1).value();
@@ -106,12 +106,12 @@ TEST(MorphsJson, ComeBackAsTheyWere) {
   EXPECT_NE(text.find("\"version\": 2"), std::string::npos);
 }
 
-TEST(MorphsJson, IdleEntriesLeaveTheFileAsItWas) {
+TEST(MorphsJson, IdleEntriesAreNotWritten) {
   const Rig rig = emptyRig();
   EXPECT_EQ(rigToJson(withMorphsOf(rig, withTargets({"smile"}))), rigToJson(rig));
 }
 
-TEST(MorphsJson, FaultsAreRefusedWhereTheyAre) {
+TEST(MorphsJson, FaultsAreRefusedAtTheirPath) {
   const auto refusal = [](const std::string& shapes) {
     const auto rig = rigFromJson(R"({"format":"sinew-rig","version":2,"character":"a.glb","shapes":)" + shapes + "}");
     return rig.ok() ? std::string("accepted") : rig.error().place;

@@ -1,4 +1,4 @@
-// tests/rig/motion_clip_test.cpp: the range of motion joins the clips, once, and never in place of a file's own.
+// tests/rig/motion_clip_test.cpp: the range of motion is added to the clips once, and never replaces a file's own clip.
 
 #include "core/rig/motion_clip.h"
 
@@ -19,7 +19,7 @@
 namespace sinew {
 namespace {
 
-TEST(MotionClip, JoinsAtTheEndAndLeavesTheRestAlone) {
+TEST(MotionClip, IsAppendedWithoutOtherChanges) {
   const auto before = test::makeTwoLegged();
   const auto after = withRangeOfMotion(before);
   ASSERT_NE(after, before);
@@ -31,7 +31,7 @@ TEST(MotionClip, JoinsAtTheEndAndLeavesTheRestAlone) {
   EXPECT_EQ(withRangeOfMotion(after), after) << "once";
 }
 
-TEST(MotionClip, AFilesOwnClipOfThatNameWins) {
+TEST(MotionClip, ClipOfTheFileWithThatNameWins) {
   Character own = *test::makeTwoLegged();
   own.clips.front().name = kRangeOfMotionName;
   const auto character = std::make_shared<const Character>(own);
@@ -39,14 +39,14 @@ TEST(MotionClip, AFilesOwnClipOfThatNameWins) {
   EXPECT_FALSE(character->clips[static_cast<std::size_t>(findClip(*character, kRangeOfMotionName))].turnsBindPose);
 }
 
-TEST(MotionClip, IsMadeOnlyWhenAskedForByName) {
+TEST(MotionClip, IsCreatedOnlyByName) {
   const auto character = test::makeLimb();
   EXPECT_EQ(withClipNamed(character, ""), character);
   EXPECT_EQ(withClipNamed(character, "bend"), character);
   EXPECT_NE(withClipNamed(character, std::string(kRangeOfMotionName)), character);
 }
 
-TEST(MotionClip, NothingToTurnIsNoClip) {
+TEST(MotionClip, IsNotCreatedWithoutJointsToRotate) {
   Character lone = *test::makeLimb();
   for (Influence& influence : lone.mesh.influences) influence.binding = 0;  // All skin follows the root.
   const auto character = std::make_shared<const Character>(lone);
@@ -56,7 +56,7 @@ TEST(MotionClip, NothingToTurnIsNoClip) {
   EXPECT_FALSE(skin[1]);
 }
 
-/// How a point is moved by a step at its far end.
+/// Displacement of a point at the end of a movement step.
 glm::vec3 wayOf(const Skeleton& skeleton, const MovementStep& step, int bone) {
   PoseOverrides turns;
   for (const JointMovement& m : step) turns.set(m.bone, glm::angleAxis(m.to, m.axis));
@@ -64,8 +64,8 @@ glm::vec3 wayOf(const Skeleton& skeleton, const MovementStep& step, int bone) {
   return glm::vec3(posed(skeleton, bindPose(skeleton), turns).boneInWorld[i][3] - skeleton.bones[i].bindInWorld[3]);
 }
 
-/// Names in Japanese, names that say nothing, names of every program: the same body moves in the same way.
-TEST(MotionClip, JointsOfABodyMoveAsSuchWhateverTheyAreCalled) {
+/// Japanese names, meaningless names, names of every program: the same body makes the same movements.
+TEST(MotionClip, JointsMoveByRoleWhateverTheirNames) {
   const std::map<std::string, std::size_t> swings{
       {"hips", 0},       {"spine", 3},      {"neck", 3},   {"head", 3},   {"upperArm.L", 3}, {"upperArm.R", 3},
       {"lowerArm.L", 1}, {"lowerArm.R", 1}, {"hand.L", 2}, {"hand.R", 2}, {"upperLeg.L", 3}, {"upperLeg.R", 3},

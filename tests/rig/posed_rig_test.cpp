@@ -1,4 +1,4 @@
-// tests/rig/posed_rig_test.cpp: a rig in a pose: what its muscles ride, and how each line answers.
+// tests/rig/posed_rig_test.cpp: a rig in a pose: bones of its muscles, and the state of each line.
 #include "core/rig/posed_rig.h"
 
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@ namespace {
 
 std::filesystem::path asset(const char* name) { return std::filesystem::path(SINEW_SOURCE_DIR) / "assets" / name; }
 
-TEST(PosedRigs, AMuscleWithoutItsBoneIsNotToBeSeenAndTheOthersStay) {
+TEST(PosedRigs, MuscleWithoutItsBoneIsUnusableAndOthersAreUnchanged) {
   const auto character = importGltf(asset("humanoid.glb")).value();
   const Rig whole = loadRig(asset("humanoid-flex.rig.json")).value();
   Rig rig = whole;
@@ -28,7 +28,7 @@ TEST(PosedRigs, AMuscleWithoutItsBoneIsNotToBeSeenAndTheOthersStay) {
   }
 }
 
-TEST(PosedRigs, FlexingOneLineMovesItsMusclesAlone) {
+TEST(PosedRigs, FlexingALineMovesOnlyItsMuscles) {
   const auto character = importGltf(asset("humanoid.glb")).value();
   const Rig rig = loadRig(asset("humanoid-flex.rig.json")).value();
   const RigPoser poser(rig, *character);
@@ -46,7 +46,7 @@ TEST(PosedRigs, FlexingOneLineMovesItsMusclesAlone) {
   EXPECT_GT(moved, 0);
 }
 
-TEST(PosedRigs, MusclesWithoutLinesRideTheirBones) {
+TEST(PosedRigs, MusclesWithoutLinesFollowTheirBones) {
   const auto character = makeLimb();
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
     const Rig rig = animatedLimbRig(*character, seed);

@@ -1,5 +1,5 @@
-// tests/rig/random_lines_test.cpp: lines and poses at random are as docs/muscles.md has them; one line has the bits of
-// many; what degenerates.
+// tests/rig/random_lines_test.cpp: random lines and poses match docs/muscles.md; single and batched lines are bitwise
+// equal; degenerate cases.
 
 #include <algorithm>
 #include <cmath>
@@ -24,7 +24,7 @@ constexpr int kBones = 7;
 constexpr double kPi = 3.14159265358979323846;
 using Rests = std::vector<std::optional<LineRest>>;
 
-/// A character of bones that lie and turn anyhow, lines between them, and poses.
+/// A character with random bones, lines between them, and poses.
 class Trial {
  public:
   explicit Trial(unsigned seed) : engine_(seed) {
@@ -74,7 +74,7 @@ class Trial {
     s.full = static_cast<float>(in(0.1, 0.99));
     return line;
   }
-  /// Some of them missing.
+  /// Random lines, some missing.
   Rests lines(int count, bool atRest = false) {
     Rests rests;
     while (static_cast<int>(rests.size()) < count) {
@@ -84,7 +84,7 @@ class Trial {
     return rests;
   }
 
-  /// Bones anywhere, scaled and sheared; some still, some lines flexed. @param far  from the world's origin
+  /// Random bones, scaled and sheared; some unmoved, some lines flexed. @param far  from the world's origin
   Pose pose(double far) {
     Pose pose = bindPose(character.skeleton);
     const glm::dmat4 away = glm::translate(glm::dmat4(1.0), far * direction());
@@ -97,8 +97,8 @@ class Trial {
     return pose;
   }
 
-  /// Bones a rounding away from the bind pose: what ought to be 0 in a deformation is there what rounding left of it,
-  /// so that the floats show the last bits of the doubles.
+  /// Bones within rounding of the bind pose: deformations that should be 0 consist of rounding errors, so that the
+  /// floats show the last bits of the doubles.
   Pose almostBind() {
     Pose pose = bindPose(character.skeleton);
     for (glm::mat4& bone : pose.boneInWorld) bone[3].x = std::nextafter(bone[3].x, 10.0f);
@@ -118,21 +118,21 @@ std::vector<PosedLine> poseAll(const Rests& rests, const Skeleton& skeleton, con
   return lines;
 }
 
-/// What is to be read.
+/// Compares the members that are meant to be read.
 bool sameBits(const PosedLine& a, const PosedLine& b) {
   return std::memcmp(&a, &b, offsetof(PosedLine, usable)) == 0 && a.usable == b.usable;
 }
 
 double apart(const glm::vec3& a, const glm::dvec3& b) { return glm::distance(glm::dvec3(a), b); }
 
-/// As near as floats of that size are; translations to what they are the difference of.
+/// Within the precision of floats of that size; translations of the size of their operands.
 void expectAgreement(const PosedLine& line, const oracle::Line& wanted, const LineRest& rest) {
   constexpr double kFloat = 2e-7;
   ASSERT_TRUE(line.usable);
   const glm::dmat3 linear(wanted.deformation);
   double size = 0.0;
   for (int column = 0; column < 3; ++column) size = std::max(size, glm::length(linear[column]));
-  const double slack = 1e-14 / (wanted.agreement * wanted.agreement);  // Frames a half turn apart have no mixture.
+  const double slack = 1e-14 / (wanted.agreement * wanted.agreement);  // Frames rotated by half a turn have no mean.
   for (int column = 0; column < 3; ++column) {
     EXPECT_LT(apart(glm::vec3(line.deformation[column]), linear[column]), (kFloat + slack) * size);
     EXPECT_EQ(line.deformation[column][3], 0.0f);
@@ -150,7 +150,7 @@ void expectAgreement(const PosedLine& line, const oracle::Line& wanted, const Li
   EXPECT_NEAR(line.activation, wanted.activation, kFloat);
 }
 
-TEST(RandomLines, IsTheDefinitionsLineByLine) {
+TEST(RandomLines, MatchesTheDefinition) {
   int compared = 0;
   double leastAgreement = 1.0;
   for (unsigned seed = 0; seed < 40; ++seed) {
@@ -178,7 +178,7 @@ TEST(RandomLines, IsTheDefinitionsLineByLine) {
   EXPECT_LT(leastAgreement, 0.01) << "frames almost a half turn apart were not among them";
 }
 
-TEST(RandomLines, OneLineHasTheBitsOfMany) {
+TEST(RandomLines, SingleLineMatchesTheBatchBitForBit) {
   for (unsigned seed = 100; seed < 120; ++seed) {
     Trial trial(seed);
     const Skeleton& skeleton = trial.character.skeleton;
@@ -210,7 +210,7 @@ TEST(RandomLines, BindPoseDeformsNothingBitForBit) {
   }
 }
 
-/// Two bones whose space is the world's in the bind pose, a line along y from one to the other, round a third.
+/// Two bones whose spaces are the world's in the bind pose, a line along y between them around a third one.
 class DegenerateLine : public testing::Test {
  protected:
   DegenerateLine() {
@@ -238,7 +238,7 @@ class DegenerateLine : public testing::Test {
   Pose pose;
 };
 
-TEST_F(DegenerateLine, AnchorsThatMeetKeepTheOriginsDirection) {
+TEST_F(DegenerateLine, CoincidentAnchorsKeepTheOriginsDirection) {
   pose.boneInWorld[1] = glm::translate(glm::mat4(1.0f), {0.0f, -2.0f, 0.0f});
   const PosedLine met = posed();
   ASSERT_TRUE(met.usable);
@@ -249,7 +249,7 @@ TEST_F(DegenerateLine, AnchorsThatMeetKeepTheOriginsDirection) {
   EXPECT_LT(met.deformation[1].y, 0.15f);
 }
 
-TEST_F(DegenerateLine, OppositeDirectionsTurnAboutTheHeight) {
+TEST_F(DegenerateLine, OppositeDirectionsRotateAboutTheHeight) {
   pose.boneInWorld[1] = glm::translate(glm::mat4(1.0f), {0.0f, -4.0f, 0.0f});
   const PosedLine opposite = posed();
   ASSERT_TRUE(opposite.usable);
@@ -257,7 +257,7 @@ TEST_F(DegenerateLine, OppositeDirectionsTurnAboutTheHeight) {
   EXPECT_LT(glm::distance(glm::normalize(glm::vec3(opposite.deformation[1])), glm::vec3(0, -1, 0)), 1e-6f);
 }
 
-TEST_F(DegenerateLine, BonesThatAreNotUsableHideTheLine) {
+TEST_F(DegenerateLine, UnusableBonesHideTheLine) {
   for (const std::size_t bone : {0u, 1u}) {
     const glm::mat4 whole = pose.boneInWorld[bone];
     pose.boneInWorld[bone] = glm::scale(whole, {1.0f, 0.0f, 1.0f});
@@ -269,7 +269,7 @@ TEST_F(DegenerateLine, BonesThatAreNotUsableHideTheLine) {
   EXPECT_TRUE(posed().usable);
 }
 
-TEST_F(DegenerateLine, AViaPointNeedsNoMoreThanAPlace) {
+TEST_F(DegenerateLine, ViaPointNeedsOnlyAPosition) {
   line.via = LineAnchor{"c", {0.0f, 2.0f, 1.5f}, {}};
   pose.boneInWorld[2] = glm::scale(pose.boneInWorld[2], {1.0f, 1.0f, 0.0f});
   EXPECT_TRUE(posed().usable);
@@ -278,8 +278,8 @@ TEST_F(DegenerateLine, AViaPointNeedsNoMoreThanAPlace) {
   EXPECT_TRUE(sameBits(posed(), PosedLine{}));
 }
 
-/// As much as lineRest() of the same line with those settings would make of it.
-TEST(RandomLines, TakeOtherSettings) {
+/// Equivalent to lineRest() of the same line with those settings.
+TEST(RandomLines, SettingsCanBeReplaced) {
   Trial trial(300);
   for (int i = 0; i < 29; ++i) {
     MuscleLine line = trial.line(false);
@@ -295,7 +295,7 @@ TEST(RandomLines, TakeOtherSettings) {
   }
 }
 
-TEST(RandomLines, AllocatesNothingOnceItsMemoryHasGrown) {
+TEST(RandomLines, RepeatedPosingAllocatesNothing) {
   Trial trial(400);
   Rests rests = trial.lines(100);
   LineScratch scratch;
@@ -311,7 +311,7 @@ TEST(RandomLines, AllocatesNothingOnceItsMemoryHasGrown) {
 }
 
 /// Logarithm and exponential function are series.
-TEST(RandomLines, GirthIsThatOfTheStandardLibrary) {
+TEST(RandomLines, GirthMatchesTheStandardLibrary) {
   for (const glm::vec2& limits : {glm::vec2(0.4f, 2.0f), glm::vec2(0.999f, 1.001f), glm::vec2(1e-30f, 1e30f)}) {
     for (const float volume : {0.0f, 1.0f, 4.0f}) {
       LineSettings settings;

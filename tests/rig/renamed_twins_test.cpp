@@ -1,5 +1,4 @@
-// tests/rig/renamed_twins_test.cpp: between two states of a rig, what is the same is told by identity, not by
-// name.
+// tests/rig/renamed_twins_test.cpp: between two states of a rig, items are matched by identity, not by name.
 
 #include <gtest/gtest.h>
 
@@ -36,9 +35,9 @@ struct RenamedScene {
   }
 };
 
-TEST(RenamedTwins, ANewNameIsNoChangeOfWhatItNames) {
+TEST(RenamedTwins, RenameDoesNotSyncOtherFields) {
   RenamedScene scene;
-  scene.rig.primitives[1].group = "torso";  // They never were in one group.
+  scene.rig.primitives[1].group = "torso";  // They were never in one group.
   MuscleLine line;
   line.name = "calf";
   line.origin = {"leg L", {0.0f, -0.1f, 0.1f}, {}};
@@ -48,7 +47,7 @@ TEST(RenamedTwins, ANewNameIsNoChangeOfWhatItNames) {
   driver.input.kind = DriverInputKind::kLength;
   driver.input.line = "calf";
   driver.curve.points = {{0.0f, 0.0f}, {1.0f, 0.1f}};
-  scene.rig = setDriver(scene.rig, {Parameter::kReach, 0}, driver).value();  // Nor driven alike.
+  scene.rig = setDriver(scene.rig, {Parameter::kReach, 0}, driver).value();  // Nor driven equally.
   IdentitySource().identify(scene.rig, Rig{});
 
   scene.edit(renameGroup(scene.rig, 0, "thighs"));
@@ -59,11 +58,11 @@ TEST(RenamedTwins, ANewNameIsNoChangeOfWhatItNames) {
   EXPECT_TRUE(scene.rig.primitives[1].animated.empty());
 }
 
-TEST(RenamedTwins, WhatIsRenamedAndMovedAtOnceIsFollowed) {
+TEST(RenamedTwins, RenameWithAMoveIsFollowed) {
   RenamedScene scene;
   IdentitySource().identify(scene.rig, Rig{});
   Rig renamed = renamePrimitive(scene.rig, 0, "quad").value();
-  renamed.primitives[1].name = "thigh L";  // The name that the other had.
+  renamed.primitives[1].name = "thigh L";  // The other one's former name.
   renamed.primitives[0].mirror = "thigh L";
   renamed.primitives[0].placement.center.y += 0.1f;
   scene.edit(renamed);

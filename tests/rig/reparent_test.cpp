@@ -1,4 +1,4 @@
-// tests/rig/reparent_test.cpp: a primitive that changes bones stays where it is.
+// tests/rig/reparent_test.cpp: a muscle moved to another bone stays in place.
 
 #include "core/rig/line_edit.h"
 
@@ -32,7 +32,7 @@ Placement randomPlacement(std::mt19937& random) {
           {radius(random), radius(random), radius(random)}};
 }
 
-/// Largest difference of the two ellipsoids' quadrics, which do not care how axes are named or flipped.
+/// Largest difference of the two ellipsoids' quadrics, which do not depend on order or sign of axes.
 float difference(const glm::mat4& a, const glm::mat4& b) {
   const glm::mat3 qa = glm::mat3(a) * glm::transpose(glm::mat3(a));
   const glm::mat3 qb = glm::mat3(b) * glm::transpose(glm::mat3(b));
@@ -41,7 +41,7 @@ float difference(const glm::mat4& a, const glm::mat4& b) {
   return most;
 }
 
-TEST(CarriedToBone, LooksTheSameUnderRotationsAndEvenScale) {
+TEST(CarriedToBone, LooksTheSameUnderRotationAndUniformScale) {
   std::mt19937 random(3);
   for (int i = 0; i < 500; ++i) {
     const glm::mat4 from = randomBone(random, i % 2 == 0 ? 1.0f : 3.0f);
@@ -62,7 +62,7 @@ glm::mat4 sheared(const glm::mat4& bone, std::mt19937& random) {
   return bone * shear;
 }
 
-TEST(CarriedToBone, StaysInPlaceUnderUnevenScaleAndShear) {
+TEST(CarriedToBone, KeepsItsPositionUnderNonuniformScaleAndShear) {
   std::mt19937 random(4);
   const glm::vec3 uneven(1.0f, 2.5f, 0.4f);
   for (int i = 0; i < 500; ++i) {
@@ -81,7 +81,7 @@ TEST(CarriedToBone, StaysInPlaceUnderUnevenScaleAndShear) {
   }
 }
 
-TEST(CarriedToBone, AFlatBoneChangesNothing) {
+TEST(CarriedToBone, FlattenedBoneChangesNothing) {
   std::mt19937 random(5);
   const Placement before = randomPlacement(random);
   const glm::mat4 flat = glm::scale(glm::mat4(1.0f), {1.0f, 0.0f, 1.0f});

@@ -1,4 +1,4 @@
-// tests/rig/rig_edit_several_test.cpp: several primitives changed at once: all of them, nothing else, or nothing.
+// tests/rig/rig_edit_several_test.cpp: changing several muscles at once: all of them, nothing else, or nothing.
 
 #include "core/rig/rig_edit.h"
 
@@ -22,7 +22,7 @@ Rig rigOf(int count) {
   return rig;
 }
 
-TEST(RigEditSeveral, ChangesTheNamedOnesAndNoOther) {
+TEST(RigEditSeveral, ChangesOnlyTheGivenMuscles) {
   const Rig rig = rigOf(5);
   const Rig edited = editPrimitives(rig, std::vector<int>{1, 3}, [](Primitive& p) { p.reach = 2.0f; }).value();
   for (std::size_t i = 0; i < 5; ++i) {
@@ -31,14 +31,14 @@ TEST(RigEditSeveral, ChangesTheNamedOnesAndNoOther) {
   EXPECT_TRUE(validate(edited).ok());
 }
 
-TEST(RigEditSeveral, EqualsOneEditAfterTheOther) {
+TEST(RigEditSeveral, MatchesSequentialEdits) {
   Rig rig = addGroup(rigOf(4), "legs").value();
   Rig one = rig;
   for (const int i : {0, 2, 3}) one = test::setGroupOf(one, i, "legs").value();
   EXPECT_EQ(setGroupOfSeveral(rig, std::vector<int>{0, 2, 3}, "legs").value(), one);
 }
 
-TEST(RigEditSeveral, OneRefusalChangesNothingAndNamesThePlace) {
+TEST(RigEditSeveral, OneRefusalRefusesAllAndNamesThePlace) {
   const Rig rig = rigOf(3);
   const Result<Rig> refused =
       editPrimitives(rig, std::vector<int>{0, 2}, [&](Primitive& p) { p.reach = p.name == "m2" ? 0.5f : 3.0f; });
@@ -47,7 +47,7 @@ TEST(RigEditSeveral, OneRefusalChangesNothingAndNamesThePlace) {
   EXPECT_FALSE(setGroupOfSeveral(rig, std::vector<int>{0}, "nowhere").ok());
 }
 
-TEST(RigEditSeveral, ADissolvedGroupLeavesItsMusclesToTheOther) {
+TEST(RigEditSeveral, DissolvedGroupMovesItsMusclesToTheOther) {
   Rig rig = moveToNewGroup(rigOf(4), std::vector<int>{1, 2}, "legs").value();
   rig = setLink(rig, 0, 1, true).value();
   EXPECT_EQ(membersOf(rig, "legs"), (std::vector<int>{1, 2}));
@@ -59,7 +59,7 @@ TEST(RigEditSeveral, ADissolvedGroupLeavesItsMusclesToTheOther) {
   EXPECT_TRUE(validate(left).ok());
 }
 
-TEST(RigEditSeveral, AGroupNameThatIsTakenIsRefused) {
+TEST(RigEditSeveral, TakenGroupNameIsRefused) {
   const Rig rig = rigOf(2);
   EXPECT_FALSE(moveToNewGroup(rig, std::vector<int>{0}, rig.groups[0].name).ok());
 }

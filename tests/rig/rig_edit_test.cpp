@@ -1,4 +1,4 @@
-// tests/rig/rig_edit_test.cpp: edits leave their input alone and give valid rigs.
+// tests/rig/rig_edit_test.cpp: edits leave their input unchanged and give valid rigs.
 #include "sinew/rig/rig_edit.h"
 
 #include <limits>
@@ -40,7 +40,7 @@ Rig sample() {
 
 int index(test::Random& random, std::size_t size) { return random.below(static_cast<int>(size)); }
 
-/// One random edit with arguments that are sometimes good and sometimes not. Nothing: it was refused.
+/// One random edit whose arguments may be invalid. None: it was refused.
 std::optional<Rig> randomEdit(test::Random& random, const Rig& rig) {
   const auto value = [](Result<Rig> result) { return result ? std::optional(result.value()) : std::nullopt; };
   const auto some = [&] { return random.chance(0.1f) ? kNan : random.uniform(-1.0f, 4.0f); };
@@ -89,7 +89,7 @@ std::optional<Rig> randomEdit(test::Random& random, const Rig& rig) {
   return first == second ? rig : setMirror(rig, first, second);
 }
 
-TEST(RigEdit, AnySequenceOfEditsKeepsTheRigValidAndItsInputUntouched) {
+TEST(RigEdit, RandomEditsKeepTheRigValidAndTheInputUnchanged) {
   for (std::uint64_t seed = 0; seed < 60; ++seed) {
     test::Random random(seed);
     Rig rig = test::randomDocument(seed);
@@ -112,7 +112,7 @@ TEST(RigEdit, AnySequenceOfEditsKeepsTheRigValidAndItsInputUntouched) {
   }
 }
 
-TEST(RigEdit, AddMakesNamesUniqueAndFindsAGroup) {
+TEST(RigEdit, AddMakesNamesUniqueAndAssignsAGroup) {
   const auto first = addPrimitive(Rig{}, named(""));
   ASSERT_TRUE(first.ok()) << first.error().text();
   EXPECT_EQ(first->groups.at(0).name, "muscles");
@@ -136,7 +136,7 @@ TEST(RigEdit, AddMakesNamesUniqueAndFindsAGroup) {
   EXPECT_EQ(refused.error().place, "primitives[3].radii[2]");
 }
 
-TEST(RigEdit, AddingATwinPairsBothAndLetsTheFormerGo) {
+TEST(RigEdit, AddingATwinPairsBothAndReleasesTheFormerTwin) {
   Primitive twin = named("new");
   twin.mirror = "L";
   const auto rig = addPrimitive(sample(), twin);
@@ -146,7 +146,7 @@ TEST(RigEdit, AddingATwinPairsBothAndLetsTheFormerGo) {
   EXPECT_EQ(rig->primitives[1].mirror, "");
 }
 
-TEST(RigEdit, RenameRemoveAndDuplicateKeepTwinsInStep) {
+TEST(RigEdit, RenameRemoveAndDuplicateUpdateTwins) {
   const auto renamed = renamePrimitive(sample(), 0, "left");
   ASSERT_TRUE(renamed.ok());
   EXPECT_EQ(renamed->primitives[1].mirror, "left");
@@ -176,7 +176,7 @@ TEST(RigEdit, MirrorsAreMutual) {
   EXPECT_EQ(cleared.primitives[2].mirror, "");
 }
 
-TEST(RigEdit, RenamingAGroupTakesMembersAndLinksAlong) {
+TEST(RigEdit, RenamingAGroupUpdatesMembersAndLinks) {
   const auto rig = renameGroup(sample(), 0, "hind legs");
   ASSERT_TRUE(rig.ok());
   EXPECT_EQ(rig->primitives[1].group, "hind legs");
@@ -185,7 +185,7 @@ TEST(RigEdit, RenamingAGroupTakesMembersAndLinksAlong) {
   EXPECT_TRUE(renameGroup(sample(), 0, "legs").value() == sample());
 }
 
-TEST(RigEdit, GroupsGoOnlyEmptyAndTakeTheirLinks) {
+TEST(RigEdit, OnlyEmptyGroupsAreRemovedWithTheirLinks) {
   EXPECT_FALSE(removeGroup(sample(), 1).ok());
   const Rig emptied = removePrimitives(sample(), std::vector{2});
   const auto rig = removeGroup(emptied, 1);
@@ -194,9 +194,9 @@ TEST(RigEdit, GroupsGoOnlyEmptyAndTakeTheirLinks) {
   EXPECT_TRUE(rig->links.empty());
 }
 
-TEST(RigEdit, LinksGoOnAndOffOnce) {
+TEST(RigEdit, LinksAreSetAndClearedOnce) {
   Rig rig = sample();
-  rig.links.push_back({"torso", "legs"});  // Files may say it twice.
+  rig.links.push_back({"torso", "legs"});  // Files may contain it twice.
   EXPECT_TRUE(setLink(rig, 1, 0, false)->links.empty());
   EXPECT_EQ(setLink(rig, 1, 0, true)->links.size(), 2u);
   const auto unlinked = setLink(sample(), 0, 1, false);
@@ -204,7 +204,7 @@ TEST(RigEdit, LinksGoOnAndOffOnce) {
   EXPECT_FALSE(setLink(sample(), 0, 0, true).ok());
 }
 
-TEST(RigEdit, SettingsAreChecked) {
+TEST(RigEdit, SettingsAreValidated) {
   SurfaceSettings surface;
   surface.iso = 1.0f;
   EXPECT_EQ(setSurface(sample(), surface).error().place, "surface.iso");
@@ -222,7 +222,7 @@ TEST(RigEdit, SettingsAreChecked) {
 }
 
 TEST(RigEdit, TooManyCliquesAreRefused) {
-  // 12 triples of groups, linked but within the triple: 3^12 cliques.
+  // 12 triples of groups, linked except within a triple: 3^12 cliques.
   Rig rig;
   for (int i = 0; i < 36; ++i) rig.groups.push_back({"g" + std::to_string(i), {}});
   const auto linkAll = [&](bool wholeThing) {

@@ -1,4 +1,4 @@
-// tests/rig/rig_test.cpp: equality, look-ups and names.
+// tests/rig/rig_test.cpp: equality, lookups and names.
 #include "sinew/rig/rig.h"
 
 #include <gtest/gtest.h>
@@ -8,7 +8,7 @@
 namespace sinew {
 namespace {
 
-TEST(Rig, EqualityNoticesEveryMember) {
+TEST(Rig, EqualityComparesEveryMember) {
   const Rig rig = test::randomDocument(5);
   ASSERT_GE(rig.primitives.size(), 1u);
   ASSERT_TRUE(rig == Rig(rig));
@@ -48,7 +48,7 @@ TEST(Rig, EqualityNoticesEveryMember) {
   }
 }
 
-TEST(Rig, FreeNamesAreFreeAndCountOn) {
+TEST(Rig, FreeNamesAreUnusedAndContinueTheNumbering) {
   Rig rig;
   for (const char* name : {"thigh", "calf", "calf 2", "calf 3", "arm 09", "9"}) {
     rig.primitives.emplace_back().name = name;
@@ -66,7 +66,7 @@ TEST(Rig, FreeNamesAreFreeAndCountOn) {
   EXPECT_EQ(findGroup(rig, "9"), 5);
 }
 
-TEST(Rig, WordsOfFilesAndCommandLineGoBothWays) {
+TEST(Rig, EnumNamesRoundTrip) {
   for (const auto mode : {SurfaceMode::kSwell, SurfaceMode::kReplace}) EXPECT_EQ(surfaceModeNamed(nameOf(mode)), mode);
   for (const auto patch : {PatchKind::kPn, PatchKind::kPhong, PatchKind::kSpherigon, PatchKind::kFlat}) {
     EXPECT_EQ(patchKindNamed(nameOf(patch)), patch);

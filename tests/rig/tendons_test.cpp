@@ -1,4 +1,5 @@
-// tests/rig/tendons_test.cpp: tendons leave their belly, pass the via point softly and end at the anchors.
+// tests/rig/tendons_test.cpp: tendons leave their belly tangentially, pass the via point smoothly and end at the
+// anchors.
 #include "core/rig/line_rest.h"
 
 #include <random>
@@ -34,7 +35,7 @@ TEST(Tendons, RunFromInsideTheBellyToBothAnchors) {
   }
 }
 
-TEST(Tendons, GoThroughTheViaPointInOneDirection) {
+TEST(Tendons, PassSmoothlyThroughTheViaPoint) {
   std::mt19937 random(7);
   std::uniform_real_distribution<float> aside(-0.4f, 0.4f), along(0.55f, 0.95f);
   for (int i = 0; i < 100; ++i) {
@@ -70,7 +71,7 @@ TEST(Tendons, LeaveABentBellyAlongItsAxis) {
   }
 }
 
-TEST(Tendons, NoneWhereTheAnchorLiesInTheBelly) {
+TEST(Tendons, AreOmittedForAnchorsInsideTheBelly) {
   LinePath line = kLine;
   line.insertion = {0.0f, 0.3f, 0.0f};
   const std::vector<Tendon> tendons = tendonsOf(kBelly, line);
@@ -79,7 +80,7 @@ TEST(Tendons, NoneWhereTheAnchorLiesInTheBelly) {
   EXPECT_TRUE(tendonsOf(glm::scale(kBelly, glm::vec3(1, 0, 1)), kLine).empty()) << "a flat belly has no ends";
 }
 
-TEST(Tendons, PointsAlongALineBeginEndAndPassWhereItDoes) {
+TEST(Tendons, PointsAlongALineMatchItsAnchors) {
   EXPECT_EQ(pointsAlong(kLine).front(), kLine.origin);
   EXPECT_LT(glm::distance(pointsAlong(kLine).back(), kLine.insertion), 1e-6f);
   LinePath bent = kLine;

@@ -1,4 +1,4 @@
-// tests/rig/trial_rig_test.cpp: muscles set by rule: valid, repeatable, under the skin and over it.
+// tests/rig/trial_rig_test.cpp: generated trial muscles: valid, repeatable, under the skin and above it.
 #include "core/rig/trial_rig.h"
 
 #include <set>
@@ -38,7 +38,7 @@ TEST(TrialRig, IsValidRepeatableAndAttached) {
   }
 }
 
-TEST(BeddedRig, LiesInTheSkinOfItsBoneAlone) {
+TEST(EmbeddedRig, LiesOnlyInTheSkinOfItsBone) {
   for (const auto& character : characters()) {
     const Rig rig = beddedRig(*character, 12);
     EXPECT_TRUE(validate(rig).ok()) << character->name;
@@ -62,7 +62,7 @@ TEST(BeddedRig, LiesInTheSkinOfItsBoneAlone) {
   }
 }
 
-TEST(TrialRig, EveryMuscleHasSkinInsideItAndSpansItsSize) {
+TEST(TrialRig, EveryMuscleContainsSkinAndHasAPlausibleSize) {
   for (const auto& character : characters()) {
     const Rig rig = trialRig(*character, 12, 1);
     std::set<std::string> bones;

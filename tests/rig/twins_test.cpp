@@ -1,4 +1,4 @@
-// tests/rig/twins_test.cpp: linked twins follow, exactly, until let go.
+// tests/rig/twins_test.cpp: linked twins mirror each other exactly until unlinked.
 
 #include "core/rig/twins.h"
 
@@ -42,7 +42,7 @@ struct Scene {
   }
 };
 
-/// Every linked pair is what mirroring the one says of the other, to a few units in the last place.
+/// Every linked pair consists of mirror images, up to a few units in the last place.
 void expectExact(const Rig& rig, const MirrorPlan& plan) {
   for (std::size_t i = 0; i < rig.primitives.size(); ++i) {
     const int twin = twinOf(rig, static_cast<int>(i));
@@ -67,7 +67,7 @@ void expectExact(const Rig& rig, const MirrorPlan& plan) {
   }
 }
 
-TEST(Twins, AMuscleIsAddedOnBothSides) {
+TEST(Twins, AddsAMuscleOnBothSides) {
   const Scene scene;
   ASSERT_EQ(scene.rig.primitives.size(), 2u);
   EXPECT_EQ(scene.rig.primitives[1].name, "thigh R");
@@ -77,7 +77,7 @@ TEST(Twins, AMuscleIsAddedOnBothSides) {
   expectExact(scene.rig, scene.plan);
 }
 
-TEST(Twins, AMuscleInThePlaneStaysSingleAndCannotBeMirrored) {
+TEST(Twins, MuscleInThePlaneStaysSingle) {
   Scene scene;
   Primitive belly;
   belly.name = "belly";
@@ -88,7 +88,7 @@ TEST(Twins, AMuscleInThePlaneStaysSingleAndCannotBeMirrored) {
   EXPECT_FALSE(mirrorToOtherSide(scene.rig, 2, scene.plan));
 }
 
-TEST(Twins, APairWhoseNameSaysNoSideGetsTheSidesItLiesOn) {
+TEST(Twins, PairWithoutASideInItsNameIsNamedByPosition) {
   for (const float x : {0.3f, -0.3f}) {
     for (const bool later : {false, true}) {
       Scene scene;
@@ -96,7 +96,7 @@ TEST(Twins, APairWhoseNameSaysNoSideGetsTheSidesItLiesOn) {
       belly.name = "belly";
       belly.bone = "spine";
       belly.placement = {{x, 0.1f, 0.2f}, glm::quat(1, 0, 0, 0), {0.2f, 0.3f, 0.1f}};
-      // A name that is taken on one side: both go on to the next number.
+      // A name taken on one side: both move on to the next number.
       Primitive taken = belly;
       taken.name = "belly R";
       scene.edit(addPrimitive(scene.rig, taken));
@@ -112,7 +112,7 @@ TEST(Twins, APairWhoseNameSaysNoSideGetsTheSidesItLiesOn) {
       const std::string& other = scene.rig.primitives[static_cast<std::size_t>(first) + 1].name;
       EXPECT_EQ(mirroredName(one), other);
       EXPECT_TRUE(one.starts_with("belly ")) << one;
-      // The legs say which side is left.
+      // The leg determines which side is left.
       for (const int index : {first, first + 1}) {
         const Primitive& muscle = scene.rig.primitives[static_cast<std::size_t>(index)];
         const auto placeOf = [&](const std::string& bone, const glm::vec3& point) {
@@ -128,7 +128,7 @@ TEST(Twins, APairWhoseNameSaysNoSideGetsTheSidesItLiesOn) {
   }
 }
 
-TEST(Twins, ANameWithSeveralSidesIsLeftAlone) {
+TEST(Twins, NameWithSeveralSidesIsKept) {
   Scene scene;
   Primitive belt;
   belt.name = "left to right";
@@ -139,7 +139,7 @@ TEST(Twins, ANameWithSeveralSidesIsLeftAlone) {
   EXPECT_EQ(scene.rig.primitives[3].name, "left to right 2");
 }
 
-TEST(Twins, EveryFieldFollowsFromEitherSide) {
+TEST(Twins, EveryFieldFollowsInBothDirections) {
   Scene scene;
   for (const int leads : {0, 1}) {
     const int follows = 1 - leads;
@@ -165,7 +165,7 @@ TEST(Twins, EveryFieldFollowsFromEitherSide) {
   }
 }
 
-TEST(Twins, ShapesFollowMirrored) {
+TEST(Twins, ShapesAreMirrored) {
   Scene scene;
   const auto shaped = [&](int index, const Shape& shape) {
     Placement placement = scene.rig.primitives[static_cast<std::size_t>(index)].placement;
@@ -178,14 +178,14 @@ TEST(Twins, ShapesFollowMirrored) {
   EXPECT_EQ(twin.core, 0.5f);
   EXPECT_EQ(std::abs(twin.belly), 0.2f);
   EXPECT_EQ(glm::abs(twin.bend), glm::vec2(0.3f, 0.4f));
-  // A reflection turns an odd number of axes round, as the image is kept right-handed.
+  // A reflection flips an odd number of axes, since the image is kept right-handed.
   const float turned = twin.belly / 0.2f * (twin.bend.x / 0.3f) * (twin.bend.y / -0.4f);
   EXPECT_LT(turned, 0.0f);
   shaped(1, {0.1f, -0.1f, {0.0f, 1.0f}});
   EXPECT_EQ(scene.rig.primitives[0].placement.shape.core, 0.1f);
 }
 
-TEST(Twins, ABellyIsLessenedToTheFollowersOwnReach) {
+TEST(Twins, BellyIsLimitedByTheTwinsOwnReach) {
   Scene scene;
   scene.rig.primitives[1].reach = 3.0f;  // A pair that was never exact.
   Placement placement = scene.rig.primitives[0].placement;
@@ -195,7 +195,7 @@ TEST(Twins, ABellyIsLessenedToTheFollowersOwnReach) {
   EXPECT_EQ(std::abs(scene.rig.primitives[1].placement.shape.belly), mostBelly(0.0f, 3.0f));
 }
 
-TEST(Twins, WhatIsNotTouchedKeepsItsBits) {
+TEST(Twins, UneditedFieldsKeepTheirBits) {
   Scene scene;
   for (int i = 0; i < 50; ++i) {
     const Placement before0 = scene.rig.primitives[0].placement;
@@ -211,7 +211,7 @@ TEST(Twins, WhatIsNotTouchedKeepsItsBits) {
   }
 }
 
-TEST(Twins, AnEditOfBothFollowsTheFirstUnlessBothAgree) {
+TEST(Twins, EditOfBothFollowsTheFirstUnlessTheyAgree) {
   Scene scene;
   Rig both = scene.rig;
   both.primitives[0].reach = 1.5f;
@@ -225,7 +225,7 @@ TEST(Twins, AnEditOfBothFollowsTheFirstUnlessBothAgree) {
   EXPECT_EQ(keepTwins(scene.rig, scene.rig, kept, scene.plan), kept);
 }
 
-TEST(Twins, AGestureRebuiltFromItsStartStillFollows) {
+TEST(Twins, GestureRebuiltFromItsStartStillFollows) {
   Scene scene;
   const Rig start = scene.rig;
   Rig shown = start;
@@ -238,7 +238,7 @@ TEST(Twins, AGestureRebuiltFromItsStartStillFollows) {
   EXPECT_EQ(shown, start);
 }
 
-TEST(Twins, ADragBackToItsStartBringsTheTwinBack) {
+TEST(Twins, DragBackToItsStartReturnsTheTwin) {
   Scene scene;
   const Rig start = scene.rig;
   Rig shown = start;
@@ -250,7 +250,7 @@ TEST(Twins, ADragBackToItsStartBringsTheTwinBack) {
   }
 }
 
-TEST(Twins, LetGoStayWhereTheyAre) {
+TEST(Twins, UnlinkedTwinsStayInPlace) {
   Scene scene;
   scene.edit(clearMirror(scene.rig, 0));
   const Primitive before = scene.rig.primitives[1];
@@ -262,7 +262,7 @@ TEST(Twins, LetGoStayWhereTheyAre) {
   expectExact(scene.rig, scene.plan);
 }
 
-TEST(Twins, AMoveToABoneWithoutCounterpartIsNotFollowedButTheLinkStays) {
+TEST(Twins, MoveToABoneWithoutCounterpartKeepsTheLink) {
   Scene scene;
   scene.plan.twinOf[static_cast<std::size_t>(*scene.plan.skeleton.findBone("spine"))] = -1;
   const Primitive before = scene.rig.primitives[1];
@@ -272,7 +272,7 @@ TEST(Twins, AMoveToABoneWithoutCounterpartIsNotFollowedButTheLinkStays) {
   EXPECT_FALSE(mirrorToOtherSide(scene.rig, 0, scene.plan));
 }
 
-TEST(Twins, FlippingTwiceIsNothingAndALinkedPairSwapsSides) {
+TEST(Twins, FlippingSwapsALinkedPairAndTwiceRestoresIt) {
   Scene scene;
   const Rig start = scene.rig;
   const std::vector<int> one{0};
@@ -300,7 +300,7 @@ TEST(Twins, CopiesOfPairsArePairs) {
   EXPECT_EQ(withTwins(scene.rig, std::vector<int>{3, 4, 0}), (std::vector<int>{0, 1, 2, 3, 4}));
 }
 
-TEST(Twins, NamesFollowWhereTheSideIsClear) {
+TEST(Twins, NamesFollowIfTheSideIsClear) {
   Scene scene;
   scene.edit(renameWithTwin(scene.rig, 0, "quad L"));
   EXPECT_EQ(scene.rig.primitives[1].name, "quad R");
@@ -312,7 +312,7 @@ TEST(Twins, NamesFollowWhereTheSideIsClear) {
   EXPECT_EQ(scene.rig.primitives[1].name, "big R");
 }
 
-/// One random edit; nothing: refused.
+/// One random edit; none: it was refused.
 std::optional<Rig> randomEdit(Random& random, const Rig& rig, const Character& character, const MirrorPlan& plan) {
   const auto value = [](Result<Rig> result) { return result ? std::optional(result.value()) : std::nullopt; };
   const auto below = [&](std::size_t n) { return random.below(static_cast<int>(n)); };
@@ -363,7 +363,7 @@ std::optional<Rig> randomEdit(Random& random, const Rig& rig, const Character& c
   return other == index ? std::nullopt : value(linkTwins(rig, index, other, plan));
 }
 
-TEST(Twins, RandomEditsKeepEveryPairExactAndTheRigValid) {
+TEST(Twins, RandomEditsKeepPairsExactAndTheRigValid) {
   const auto character = test::makeTwoLegged();
   const MirrorPlan plan = makeMirrorPlan(*character);
   Random random(20);

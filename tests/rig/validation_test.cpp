@@ -1,4 +1,5 @@
-// tests/rig/validation_test.cpp: what no file can hold but code can. Files' cases: tests/files/rig_json_test.cpp.
+// tests/rig/validation_test.cpp: invalid rigs that only code can produce. For files see tests/files/rig_json_test.cpp.
+
 #include "core/rig/validation.h"
 
 #include <limits>
@@ -12,7 +13,7 @@ namespace {
 
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
-TEST(Validation, NamesNotANumberAndInfinity) {
+TEST(Validation, ErrorsNameNanAndInfinity) {
   Placement placement;
   placement.radii.y = std::numeric_limits<float>::quiet_NaN();
   EXPECT_EQ(validatePlacement(placement, "primitives[2]").error().text(),
@@ -28,7 +29,7 @@ TEST(Validation, NamesNotANumberAndInfinity) {
   EXPECT_EQ(validatePlacement(placement, "p").error().place, "p.rotation[3]");
 }
 
-TEST(Validation, ShapesHaveTheirRanges) {
+TEST(Validation, ShapeRangesAreChecked) {
   Primitive primitive;
   primitive.name = "calf";
   primitive.bone = "leg";
@@ -53,8 +54,8 @@ TEST(Validation, ShapesHaveTheirRanges) {
   }
 }
 
-/// The interface shows no JSON paths: a muscle is called by its name.
-TEST(Validation, WhatIsWrongHasASubjectInPlainWords) {
+/// The interface shows no JSON paths: a muscle is referred to by name.
+TEST(Validation, ErrorsNameTheirSubjectInPlainLanguage) {
   Rig rig;
   rig.groups = {{"arms", {}}, {"legs", {}}};
   Primitive& muscle = rig.primitives.emplace_back();
@@ -87,7 +88,7 @@ TEST(Validation, WhatIsWrongHasASubjectInPlainWords) {
   EXPECT_EQ(saidOf([](Rig& r) { r.smoothing.depth = 0; }).substr(0, 6), "Depth:");
 }
 
-TEST(Validation, RotationsNearUnitLengthAreTakenAsTheyAre) {
+TEST(Validation, RotationsNearUnitLengthAreAccepted) {
   Placement placement;
   for (const float w : {0.9991f, 1.0009f}) {
     placement.rotation = glm::quat(w, 0, 0, 0);
@@ -99,7 +100,7 @@ TEST(Validation, RotationsNearUnitLengthAreTakenAsTheyAre) {
   }
 }
 
-TEST(Validation, CreaseAnglesLieBetween0And180) {
+TEST(Validation, CreaseAnglesMustLieBetween0And180) {
   SmoothingSettings smoothing;
   for (const float angle : {0.0f, 40.0f, 180.0f}) {
     smoothing.creaseAngle = angle;
@@ -115,7 +116,7 @@ TEST(Validation, CreaseAnglesLieBetween0And180) {
 TEST(Validation, NamesMustBeUtf8) {
   for (const char* good : {"a", "é", "大腿", "\U0001F4AA", "\x01", "\x7f"})
     EXPECT_TRUE(validateName(good, "").ok()) << good;
-  // Lone and missing continuations, overlong forms, a surrogate, past the last code point.
+  // Lone and missing continuation bytes, overlong forms, a surrogate, beyond the last code point.
   for (const char* bad : {"", "\x80", "a\xff", "\xc3", "\xc0\x80", "\xe0\x80\x80", "\xed\xa0\x80", "\xf0\x80\x80\x80",
                           "\xf4\x90\x80\x80", "\xf8\x88\x80\x80\x80", "\xe5\xa4"}) {
     EXPECT_FALSE(validateName(bad, "").ok()) << bad;

@@ -1,4 +1,4 @@
-// tests/rig/via_bend_test.cpp: muscles bend with the line that goes round a via point.
+// tests/rig/via_bend_test.cpp: muscles bend with a line around a via point.
 #include <cmath>
 #include <random>
 
@@ -13,7 +13,7 @@
 namespace sinew::test {
 namespace {
 
-/// A line along y, with a belly 8 long.
+/// A line along y, with a belly of length 8.
 LineRest rest() {
   LineRest rest;
   rest.settings.tendons = {0.1f, 0.1f};
@@ -32,13 +32,13 @@ glm::mat4 someCarrier() {
   return carrier;
 }
 
-/// Place of the axis at y in radii, world.
+/// Position of the axis at y in radii, world.
 glm::vec3 axisAt(const BentMuscle& muscle, float y) {
   const glm::vec2 bend = (1.0f - y * y) * muscle.placement.shape.bend;
   return glm::vec3(shapeInWorld(muscle.placement, 1.0f, muscle.carrier) * glm::vec4(bend.x, y, bend.y, 1.0f));
 }
 
-TEST(ViaBend, TheMiddleGoesAllTheWayAndTheEndsStay) {
+TEST(ViaBend, MiddleReachesTheViaPointAndTheEndsStay) {
   const ViaBend bend = viaBend(rest(), placed({1.0f, 4.0f, 1.5f}), glm::mat4(1.0f));
   EXPECT_NEAR(bend.share, 1.0f, 1e-6f);
   const glm::mat4 carrier = someCarrier();
@@ -55,13 +55,13 @@ TEST(ViaBend, TheMiddleGoesAllTheWayAndTheEndsStay) {
   }
 }
 
-TEST(ViaBend, AShareOfTheBellyBendsByItsSquareAndAcrossNothingDoes) {
+TEST(ViaBend, BendIsQuadraticInTheFractionAndZeroAcrossTheLine) {
   EXPECT_NEAR(viaBend(rest(), placed({0.5f, 2.0f, 0.5f}), glm::mat4(1.0f)).share, 0.25f, 1e-6f);
   EXPECT_NEAR(viaBend(rest(), placed({0.5f, 40.0f, 0.5f}), glm::mat4(1.0f)).share, 1.0f, 1e-6f);
   float before = 1.0f;
   for (float angle = 0.0f; angle < 1.57f; angle += 0.01f) {
     Placement placement = placed({0.5f, 4.0f, 0.5f}, glm::angleAxis(angle, glm::vec3(0.0f, 0.0f, 1.0f)));
-    placement.shape.belly = 0.05f;  // Has a first axis.
+    placement.shape.belly = 0.05f;  // Has a distinguished axis.
     const float share = viaBend(rest(), placement, glm::mat4(1.0f)).share;
     EXPECT_LE(share, before + 1e-6f);
     EXPECT_LT(before - share, 0.05f) << angle;
@@ -70,7 +70,7 @@ TEST(ViaBend, AShareOfTheBellyBendsByItsSquareAndAcrossNothingDoes) {
   EXPECT_EQ(before, 0.0f);
 }
 
-TEST(ViaBend, APlainEllipsoidIsTheSameWhicheverOfItsAxesLiesAlongTheLine) {
+TEST(ViaBend, PlainEllipsoidBendsTheSameAlongAnyAxis) {
   std::mt19937 random(3);
   std::uniform_real_distribution<float> number(-3.0f, 3.0f);
   for (int along = 0; along < 3; ++along) {
@@ -95,7 +95,7 @@ TEST(ViaBend, APlainEllipsoidIsTheSameWhicheverOfItsAxesLiesAlongTheLine) {
   }
 }
 
-TEST(ViaBend, WhatExceedsTheLargestBendMovesTheMuscleWhole) {
+TEST(ViaBend, ExcessBendMovesTheWholeMuscle) {
   const ViaBend bend = viaBend(rest(), placed({1.0f, 4.0f, 1.5f}), glm::mat4(1.0f));
   const glm::mat4 inWorld = shapeInWorld(bend.placement, 1.0f, someCarrier());
   glm::vec3 before = axisAt(bentMuscle(bend, someCarrier(), {}), 1.0f);
@@ -114,7 +114,7 @@ TEST(ViaBend, WhatExceedsTheLargestBendMovesTheMuscleWhole) {
   }
 }
 
-TEST(ViaBend, DrawnMusclesAreThoseOfTheField) {
+TEST(ViaBend, DrawnMusclesMatchTheField) {
   const std::filesystem::path assets = std::filesystem::path(SINEW_SOURCE_DIR) / "assets";
   const auto character = importGltf(assets / "humanoid.glb").value();
   const Rig rig = loadRig(assets / "humanoid-flex.rig.json").value();

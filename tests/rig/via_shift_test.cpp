@@ -1,4 +1,4 @@
-// tests/rig/via_shift_test.cpp: how far a via point moves a belly's middle, wherever along the belly it lies.
+// tests/rig/via_shift_test.cpp: shift of a belly's middle by a via point anywhere along it.
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -15,24 +15,24 @@ const glm::dvec3 kBeside = glm::normalize(glm::cross(kAlong, glm::dvec3(0.3, 0.1
 constexpr double kTendon = 2.0;
 constexpr double kBelly = 10.0;
 
-/// Shift by a via point at y, -1 and 1 being the belly's ends.
+/// Shift by a via point at y; the belly's ends are -1 and 1.
 glm::dvec3 shiftAt(double y, double beside) {
   const glm::dvec3 via = kOrigin + (kTendon + 0.5 * kBelly * (1.0 + y)) * kAlong + beside * kBeside;
   return viaShift(kOrigin, kAlong, via, kTendon, kBelly);
 }
 
-/// What `beside` is multiplied by.
+/// Factor applied to `beside`.
 double factorAt(double y) { return glm::dot(shiftAt(y, 1.0), kBeside); }
 
-TEST(ViaShift, PutsAParabolaThroughAViaPointOverTheBellysMiddle) {
+TEST(ViaShift, PutsAParabolaThroughAViaPointOverTheBelly) {
   for (double y = -0.59; y <= 0.59; y += 0.01) {
-    // A parabola from end to end that is `shift` high in the middle.
+    // A parabola from end to end with height `shift` in the middle.
     const double atVia = factorAt(y) * (1.0 - y * y);
     EXPECT_NEAR(atVia, 1.0, 1e-14) << y;
   }
 }
 
-TEST(ViaShift, FadesTowardsTheBellysEndsWithoutJumpsOrKinks) {
+TEST(ViaShift, FadesSmoothlyTowardsTheBellysEnds) {
   constexpr double kStep = 1e-3;
   double most = 0.0;
   for (double y = -2.0; y < 2.0; y += kStep) {
@@ -51,7 +51,7 @@ TEST(ViaShift, FadesTowardsTheBellysEndsWithoutJumpsOrKinks) {
   EXPECT_LT(most, 1.94);
 }
 
-TEST(ViaShift, LiesStraightBesideTheLineAndIsNeverMoreThanHalfTheBelly) {
+TEST(ViaShift, IsPerpendicularToTheLineAndAtMostHalfTheBelly) {
   for (const double y : {-1.5, -0.7, 0.0, 0.3, 0.9}) {
     for (const double beside : {-3.0, 0.5, 4.9, 50.0}) {
       const glm::dvec3 shift = shiftAt(y, beside);

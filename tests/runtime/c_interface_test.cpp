@@ -1,4 +1,5 @@
-// tests/runtime/c_interface_test.cpp: what C sees: the same bits, codes with a reason, nothing that harms.
+// tests/runtime/c_interface_test.cpp: the C interface: the same bits, error codes with a reason, invalid calls are
+// harmless.
 
 #include <cstring>
 #include <limits>
@@ -23,7 +24,7 @@ void use_tasks_of_c(int* count);
 namespace sinew::test {
 namespace {
 
-/// A smoother made through the interface, and what it needs.
+/// A smoother created through the interface, and its inputs.
 class CInterface : public testing::Test {
  protected:
   void SetUp() override {
@@ -51,7 +52,7 @@ class CInterface : public testing::Test {
   std::vector<std::byte> vertices_;
 };
 
-TEST_F(CInterface, AProgramInCHasTheSmoothersBits) {
+TEST_F(CInterface, CProgramGetsTheSmoothersBits) {
   const std::vector<std::byte> file = gameFile(*scene_.character, scene_.rig);
   Smoother smoother(scene_.character);
   ASSERT_TRUE(smoother.prepare(scene_.rig).ok());
@@ -77,7 +78,7 @@ TEST_F(CInterface, AProgramInCHasTheSmoothersBits) {
   EXPECT_GT(tasks, 0);
 }
 
-TEST_F(CInterface, AFrameAllocatesNothing) {
+TEST_F(CInterface, FrameAllocatesNothing) {
   for (int warm = 0; warm < 2; ++warm) ASSERT_EQ(sinew_smooth(smoother_, &pose_), SINEW_OK) << sinew_error();
   const std::int64_t before = allocations();
   const sinew_code smoothed = sinew_smooth(smoother_, &pose_);
@@ -87,7 +88,7 @@ TEST_F(CInterface, AFrameAllocatesNothing) {
   EXPECT_EQ(written, SINEW_OK);
 }
 
-TEST_F(CInterface, RefusedPosesLeaveAMessageAndTheLastSurface) {
+TEST_F(CInterface, RefusedPoseGivesAMessageAndKeepsTheLastSurface) {
   ASSERT_EQ(sinew_smooth(smoother_, &pose_), SINEW_OK);
   ASSERT_EQ(write(), SINEW_OK);
   const std::vector<std::byte> last = vertices_;
@@ -157,7 +158,7 @@ TEST_F(CInterface, BadArgumentsHaveCodesAndReasons) {
   sinew_character_destroy(nullptr);
 }
 
-TEST_F(CInterface, TellsBonesClipsAndMaterials) {
+TEST_F(CInterface, ListsBonesClipsAndMaterials) {
   const Character& character = *scene_.character;
   ASSERT_EQ(sinew_bone_count(character_), static_cast<int>(character.skeleton.bones.size()));
   for (int b = 0; b < sinew_bone_count(character_); ++b) {
@@ -185,7 +186,7 @@ TEST_F(CInterface, TellsBonesClipsAndMaterials) {
   EXPECT_EQ(std::memcmp(bones_.data(), restPose(character.skeleton).boneInWorld.data(), 4 * bones_.size()), 0);
 }
 
-TEST_F(CInterface, APartOfTheBodyIsThatOfCpp) {
+TEST_F(CInterface, RegionMatchesTheCppInterface) {
   const int bone = sinew_bone_count(character_) - 1;
   const sinew_detail part{3, 0.0f, &bone, 1};
   sinew_smoother* other = nullptr;
@@ -206,7 +207,7 @@ TEST_F(CInterface, APartOfTheBodyIsThatOfCpp) {
   sinew_smoother_destroy(other);
 }
 
-TEST_F(CInterface, AnotherDetailSharesTheCharacterAndOutlivesWhatItCameFrom) {
+TEST_F(CInterface, SharedSmootherOutlivesItsSource) {
   const sinew_detail coarse{1, 0.0f, nullptr, 0};
   sinew_smoother* other = nullptr;
   ASSERT_EQ(sinew_smoother_share(smoother_, &coarse, &other), SINEW_OK) << sinew_error();

@@ -22,7 +22,7 @@
 namespace sinew::test {
 namespace {
 
-TEST(GameFrame, FromLocalsToTheBufferAllocatesNothing) {
+TEST(GameFrame, LocalsToBufferAllocatesNothing) {
   const TrialScene scene = bundledTrialScene("horse-flex");
   const Skeleton& skeleton = scene.character->skeleton;
   Smoother smoother(scene.character);
@@ -55,7 +55,7 @@ TEST(GameFrame, FromLocalsToTheBufferAllocatesNothing) {
   EXPECT_TRUE(done);
 }
 
-TEST(GameFrame, RefusedPosesLeaveTheLastSurfaceAndSayWhy) {
+TEST(GameFrame, RefusedPoseKeepsTheLastSurfaceAndGivesAReason) {
   const auto limb = makeLimb();
   Smoother smoother(limb);
   ASSERT_TRUE(smoother.prepare(animatedLimbRig(*limb, 1)).ok());
@@ -90,7 +90,7 @@ TEST(GameFrame, RefusedPosesLeaveTheLastSurfaceAndSayWhy) {
   EXPECT_TRUE(smoother.smooth(good, surface));
 }
 
-/// A game's tasks, each on a thread of its own, the last first.
+/// A game's tasks, each on its own thread, started in reverse order.
 struct Threads {
   std::atomic<int> calls{0};
   std::atomic<int> tasks{0};
@@ -105,7 +105,7 @@ struct Threads {
   }
 };
 
-/// While it lives the tasks run on these threads.
+/// While alive, tasks run on these threads.
 class OnThreads {
  public:
   explicit OnThreads(Threads& threads, int count) { setTaskSystem({&Threads::run, &threads, count}); }
@@ -114,7 +114,7 @@ class OnThreads {
   OnThreads& operator=(const OnThreads&) = delete;
 };
 
-TEST(GameTasks, MakeTheSameSurfaceToTheBit) {
+TEST(GameTasks, GiveTheSameSurfaceBitForBit) {
   const TrialScene scene = bundledTrialScene("humanoid");
   const Pose pose = spreadPoses(*scene.character, 2).back();
   const auto smoothed = [&] {
@@ -135,7 +135,7 @@ TEST(GameTasks, MakeTheSameSurfaceToTheBit) {
   }
 }
 
-TEST(GameTasks, CoverEveryIndexOnceAndKeepLimits) {
+TEST(GameTasks, VisitEveryIndexOnceWithinLimits) {
   Threads threads;
   const OnThreads scope(threads, 5);
   for (const std::size_t count : {1U, 2U, 7U, 1000U}) {
@@ -155,7 +155,7 @@ TEST(GameTasks, CoverEveryIndexOnceAndKeepLimits) {
   EXPECT_EQ(threads.calls, 0);
 }
 
-TEST(GameTasks, WhatATaskThrowsArrivesAtTheCaller) {
+TEST(GameTasks, ExceptionsReachTheCaller) {
   Threads threads;
   const OnThreads scope(threads, 3);
   EXPECT_THROW(forEachIndex(100, 1,
@@ -165,13 +165,13 @@ TEST(GameTasks, WhatATaskThrowsArrivesAtTheCaller) {
                std::bad_alloc);
 }
 
-TEST(BoneLocals, AtRestAndInEveryClipGiveThePoseOfTheClip) {
+TEST(BoneLocals, GiveThePoseAtRestAndInEveryClip) {
   const TrialScene scene = bundledTrialScene("humanoid");
   const Skeleton& skeleton = scene.character->skeleton;
   const auto rest = poseFromLocals(skeleton, {});
   ASSERT_TRUE(rest.ok());
   EXPECT_EQ(rest->boneInWorld, restPose(skeleton).boneInWorld);
-  // Turned about its own axis by hand, a bone takes all that hangs on it along: against multiplying all descendants.
+  // Rotating a bone about its own axis takes its descendants along: compared with multiplying all of them.
   std::vector<glm::quat> turns;
   for (const Bone& bone : skeleton.bones) {
     turns.push_back(skeleton.nodes[static_cast<std::size_t>(bone.node)].rest.rotation);
@@ -194,7 +194,7 @@ TEST(BoneLocals, AtRestAndInEveryClipGiveThePoseOfTheClip) {
   }
 }
 
-TEST(BoneLocals, RefuseWhatIsNotOneForEachBone) {
+TEST(BoneLocals, RefuseInvalidInput) {
   Skeleton skeleton = makeLimb()->skeleton;
   const std::vector<glm::quat> few(skeleton.bones.size() - 1, glm::quat(1.0f, 0.0f, 0.0f, 0.0f));
   EXPECT_FALSE(poseFromLocals(skeleton, {.rotations = few}).ok());
@@ -210,7 +210,7 @@ TEST(BoneLocals, RefuseWhatIsNotOneForEachBone) {
   EXPECT_NE(odd.error().text().find("scales[1]"), std::string::npos) << odd.error().text();
 }
 
-TEST(LevelOfDetail, ATwinAtAnotherToleranceIsWhatItWouldBeAlone) {
+TEST(LevelOfDetail, SharedSmootherMatchesAStandaloneOne) {
   const TrialScene scene = bundledTrialScene("demo");
   Smoother fine(scene.character);
   ASSERT_TRUE(fine.prepare(scene.rig).ok());
@@ -228,7 +228,7 @@ TEST(LevelOfDetail, ATwinAtAnotherToleranceIsWhatItWouldBeAlone) {
   EXPECT_GT(finer.positions.size(), own.positions.size());
 }
 
-TEST(MirrorEdits, AddAPairAndTurnEveryJoint) {
+TEST(MirrorEdits, AddAPairOnBothSides) {
   const TrialScene scene = bundledTrialScene("humanoid");
   const MirrorEdits mirror(*scene.character);
   ASSERT_TRUE(mirror.usable());

@@ -1,4 +1,4 @@
-// tests/runtime/game_file_test.cpp: what is written comes back with the same surface; what is damaged is refused.
+// tests/runtime/game_file_test.cpp: a written file gives the same surface when read; damaged files are refused.
 
 #include <cstring>
 
@@ -17,7 +17,7 @@ namespace {
 
 using Bytes = std::vector<std::byte>;
 
-/// With the sum that its bytes have, so that what lies behind the sum is tried.
+/// Adds a valid checksum, so that the checks after it are exercised.
 Bytes withSum(Bytes bytes) {
   gamefile::Head head;
   if (bytes.size() < sizeof head) return bytes;
@@ -60,7 +60,7 @@ GameCharacter limbGame() {
 
 class BundledGameFile : public testing::TestWithParam<const char*> {};
 
-TEST_P(BundledGameFile, GivesTheSameSurfaceToTheBit) {
+TEST_P(BundledGameFile, GivesTheSameSurfaceBitForBit) {
   const TrialScene scene = bundledTrialScene(GetParam());
   const Bytes bytes = gameFile(*scene.character, scene.rig);
   const auto read = readGameFile(bytes);
@@ -96,7 +96,7 @@ TEST(GameFile, KeepsAdaptiveDetailCreasesAndEveryAnimatedNumber) {
   }
 }
 
-TEST(GameFile, RefusesWhatIsNoGameFileAndWhatIsOfAnotherVersion) {
+TEST(GameFile, RefusesOtherFilesAndOtherVersions) {
   const GameCharacter game = limbGame();
   Bytes bytes = gameFile(*game.character, game.rig);
   EXPECT_NE(reasonOf({}).find("too short"), std::string::npos);
@@ -115,7 +115,7 @@ TEST(GameFile, RefusesWhatIsNoGameFileAndWhatIsOfAnotherVersion) {
   EXPECT_NE(reasonOf(other).find("damaged"), std::string::npos) << reasonOf(other);
 }
 
-TEST(GameFile, RefusesEveryShorterFileOnOneLine) {
+TEST(GameFile, RefusesEveryTruncatedFileOnOneLine) {
   const GameCharacter game = limbGame();
   const Bytes bytes = gameFile(*game.character, game.rig);
   for (std::size_t size = 0; size < bytes.size(); size += size < 200 ? 1 : 37) {
@@ -125,7 +125,7 @@ TEST(GameFile, RefusesEveryShorterFileOnOneLine) {
   }
 }
 
-TEST(GameFile, NamesWhatIsWrong) {
+TEST(GameFile, NamesTheInvalidElement) {
   using Break = void (*)(Character&, Rig&);
   const std::pair<const char*, Break> cases[] = {
       {"triangles[2]: expected a vertex of", [](Character& c, Rig&) { c.mesh.triangles[2].vertices[1] = 1 << 20; }},
@@ -169,7 +169,7 @@ TEST(GameFile, NamesWhatIsWrong) {
   }
 }
 
-TEST(GameFile, DoesNoHarmWhateverItsBytesAre) {
+TEST(GameFile, CorruptedBytesAreSafe) {
   GameCharacter game = limbGame();
   game.rig.smoothing.depth = 1;
   const Bytes bytes = gameFile(*game.character, game.rig);

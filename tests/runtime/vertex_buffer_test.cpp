@@ -1,4 +1,5 @@
 // tests/runtime/vertex_buffer_test.cpp: a surface in a game's buffers, byte for byte.
+
 #include "sinew/runtime/vertex_buffer.h"
 
 #include <algorithm>
@@ -19,7 +20,7 @@ struct Scene {
   Surface surface;
 };
 
-/// In the middle of its first clip. @param crease  degrees
+/// Surface in the middle of its first clip. @param crease  degrees
 Scene smoothed(const std::string& name, float crease = 180.0f) {
   const TrialScene scene = bundledTrialScene(name);
   Rig rig = scene.rig;
@@ -38,7 +39,7 @@ T read(const std::vector<std::byte>& bytes, std::size_t at) {
   return value;
 }
 
-TEST(VertexBuffer, HoldsTheSurfaceToTheBitAndLeavesTheRestAlone) {
+TEST(VertexBuffer, HoldsTheSurfaceBitForBitAndKeepsOtherBytes) {
   for (const float crease : {180.0f, 30.0f}) {
     const Scene scene = smoothed("humanoid", crease);
     ASSERT_EQ(scene.surface.shadingNormals.empty(), crease == 180.0f);
@@ -68,7 +69,7 @@ TEST(VertexBuffer, HoldsTheSurfaceToTheBitAndLeavesTheRestAlone) {
   }
 }
 
-TEST(VertexBuffer, HalvesAndTenBitsComeAsNearAsTheyCan) {
+TEST(VertexBuffer, HalvesAndTenBitsRoundCorrectly) {
   const Scene scene = smoothed("horse");
   VertexLayout layout{.stride = 12,
                       .position = 0,
@@ -100,9 +101,9 @@ TEST(VertexBuffer, HasTextureCoordinatesOfDrawnVertices) {
   }
 }
 
-TEST(VertexBuffer, IndicesAreTheTrianglesByMaterial) {
+TEST(VertexBuffer, IndicesAreGroupedByMaterial) {
   Scene scene = smoothed("demo");
-  Character several = *scene.character;  // Three materials in turn.
+  Character several = *scene.character;  // Three materials, alternating.
   for (std::size_t t = 0; t < several.mesh.triangles.size(); ++t) {
     several.mesh.triangles[t].material = static_cast<int>(t % 3) * 2;
   }
@@ -134,7 +135,7 @@ TEST(VertexBuffer, IndicesAreTheTrianglesByMaterial) {
   }
 }
 
-TEST(VertexBuffer, RefusesWhatDoesNotFit) {
+TEST(VertexBuffer, RefusesBuffersThatDoNotFit) {
   const Scene scene = smoothed("demo");
   const Refinement& refinement = *scene.surface.refinement;
   const std::size_t count = vertexCount(refinement, BufferVertices::kDrawn);
@@ -156,7 +157,7 @@ TEST(VertexBuffer, RefusesWhatDoesNotFit) {
   EXPECT_FALSE(writeUvs(refinement, 8, 1, bytes).ok());
 }
 
-TEST(VertexBuffer, SixteenBitsHoldNoMoreThanTheyCan) {
+TEST(VertexBuffer, SixteenBitIndicesAreRefusedForLargeMeshes) {
   const TrialScene scene = bundledTrialScene("humanoid");
   const Refinement refinement = refine(scene.character->mesh, 15);
   ASSERT_GT(refinement.drawVertex.size(), 65535U);

@@ -30,7 +30,7 @@ class Structure(unittest.TestCase):
         self.assertEqual(len(found), 1, found)
         self.assertIn(words, found[0])
 
-    def test_a_good_tree_has_no_problem(self):
+    def test_valid_tree_has_no_problem(self):
         self.assertEqual([], self.problems(
             core__geometry__weld_DOT_h=self.header("core/geometry/weld.h", '#include <array>\n#include "sinew/geometry/result.h"\n'),
             core__files__gltf_DOT_cpp="// core/files/gltf.cpp: x\n#include <tiny_gltf.h>\n#include <nlohmann/json.hpp>\n",

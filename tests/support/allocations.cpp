@@ -1,4 +1,4 @@
-// tests/support/allocations.cpp: the global operator new, replaced by one that counts.
+// tests/support/allocations.cpp: replaces the global operator new with a counting one.
 #include "tests/support/allocations.h"
 
 #include <cstddef>

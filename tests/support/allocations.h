@@ -1,4 +1,4 @@
-// tests/support/allocations.h: counts what `new` is asked for. A test program that calls this counts all its own.
+// tests/support/allocations.h: counts calls of operator new. A test program that includes it counts all of its own.
 #pragma once
 
 #include <cstddef>
@@ -9,7 +9,7 @@ namespace sinew::test {
 /// Allocations by this thread since it began.
 [[nodiscard]] std::int64_t allocations();
 
-/// Counts this thread's allocations of exactly so many bytes while it lives. One at a time.
+/// Counts this thread's allocations of exactly this many bytes during its lifetime. One at a time.
 class AllocationsOf {
  public:
   explicit AllocationsOf(std::size_t bytes);

@@ -1,4 +1,4 @@
-// tests/support/euler_characteristic.h: what tells a sphere from a torus.
+// tests/support/euler_characteristic.h: Euler characteristic of a mesh.
 #pragma once
 
 #include "core/geometry/weld.h"

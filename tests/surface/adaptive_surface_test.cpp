@@ -1,5 +1,5 @@
-// tests/surface/adaptive_surface_test.cpp: adaptive detail in the pipeline: a function of character and rig alone,
-// closed, within its tolerance, and no more vertices than it needs.
+// tests/surface/adaptive_surface_test.cpp: adaptive detail: depends only on character and rig, closed, within
+// tolerance, no more vertices than needed.
 
 #include <gtest/gtest.h>
 
@@ -43,7 +43,7 @@ struct Prepared {
   }
 };
 
-TEST(AdaptiveSurface, IsClosedWhereTheMeshIs) {
+TEST(AdaptiveSurface, IsClosedIfTheMeshIs) {
   for (const CharacterPtr& character : {makeLimb(), makeTube(), makeBodyWithArms()}) {
     const Topology control = topologyOf(character->mesh);
     for (std::uint64_t seed = 0; seed < 3; ++seed) {
@@ -58,8 +58,8 @@ TEST(AdaptiveSurface, IsClosedWhereTheMeshIs) {
   }
 }
 
-// A drag, undo, and everything else that was edited before leave no trace.
-TEST(AdaptiveSurface, LevelsFollowFromTheRigAlone) {
+// A drag, undo and earlier edits leave no trace.
+TEST(AdaptiveSurface, LevelsDependOnlyOnTheRig) {
   Prepared prepared;
   std::shared_ptr<const Preparation> former;
   for (std::uint64_t seed = 0; seed < 24; ++seed) {
@@ -103,7 +103,7 @@ TEST(AdaptiveSurface, UndoAndRedoGiveTheSameBytes) {
   expectSame(smoothed(fresh, after), done);
 }
 
-TEST(AdaptiveSurface, SkinThatAMuscleMayNoLongerMoveIsLookedAtAnew) {
+TEST(AdaptiveSurface, SkinReleasedByATerritoryChangeIsReevaluated) {
   Prepared prepared{.character = makeTwoLegged()};
   const std::vector<Bone>& bones = prepared.character->skeleton.bones;
   Rig rig = adaptiveRig(*prepared.character, 1);
@@ -120,7 +120,7 @@ TEST(AdaptiveSurface, SkinThatAMuscleMayNoLongerMoveIsLookedAtAnew) {
   EXPECT_GT(different, 0);
 }
 
-TEST(AdaptiveSurface, ADragKeepsTheLevelsUntilItEnds) {
+TEST(AdaptiveSurface, DragKeepsTheLevelsUntilItEnds) {
   Prepared prepared;
   Rig rig = adaptiveRig(*prepared.character, 3);
   const auto before = prepared(rig);
@@ -132,7 +132,7 @@ TEST(AdaptiveSurface, ADragKeepsTheLevelsUntilItEnds) {
   EXPECT_EQ(after->detail->needed, prepared(rig)->detail->needed);
 }
 
-TEST(AdaptiveSurface, IsTheSameWithAnyNumberOfThreadsAndInACrowd) {
+TEST(AdaptiveSurface, DoesNotDependOnThreadsOrCrowd) {
   const CharacterPtr character = makeTube();
   const Rig rig = adaptiveRig(*character, 5, 0.0005f);
   const Pose pose = samplePose(character->skeleton, character->clips.front(), 0.7f);
@@ -155,7 +155,7 @@ TEST(AdaptiveSurface, IsTheSameWithAnyNumberOfThreadsAndInACrowd) {
   }
 }
 
-TEST(AdaptiveSurface, NumbersOfTheRigDoNotChangeTheMeshOfAnotherPose) {
+TEST(AdaptiveSurface, MeshDoesNotDependOnThePose) {
   Prepared prepared;
   const Rig rig = adaptiveRig(*prepared.character, 4);
   const auto preparation = prepared(rig);
@@ -170,7 +170,7 @@ TEST(AdaptiveSurface, NumbersOfTheRigDoNotChangeTheMeshOfAnotherPose) {
   EXPECT_EQ(first.refinement, second.refinement);
 }
 
-/// How far a point is from a triangle, by dense sampling: independent of the formulas that choose the levels.
+/// Distance of a point to a triangle by dense sampling, independent of the formulas that choose levels.
 float distanceTo(const glm::vec3& p, const glm::vec3& a, const glm::vec3& b, const glm::vec3& c) {
   float least = glm::distance(p, a);
   constexpr int kSteps = 40;
@@ -184,7 +184,7 @@ float distanceTo(const glm::vec3& p, const glm::vec3& a, const glm::vec3& b, con
   return least;
 }
 
-/// Vertices of the fine mesh that are farther from the flat triangles of their control triangle.
+/// Number of the fine mesh's vertices that are farther from the flat triangles of their control triangle.
 int fartherThan(float most, const ControlMesh& mesh, const Surface& fine, const Surface& flat) {
   int count = 0;
   for (std::size_t t = 0; t < mesh.triangles.size(); t += 5) {
@@ -201,8 +201,8 @@ int fartherThan(float most, const ControlMesh& mesh, const Surface& fine, const 
   return count;
 }
 
-// Against depth 12, as projected: stages after it (filter, folds) need neighbors, and may differ by more.
-TEST(AdaptiveSurface, LiesWithinItsToleranceOfTheFineSurface) {
+// Against depth 12, as projected: later stages (filter, folds) need neighbors, and may differ by more.
+TEST(AdaptiveSurface, IsWithinToleranceOfTheFineSurface) {
   for (const CharacterPtr& character : {makeLimb(), makeTube()}) {
     for (const float tolerance : {0.001f, 0.004f}) {
       Rig rig = adaptiveRig(*character, 2, tolerance);
@@ -212,7 +212,7 @@ TEST(AdaptiveSurface, LiesWithinItsToleranceOfTheFineSurface) {
       rig.smoothing.depth = 12;
       Projected fine(*character, rig);
       EXPECT_LT(adaptive.now().refinement->vertexCount, fine.now().refinement->vertexCount);
-      // The oracle finds the nearest of some points of a triangle.
+      // The oracle takes the nearest of sampled points of a triangle.
       EXPECT_EQ(fartherThan(1.03f * tolerance * character->height, character->mesh, fine.now(), adaptive.now()), 0);
     }
   }

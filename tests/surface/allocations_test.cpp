@@ -1,4 +1,4 @@
-// tests/surface/allocations_test.cpp: a frame allocates nothing once the memory that is kept has grown.
+// tests/surface/allocations_test.cpp: a frame allocates nothing once its buffers have grown.
 
 #include "tests/support/allocations.h"
 
@@ -23,7 +23,7 @@ TEST(Allocations, AreCounted) {
 
 class FrameAllocations : public testing::TestWithParam<SurfaceMode> {};
 
-TEST_P(FrameAllocations, ThereAreNoneInAFrameThatHasBeenSeenBefore) {
+TEST_P(FrameAllocations, RepeatedFrameAllocatesNothing) {
   for (const TrialScene& scene : trialScenes()) {
     Rig rig = withMode(scene.rig, GetParam());
     rig.smoothing.detail = DetailKind::kUniform;
@@ -48,8 +48,8 @@ TEST_P(FrameAllocations, ThereAreNoneInAFrameThatHasBeenSeenBefore) {
   }
 }
 
-// Some vertices of each are left to the scalar path, which must not allocate either.
-TEST(SearchAllocations, ThereAreNoneOnBundledRigs) {
+// Some vertices of each take the scalar path, which must not allocate either.
+TEST(SearchAllocations, BundledRigsAllocateNothing) {
   for (const char* name : {"humanoid", "humanoid-wrapped", "horse-flex", "tangle"}) {
     const TrialScene scene = bundledTrialScene(name);
     const std::vector<Pose> poses = spreadPoses(*scene.character, 3);

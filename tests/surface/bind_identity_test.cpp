@@ -1,4 +1,5 @@
-// tests/surface/bind_identity_test.cpp: bind pose: what no muscle reaches is the patch, for every kind and depth.
+// tests/surface/bind_identity_test.cpp: bind pose: vertices beyond every muscle's reach lie on the patch, for every
+// kind and depth.
 
 #include <algorithm>
 #include <array>
@@ -42,7 +43,7 @@ class Outside {
   std::vector<PosedPrimitive> posed_;
 };
 
-/// In `replace` normal triangles alone are promised to stay: on straddling ones a vertex outside may be projected too.
+/// `replace` only guarantees this for normal triangles: on straddling ones a vertex outside may be projected too.
 std::vector<bool> ofNormalTriangles(const Surface& surface) {
   std::vector<bool> out(surface.positions.size(), true);
   for (std::size_t i = 0; i < surface.refinement->triangles.size(); ++i) {
@@ -59,7 +60,7 @@ void expectIdentity(const TrialScene& scene, SurfaceMode mode) {
   for (const PatchKind patch : kEveryPatch) {
     for (const int depth : {1, 2, 3, 5, kMaxDepth}) {
       Rig rig = withMode(scene.rig, mode);
-      rig.primitives.resize(std::min<std::size_t>(rig.primitives.size(), 6));  // Leave some of the body out of reach.
+      rig.primitives.resize(std::min<std::size_t>(rig.primitives.size(), 6));  // Leaves some of the body out of reach.
       for (Primitive& primitive : rig.primitives) primitive.mirror.clear();
       rig.smoothing.patch = patch;
       rig.smoothing.detail = DetailKind::kUniform;
@@ -70,7 +71,7 @@ void expectIdentity(const TrialScene& scene, SurfaceMode mode) {
       const Surface without = inBindPose(scene, empty);
       const Outside outside(scene, rig);
       const std::vector<bool> normal = ofNormalTriangles(with);
-      // Faces turn one edge away from a moved vertex.
+      // Normals change up to one edge away from a moved vertex.
       const std::vector<bool> reshaded =
           grown(with.refinement->triangles, movedBetween(with.positions, without.positions), 1);
       for (std::size_t v = 0; v < with.positions.size(); ++v) {
@@ -91,13 +92,13 @@ void expectIdentity(const TrialScene& scene, SurfaceMode mode) {
   EXPECT_GT(moved, 1000) << scene.name << ": nothing moved, so nothing was shown";
 }
 
-TEST(BindIdentity, OutOfReachIsThePatchForEveryPatchAndDepth) {
+TEST(BindIdentity, SkinOutOfReachIsThePatchForEveryKindAndDepth) {
   for (const char* name : {"wrapped", "tangle"}) {
     for (const SurfaceMode mode : {SurfaceMode::kSwell, SurfaceMode::kReplace}) expectIdentity(trialScene(name), mode);
   }
 }
 
-TEST(BindIdentity, ControlVerticesStandWhereTheMeshPutsThem) {
+TEST(BindIdentity, ControlVerticesKeepTheirMeshPositions) {
   for (const char* name : {"wrapped", "tangle"}) {
     const TrialScene& scene = trialScene(name);
     for (const PatchKind patch : kEveryPatch) {

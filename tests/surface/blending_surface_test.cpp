@@ -1,4 +1,4 @@
-// tests/surface/blending_surface_test.cpp: what the blending graph promises, seen on surfaces and on the field.
+// tests/surface/blending_surface_test.cpp: guarantees of the blending graph, checked on surfaces and on the field.
 
 #include <array>
 #include <cstdio>
@@ -18,7 +18,7 @@ namespace {
 
 using CharacterPtr = std::shared_ptr<const Character>;
 
-/// Three balls in a row on a flat skin, each overlapping the next but one; each in a group of its own name.
+/// Three balls in a row on a flat skin, each overlapping the next but one; each in its own group.
 Rig threeBalls(const Character& strip) {
   Rig rig;
   const std::array<const char*, 3> names{"A", "B", "C"};
@@ -38,7 +38,7 @@ Rig only(Rig rig, const std::string& names) {
   return rig;
 }
 
-/// The roots as they are found, before heights are filtered.
+/// Surface from the roots, before heights are filtered.
 Surface surfaceOf(const CharacterPtr& character, const Rig& rig) {
   return Projected(*character, rig).at(bindPose(character->skeleton));
 }
@@ -66,7 +66,7 @@ TEST(BlendingSurface, UnlinkedGroupsNeverSum) {
   EXPECT_GT(byB, 10);
 }
 
-TEST(BlendingSurface, LinkedGroupsDoSum) {
+TEST(BlendingSurface, LinkedGroupsSum) {
   const CharacterPtr strip = makeStrip();
   Rig rig = only(threeBalls(*strip), "AB");
   const Surface apart = surfaceOf(strip, rig);
@@ -81,7 +81,7 @@ TEST(BlendingSurface, LinkedGroupsDoSum) {
 }
 
 // A - B - C: both neighbors blend with B, never with each other.
-TEST(BlendingSurface, ChainIsTheHigherOfItsTwoPairs) {
+TEST(BlendingSurface, ChainIsTheMaximumOfItsPairs) {
   const CharacterPtr strip = makeStrip();
   Rig rig = threeBalls(*strip);
   rig.links = {{"A", "B"}, {"B", "C"}};
@@ -100,7 +100,7 @@ TEST(BlendingSurface, ChainIsTheHigherOfItsTwoPairs) {
   EXPECT_GT(mostBelow, 0.003f) << "with A and C linked too all three add up, so the chain did keep them apart";
 }
 
-/// F of a scene in a pose, territories aside.
+/// F of a scene in a pose, without territories.
 class PosedField {
  public:
   PosedField(const TrialScene& scene, const Pose& pose) : attachment_(attach(scene.rig, *scene.character).value()) {
@@ -127,7 +127,7 @@ class PosedField {
   Bounds bounds_;
 };
 
-TEST(BlendingSurface, FieldHasNoJumps) {
+TEST(BlendingSurface, FieldIsContinuous) {
   constexpr int kSegments = 10000;
   constexpr std::array kSteps{8, 32, 128};
   std::printf("  largest change of F over a step of 10,000 segments, by steps a segment\n");
@@ -156,7 +156,8 @@ TEST(BlendingSurface, FieldHasNoJumps) {
                 static_cast<double>(jump[1] / jump[0]), kSteps[2], static_cast<double>(jump[2]),
                 static_cast<double>(jump[2] / jump[1]));
     EXPECT_GT(reached, kSegments);
-    // A jump would stay as the step shrinks to a quarter; a Lipschitz function's largest change shrinks with it.
+    // With a quarter of the step, a jump would keep its size; a Lipschitz function's largest change shrinks in
+    // proportion.
     EXPECT_LT(jump[1], 0.35f * jump[0]) << name;
     EXPECT_LT(jump[2], 0.35f * jump[1]) << name;
   }

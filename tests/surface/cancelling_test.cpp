@@ -1,4 +1,4 @@
-// tests/surface/cancelling_test.cpp: where the field is nothing but rounding, the skin stays.
+// tests/surface/cancelling_test.cpp: where the field is only rounding error, the skin stays.
 
 #include <cmath>
 
@@ -13,8 +13,7 @@ namespace {
 
 constexpr float kStays = 1e-4f;  ///< Fraction of H.
 
-/// Each muscle of a rig again as a carve: the same ellipsoid, told by another quaternion, so that the sums do not
-/// cancel to the last bit.
+/// Adds a carve for each muscle: the same ellipsoid with another quaternion, so that the sums do not cancel exactly.
 Rig undone(Rig rig) {
   const std::vector<Primitive> muscles = rig.primitives;
   for (Primitive carve : muscles) {
@@ -26,7 +25,7 @@ Rig undone(Rig rig) {
   return rig;
 }
 
-TEST(Canceling, AMuscleAndTheCarveThatUndoesItLeaveTheSkin) {
+TEST(Canceling, MuscleAndOppositeCarveCancel) {
   for (const auto& character : {makeLimb(), makeTwoLegged(), makeStrip()}) {
     int projected = 0;
     for (std::uint64_t seed = 0; seed < 20; ++seed) {
@@ -50,8 +49,8 @@ TEST(Canceling, AMuscleAndTheCarveThatUndoesItLeaveTheSkin) {
   }
 }
 
-// An influence that just touches a vertex: the field there is rounding, and so must be what it does.
-TEST(Canceling, AnInfluenceThatBarelyTouchesBarelyMoves) {
+// An influence that just touches a vertex: the field there is rounding error, and so must be its effect.
+TEST(Canceling, BarelyTouchingInfluenceBarelyMovesTheSkin) {
   const auto character = makeLimb();
   RigRecipe recipe;
   recipe.primitives = 1;

@@ -1,4 +1,4 @@
-// tests/surface/cloth_outfits_test.cpp: clothes of any cut stay above the skin of a muscular body, in folds too.
+// tests/surface/cloth_outfits_test.cpp: clothes of any cut stay above the skin of a muscular body, also in folds.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -24,7 +24,7 @@
 namespace sinew {
 namespace {
 
-/// The shipped set of muscles, uniformly fine.
+/// The bundled muscle set with uniform detail.
 Rig athleteOn(const Character& character) {
   const std::filesystem::path presets = std::filesystem::path(SINEW_SOURCE_DIR) / "assets" / "presets";
   const Preset preset = loadPreset(presets / "athlete.json").value();
@@ -34,43 +34,43 @@ Rig athleteOn(const Character& character) {
   return rig;
 }
 
-class ClothesOf : public ::testing::TestWithParam<test::Outfit> {};
+class ClothingOutfits : public ::testing::TestWithParam<test::Outfit> {};
 
-TEST_P(ClothesOf, StayAboveTheSkinInFoldsToo) {
+TEST_P(ClothingOutfits, StayAboveTheSkinEvenInFolds) {
   const auto character = test::dressedHumanoid(GetParam());
   const std::vector<Pose> poses = test::posesOfClips(*character, 12);
   const ClothCount count = countClothBelow(character, athleteOn(*character), poses).value();
   EXPECT_GT(count.vertices, 3000);
   EXPECT_LE(count.below, count.bare);
-  // Those between two walls of a fold that are just about to be moved out of one.
+  // Vertices between two walls of a fold that are about to leave it.
   const double all = static_cast<double>(count.vertices) * static_cast<double>(poses.size());
   const double most = GetParam() == test::Outfit::kLoose ? 5e-4 : 1e-4;
   EXPECT_LE(static_cast<double>(count.more), most * all) << "deepest " << count.deepest << " H in pose " << count.worst;
-  // What an eye would see of them. A loose sleeve at the bend of an elbow goes into the forearm.
+  // Visible ones. A loose sleeve at the bend of an elbow goes into the forearm.
   EXPECT_LE(count.seen, GetParam() == test::Outfit::kLoose ? 12 : 2) << "in pose " << count.lastSeen;
 }
 
-INSTANTIATE_TEST_SUITE_P(Outfits, ClothesOf, ::testing::ValuesIn(test::kOutfits), [](const auto& outfit) {
+INSTANTIATE_TEST_SUITE_P(Outfits, ClothingOutfits, ::testing::ValuesIn(test::kOutfits), [](const auto& outfit) {
   std::string name = test::nameOf(outfit.param);
   std::erase(name, ' ');
   return name;
 });
 
-TEST(ClothesOfTheUsualCut, PopNoMoreThanTheSkinUnderThem) {
+TEST(StandardClothing, PopsNoMoreThanTheSkin) {
   const auto character = test::dressedHumanoid();
   const Rig rig = athleteOn(*character);
   Rig stiff = rig;
   for (const char* part : {"Shirt", "Trousers", "Hair"}) stiff = setLayer(stiff, part, SkinLayer::kRigid).value();
-  constexpr int kFrames = 40;  // Of each clip.
+  constexpr int kFrames = 40;  // For each clip.
   const test::Pops all = test::countPops(character, rig, kFrames);
   const test::Pops skin = test::countPops(character, stiff, kFrames);
   EXPECT_GT(all.frames, 100);
-  // Where the nearest wall of a fold is another one. Of half a million steps of vertices.
+  // Steps where the nearest wall of a fold changes; of half a million vertex steps.
   EXPECT_LE(all.pops - skin.pops, 120);
   EXPECT_LE(all.largestPop, std::max(skin.largestPop, 0.015f));
 }
 
-/// Sum of the turns along the border of a part, degrees, per vertex of it.
+/// Sum of the angles along the border of a part, in degrees per border vertex.
 double meanTurnAlongHems(const Character& character, const std::string& part, const Surface& surface) {
   std::map<std::array<int, 2>, int> edges;
   for (std::size_t t = 0; t < surface.refinement->triangles.size(); ++t) {
@@ -98,7 +98,7 @@ double meanTurnAlongHems(const Character& character, const std::string& part, co
   return sum / std::max(vertices, 1);
 }
 
-TEST(ClothesOfTheUsualCut, HaveNoTeethAlongTheirHems) {
+TEST(StandardClothing, HasSmoothHems) {
   const auto character = test::dressedHumanoid();
   const Rig rig = athleteOn(*character);
   std::vector<int> all(rig.primitives.size());

@@ -1,4 +1,4 @@
-// tests/surface/cloth_test.cpp: muscles push the skin, cloth follows and does not sink in, eyes stay.
+// tests/surface/cloth_test.cpp: muscles push the skin, cloth follows without sinking in, eyes stay.
 #include <algorithm>
 #include <filesystem>
 
@@ -22,7 +22,7 @@ namespace fs = std::filesystem;
 
 const fs::path kClothAssets = fs::path(SINEW_SOURCE_DIR) / "assets";
 
-/// With and without muscles the same mesh.
+/// The same mesh with and without muscles.
 Rig flexRig() {
   Rig rig = loadRig(kClothAssets / "humanoid-flex.rig.json").value();
   rig.smoothing.detail = DetailKind::kUniform;
@@ -59,9 +59,9 @@ struct DressedSurface {
   }
 };
 
-class ClothIn : public ::testing::TestWithParam<SurfaceMode> {};
+class ClothBySurfaceMode : public ::testing::TestWithParam<SurfaceMode> {};
 
-TEST_P(ClothIn, NothingSinksThatTheFileHasAboveTheSkin) {
+TEST_P(ClothBySurfaceMode, ClothStaysAboveTheSkin) {
   const DressedSurface dressed;
   Rig rig = flexRig();
   rig.surface.mode = GetParam();
@@ -69,9 +69,9 @@ TEST_P(ClothIn, NothingSinksThatTheFileHasAboveTheSkin) {
   const ClothCount count = countClothBelow(dressed.character, rig, poses).value();
   EXPECT_GT(count.vertices, 3000);
   EXPECT_LE(count.below, count.bare) << "deepest " << count.deepest << " H in pose " << count.worst;
-  // Where two walls of a fold lie in each other there may be no way out.
+  // Where two walls of a fold penetrate each other there may be no free position.
   EXPECT_LT(static_cast<double>(count.more), 2e-4 * count.vertices * static_cast<double>(poses.size()));
-  // The measure sees what sinks: clothes that follow no skin.
+  // The measure detects penetration: clothes that follow no skin.
   for (const char* part : {"Shirt", "Trousers", "Hair"}) rig = setLayer(rig, part, SkinLayer::kRigid).value();
   const ClothMeter meter = dressed.meter(rig);
   const std::vector<ClothSunk> sunk = meter.below(dressed.smooth(rig, poses[2]));
@@ -81,10 +81,10 @@ TEST_P(ClothIn, NothingSinksThatTheFileHasAboveTheSkin) {
   EXPECT_GT(more, 5);
 }
 
-INSTANTIATE_TEST_SUITE_P(Modes, ClothIn, ::testing::Values(SurfaceMode::kSwell, SurfaceMode::kReplace),
+INSTANTIATE_TEST_SUITE_P(Modes, ClothBySurfaceMode, ::testing::Values(SurfaceMode::kSwell, SurfaceMode::kReplace),
                          [](const auto& mode) { return std::string(nameOf(mode.param)); });
 
-TEST(Cloth, MovesWithTheSkinAndEyesStayToTheBit) {
+TEST(Cloth, MovesWithTheSkinAndRigidPartsAreUnchanged) {
   const DressedSurface dressed;
   const Rig rig = flexRig();
   for (const Pose& pose : test::posesOfClips(*dressed.character, 2)) {
@@ -104,7 +104,7 @@ TEST(Cloth, MovesWithTheSkinAndEyesStayToTheBit) {
   }
 }
 
-TEST(Cloth, TheSkinIsWhatItIsWithoutClothes) {
+TEST(Cloth, DoesNotChangeTheSkin) {
   const DressedSurface dressed;
   const auto naked = importGltf(kClothAssets / "humanoid.glb").value();
   const Rig rig = flexRig();
@@ -114,8 +114,8 @@ TEST(Cloth, TheSkinIsWhatItIsWithoutClothes) {
     Surface expected;
     smoother.smooth(pose, expected);
     const Surface lifted = dressed.smooth(rig, pose);
-    // The body comes first in the file; edges and triangles keep their order. The hair makes H, and so the width of the
-    // blend, larger by 1 %.
+    // The body comes first in the file; edges and triangles keep their order. The hair makes H, and with it the blend
+    // width, 1 % larger.
     double sum = 0.0;
     ASSERT_EQ(dressed.character->mesh.triangles[0].part, 0);
     for (std::size_t t = 0; t < expected.refinement->triangles.size(); ++t) {
@@ -131,7 +131,7 @@ TEST(Cloth, TheSkinIsWhatItIsWithoutClothes) {
   }
 }
 
-TEST(Cloth, AllSkinIsTheSurfaceWithoutParts) {
+TEST(Cloth, AllSkinLayersMatchACharacterWithoutParts) {
   const auto dressed = test::dressedHumanoid();
   auto plain = std::make_shared<Character>(*dressed);
   plain->parts.clear();
@@ -151,7 +151,7 @@ TEST(Cloth, AllSkinIsTheSurfaceWithoutParts) {
   EXPECT_EQ(a.normals, b.normals);
 }
 
-TEST(Cloth, BundledRigsHaveNoLayersAndSoTheirFormerSurfaces) {
+TEST(Cloth, BundledRigsHaveNoLayers) {
   for (const char* name : {"humanoid", "humanoid-flex", "humanoid-wrapped", "horse", "horse-flex", "horse-wrapped",
                            "demo", "tangle", "wrapped"}) {
     const fs::path file = kClothAssets / (std::string(name) + ".rig.json");
@@ -165,7 +165,7 @@ TEST(Cloth, BundledRigsHaveNoLayersAndSoTheirFormerSurfaces) {
   }
 }
 
-TEST(Cloth, AnEditOfTheLayersIsThatOfAFreshStart) {
+TEST(Cloth, LayerEditMatchesAFreshSmoother) {
   const auto dressed = test::dressedHumanoid();
   const Pose pose = test::posesOfClips(*dressed, 3).back();
   for (const DetailKind detail : {DetailKind::kUniform, DetailKind::kAdaptive}) {
@@ -187,7 +187,7 @@ TEST(Cloth, AnEditOfTheLayersIsThatOfAFreshStart) {
   }
 }
 
-TEST(Cloth, AnyNumberOfThreadsGivesTheSameBytesAndAFrameAllocatesNothing) {
+TEST(Cloth, DoesNotDependOnThreadsAndAFrameAllocatesNothing) {
   const auto dressed = test::dressedHumanoid();
   const std::vector<Pose> poses = test::posesOfClips(*dressed, 2);
   Smoother smoother(dressed);

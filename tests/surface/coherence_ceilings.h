@@ -1,4 +1,4 @@
-// tests/surface/coherence_ceilings.h: how often and how far the skin stepped over 1 % H when this was last recorded.
+// tests/surface/coherence_ceilings.h: recorded number and size of skin steps over 1 % H.
 #pragma once
 
 #include <array>
@@ -7,20 +7,20 @@
 
 namespace sinew::test {
 
-/// Whose muscles a scene wears.
+/// Which muscles a scene has.
 enum class Laid {
-  kOwn,     ///< The rig that ships with the bundled scene.
-  kTrial,   ///< trialRig: as a first try would set them, half buried, some across joints.
-  kBedded,  ///< beddedRig: as a careful designer lays them, in the flesh of one bone.
+  kOwn,     ///< Rig of the bundled scene.
+  kTrial,   ///< trialRig: like a first attempt, half buried, some across joints.
+  kBedded,  ///< beddedRig: like a careful designer's, in the flesh of one bone.
 };
 
-/// The far steps of one cause.
+/// Steps over 1 % H with one cause.
 struct Recorded {
   const char* scene;
   Laid laid;
   SurfaceMode mode;
   StepCause cause;
-  double perMillion;  ///< Vertex steps.
+  double perMillion;  ///< Per vertex step.
   double largest;     ///< Fraction of H.
 };
 
@@ -28,8 +28,8 @@ using enum Laid;
 using enum SurfaceMode;
 using enum StepCause;
 
-/// A walk that is not named here takes no far step at all. To record anew, run `smoothing_tests
-/// --gtest_filter='*Coherence*'`, which prints these rows.
+/// A walk that is not listed has no such step. To record again, run `surface_tests --gtest_filter='*Coherence*'`, which
+/// prints these rows.
 constexpr std::array kRecorded{
     Recorded{"wrapped", kOwn, kSwell, kFolds, 72.45, 0.0162},
     Recorded{"wrapped", kOwn, kReplace, kShares, 196.64, 0.0772},

@@ -22,8 +22,8 @@
 namespace sinew::test {
 namespace {
 
-constexpr double kMargin = 1.25;   ///< On what is recorded.
-constexpr double kFewSteps = 4.0;  ///< Steps of one cause beyond the margin that rounding may sort elsewhere.
+constexpr double kMargin = 1.25;   ///< Over the recorded rate.
+constexpr double kFewSteps = 4.0;  ///< Additional steps of one cause that rounding may classify differently.
 
 struct Walk {
   const char* scene;
@@ -38,7 +38,7 @@ const char* nameOf(Laid laid) {
 
 const char* enumeratorOf(SurfaceMode mode) { return mode == kSwell ? "kSwell" : "kReplace"; }
 
-/// Fox_Bedded_Swell
+/// For example Fox_Bedded_Swell.
 std::string nameOf(const Walk& walk) {
   return std::string(walk.scene) + '_' + (nameOf(walk.laid) + 1) + '_' + (enumeratorOf(walk.mode) + 1);
 }
@@ -46,7 +46,7 @@ std::string nameOf(const Walk& walk) {
 /// For GoogleTest.
 void PrintTo(const Walk& walk, std::ostream* out) { *out << nameOf(walk); }
 
-/// The scene with the walk's muscles; none: the character is not at hand.
+/// The scene with the walk's muscles; none if the character is not available.
 std::optional<TrialScene> sceneOf(const Walk& walk) {
   const auto& scenes = trialScenes();
   const auto found = std::ranges::find(scenes, walk.scene, &TrialScene::name);
@@ -67,7 +67,7 @@ std::vector<Recorded> recordedOf(const Walk& walk) {
   return rows;
 }
 
-/// As rows of kRecorded, each followed by its largest step.
+/// Prints rows of kRecorded, each followed by its largest step.
 void print(const Walk& walk, const Coherence& seen) {
   std::printf("  // %s: %d frames, %lld of %lld vertex steps over 1 %% H; largest %.4f H\n", walk.scene, seen.frames,
               seen.farSteps(), seen.vertexSteps, static_cast<double>(seen.largest.size));
@@ -81,7 +81,7 @@ void print(const Walk& walk, const Coherence& seen) {
   }
 }
 
-/// At most what is recorded, the margin and the few steps more.
+/// Checks against the recorded rate plus margin and extra steps.
 void expectAtMost(double recordedPerMillion, long long steps, long long vertexSteps, const std::string& what) {
   const double most = kMargin * recordedPerMillion * 1e-6 * static_cast<double>(vertexSteps) + kFewSteps;
   EXPECT_LE(static_cast<double>(steps), most) << what;
@@ -101,7 +101,7 @@ void expectUnderCeilings(const Coherence& seen, const std::vector<Recorded>& row
   }
 }
 
-/// How far the skin rises over its muscles in the bind pose, of H: each muscle's own highest vertex, the least of them.
+/// Rise of the skin over its muscles in the bind pose, fraction of H: each muscle's highest vertex, minimum over all.
 float leastRise(const TrialScene& scene) {
   float least = std::numeric_limits<float>::infinity();
   for (const Primitive& primitive : scene.rig.primitives) {
@@ -116,11 +116,11 @@ float leastRise(const TrialScene& scene) {
   return least;
 }
 
-class CoherenceOfClips : public ::testing::TestWithParam<Walk> {};
+class ClipCoherence : public ::testing::TestWithParam<Walk> {};
 
-// Nothing pops: where the skin steps further than 1 % H a frame it does so for causes docs/design.md names (In time),
-// no more often and no further than is recorded. Over muscles that lie in the flesh it does not, but for the Fox.
-TEST_P(CoherenceOfClips, StepsNoFurtherThanRecorded) {
+// Nothing pops: the skin steps over 1 % H a frame only for causes that docs/design.md names (In time), no more often
+// and no further than recorded. Over muscles embedded in the flesh it never does, except on the Fox.
+TEST_P(ClipCoherence, StepsAreNoLargerThanRecorded) {
   const Walk& walk = GetParam();
   const auto scene = sceneOf(walk);
   if (!scene) GTEST_SKIP() << "left out: " << walk.scene << " is not at hand";
@@ -146,11 +146,11 @@ constexpr std::array kWalks{
     Walk{"robot", kBedded, kSwell},       Walk{"robot", kBedded, kReplace},
 };
 
-INSTANTIATE_TEST_SUITE_P(Coherence, CoherenceOfClips, ::testing::ValuesIn(kWalks),
+INSTANTIATE_TEST_SUITE_P(Coherence, ClipCoherence, ::testing::ValuesIn(kWalks),
                          [](const auto& test) { return nameOf(test.param); });
 
-// Else the walks over them would show nothing.
-TEST(Coherence, MusclesThatLieInTheFleshAreSeen) {
+// Otherwise the walks over them would show nothing.
+TEST(Coherence, EmbeddedMusclesAreVisible) {
   bool any = false;
   for (const char* name : {"Fox", "greenman", "cesium_man", "robot"}) {
     const auto scene = sceneOf({name, kBedded, kSwell});
@@ -162,8 +162,8 @@ TEST(Coherence, MusclesThatLieInTheFleshAreSeen) {
   if (!any) GTEST_SKIP() << "left out: real characters are not at hand";
 }
 
-// A row for a walk that is not taken would never be compared.
-TEST(Coherence, EveryRecordedRowBelongsToAWalk) {
+// A row without a walk would never be compared.
+TEST(Coherence, EveryRecordedRowHasAWalk) {
   for (const Recorded& row : kRecorded) {
     EXPECT_TRUE(std::ranges::any_of(kWalks, [&](const Walk& walk) {
       return row.scene == std::string_view(walk.scene) && row.laid == walk.laid && row.mode == walk.mode;

@@ -1,4 +1,4 @@
-// tests/surface/creases_test.cpp: shading normals at creases; the geometry never notices.
+// tests/surface/creases_test.cpp: shading normals at creases; the geometry is unaffected.
 
 #include "core/geometry/normals.h"
 
@@ -54,7 +54,7 @@ glm::vec3 controlFaceNormal(const ControlMesh& mesh, std::size_t triangle) {
       glm::cross(mesh.positions[static_cast<std::size_t>(b)] - p, mesh.positions[static_cast<std::size_t>(c)] - p));
 }
 
-TEST(ShadingCreases, ACubesFacesAreFlatAtEveryDepthAndItsShapeIsAsBefore) {
+TEST(ShadingCreases, CubeFacesAreFlatAtEveryDepthWithUnchangedShape) {
   const CharacterPtr cube = makeCube();
   for (const PatchKind patch : kEveryPatch) {
     for (int depth = 1; depth <= kMaxDepth; ++depth) {
@@ -82,7 +82,7 @@ TEST(ShadingCreases, ACubesFacesAreFlatAtEveryDepthAndItsShapeIsAsBefore) {
   }
 }
 
-TEST(ShadingCreases, WithoutACreaseEveryBitIsAsBefore) {
+TEST(ShadingCreases, AngleWithoutCreasesChangesNothing) {
   for (const CharacterPtr& character : {makeLimb(), makeTwoLegged(), makeTube()}) {
     const Rig rig = randomRig(*character, {}, 3);
     const Pose pose = samplePose(character->skeleton, character->clips.front(), 0.7f);
@@ -100,7 +100,7 @@ TEST(ShadingCreases, WithoutACreaseEveryBitIsAsBefore) {
   }
 }
 
-TEST(ShadingCreases, TheyAreCarriedByThePose) {
+TEST(ShadingCreases, CreasesFollowThePose) {
   const CharacterPtr cube = makeCube();
   Rig rig;
   rig.smoothing.creaseAngle = 30.0f;
@@ -114,7 +114,7 @@ TEST(ShadingCreases, TheyAreCarriedByThePose) {
     ASSERT_LT(glm::distance(moved.shadingNormals[d], glm::mat3(turn) * rest.shadingNormals[d]), 1e-5f);
   }
 
-  // Bent: the lower four corners stay with their bone, the upper four turn with theirs, face normals and all.
+  // Bent: the lower four corners stay with their bone, the upper four rotate with theirs, face normals included.
   const Pose bent = samplePose(cube->skeleton, cube->clips.front(), 0.5f);
   const Surface sheared = smoothed(cube, rig, bent);
   const ControlMesh mesh = creased(cube->mesh, 30.0f);
@@ -125,12 +125,12 @@ TEST(ShadingCreases, TheyAreCarriedByThePose) {
   }
 }
 
-TEST(ShadingCreases, AMuscleShowsOnACreasedFace) {
+TEST(ShadingCreases, MuscleIsVisibleOnACreasedFace) {
   const CharacterPtr cube = makeCube();
   Rig rig;
   rig.smoothing.depth = 8;
   rig.smoothing.creaseAngle = 30.0f;
-  rig.smoothing.patch = PatchKind::kFlat;  // So that the patch's normal is far from the face's near the corners only.
+  rig.smoothing.patch = PatchKind::kFlat;  // So that the patch's normal differs from the face's near the corners only.
   rig.groups.push_back({"g", {}});
   rig.primitives.push_back(ellipsoidAt(*cube, "bump", "root", "g", {0.5f, 0.5f, 1.0f}, glm::vec3(0.2f)));
   rig.primitives[0].territory = std::vector<std::string>{"root", "end"};
@@ -154,7 +154,7 @@ TEST(ShadingCreases, AMuscleShowsOnACreasedFace) {
 }
 
 TEST(ShadingCreases, SmoothEdgesShowNoSeamBetweenCreasedWedges) {
-  // The tube's caps are creased off and its seam is not: along the seam, both sides have the same normals.
+  // The tube's caps are creased and its seam is not: along the seam, both sides have the same normals.
   const CharacterPtr tube = makeTube();
   Rig rig = randomRig(*tube, {}, 8);
   rig.smoothing.depth = 5;
@@ -182,7 +182,7 @@ TEST(ShadingCreases, SmoothEdgesShowNoSeamBetweenCreasedWedges) {
   EXPECT_GT(compared, 20);
 }
 
-TEST(ShadingCreases, SwitchingAnglesIsTheSameAsStartingWithThem) {
+TEST(ShadingCreases, AngleChangeMatchesAFreshSmoother) {
   const CharacterPtr character = makeTube();
   const Rig rig = randomRig(*character, {}, 5);
   const Pose pose = samplePose(character->skeleton, character->clips.front(), 1.3f);
@@ -201,7 +201,7 @@ TEST(ShadingCreases, SwitchingAnglesIsTheSameAsStartingWithThem) {
       EXPECT_EQ(surface.refinement->drawTriangles, fresh.refinement->drawTriangles) << what;
     }
   }
-  // An edit that is not about creases keeps the tables, so that nothing is uploaded again.
+  // An edit that does not affect creases keeps the tables, so that nothing is uploaded again.
   Rig edited = creasedRig(rig, 20.0f);
   ASSERT_TRUE(smoother.prepare(edited).ok());
   smoother.smooth(pose, surface);

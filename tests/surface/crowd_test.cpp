@@ -1,4 +1,4 @@
-// tests/surface/crowd_test.cpp: a crowd's surfaces are those of one smoother, bit for bit, whatever the threads.
+// tests/surface/crowd_test.cpp: a crowd's surfaces match one smoother's bit for bit, for any number of threads.
 
 #include "sinew/surface/crowd_smoother.h"
 
@@ -18,7 +18,7 @@ namespace {
 
 class Crowd : public ::testing::TestWithParam<const char*> {};
 
-TEST_P(Crowd, SurfacesAreThoseOfOneSmoother) {
+TEST_P(Crowd, SurfacesMatchASingleSmoother) {
   const TrialScene scene = bundledTrialScene(GetParam());
   const std::vector<Pose> poses = spreadPoses(*scene.character, 23);
   CrowdSmoother crowd(scene.character);
@@ -29,7 +29,7 @@ TEST_P(Crowd, SurfacesAreThoseOfOneSmoother) {
     Rig rig = scene.rig;
     rig.smoothing.detail = DetailKind::kUniform;
     rig.smoothing.depth = depth;
-    const std::vector<int> hidden(1, depth);  // Prepared anew, and otherwise, the second time.
+    const std::vector<int> hidden(1, depth);  // The second time prepared again with other options.
     ASSERT_TRUE(crowd.prepare(rig, hidden).ok() && single.prepare(rig, hidden).ok());
     for (const int threads : {1, 2, 5}) {
       const ThreadLimit limit(threads);
@@ -44,7 +44,7 @@ TEST_P(Crowd, SurfacesAreThoseOfOneSmoother) {
   }
 }
 
-TEST(CrowdOfCallers, SeveralThreadsCallItAtOnce) {
+TEST(CrowdCalls, AreThreadSafe) {
   const TrialScene scene = bundledTrialScene("demo");
   CrowdSmoother crowd(scene.character);
   ASSERT_TRUE(crowd.prepare(scene.rig).ok());
@@ -76,7 +76,7 @@ INSTANTIATE_TEST_SUITE_P(Rigs, Crowd, ::testing::Values("humanoid", "humanoid-fl
                            return name;
                          });
 
-TEST(CrowdOfCallers, APoseThatIsRefusedLeavesItsSurfaceAndNoOther) {
+TEST(CrowdCalls, RefusedPoseKeepsOnlyItsOwnSurface) {
   const TrialScene scene = bundledTrialScene("demo");
   CrowdSmoother crowd(scene.character);
   ASSERT_TRUE(crowd.prepare(scene.rig).ok());
@@ -94,14 +94,14 @@ TEST(CrowdOfCallers, APoseThatIsRefusedLeavesItsSurfaceAndNoOther) {
   }
 }
 
-TEST(CrowdOfNone, IsNoError) {
+TEST(EmptyCrowd, IsAccepted) {
   const TrialScene scene = bundledTrialScene("demo");
   CrowdSmoother crowd(scene.character);
   ASSERT_TRUE(crowd.prepare(scene.rig).ok());
   EXPECT_TRUE(crowd.smooth({}, {}));
 }
 
-TEST(CrowdOfNone, ARigThatIsRefusedLeavesTheFormerOne) {
+TEST(EmptyCrowd, RefusedRigKeepsThePreviousOne) {
   const TrialScene scene = bundledTrialScene("demo");
   CrowdSmoother crowd(scene.character);
   ASSERT_TRUE(crowd.prepare(scene.rig).ok());

@@ -1,4 +1,5 @@
-// tests/surface/driven_surface_test.cpp: a driven rig's surface is that of the rig with those numbers typed in.
+// tests/surface/driven_surface_test.cpp: a driven rig's surface matches that of a rig with the same values as
+// constants.
 
 #include <gtest/gtest.h>
 
@@ -11,7 +12,7 @@
 namespace sinew {
 namespace {
 
-/// Numbers as they are, nothing that moves them.
+/// The rig with its current values and without drivers.
 Rig typedIn(Rig rig) {
   rig.surface.animated.clear();
   for (MuscleLine& line : rig.lines) line.animated.clear();
@@ -21,7 +22,7 @@ Rig typedIn(Rig rig) {
 
 class DrivenSurface : public testing::TestWithParam<SurfaceMode> {};
 
-TEST_P(DrivenSurface, IsTheSurfaceOfTheNumbers) {
+TEST_P(DrivenSurface, MatchesTheEvaluatedNumbers) {
   const auto character = test::makeLimb();
   const AnimationClip& clip = character->clips.front();
   int moved = 0;
@@ -33,7 +34,7 @@ TEST_P(DrivenSurface, IsTheSurfaceOfTheNumbers) {
     Smoother live(character);
     ASSERT_TRUE(live.prepare(rig));
     Surface driven;
-    // To and fro: what was smoothed before leaves nothing behind.
+    // Back and forth: earlier frames leave nothing behind.
     for (const float time : {1.4f, 0.2f, 1.4f}) {
       const Pose pose = samplePose(character->skeleton, clip, time);
       live.smooth(pose, driven);
@@ -54,7 +55,7 @@ TEST_P(DrivenSurface, IsTheSurfaceOfTheNumbers) {
 INSTANTIATE_TEST_SUITE_P(Modes, DrivenSurface, testing::Values(SurfaceMode::kSwell, SurfaceMode::kReplace),
                          [](const auto& mode) { return std::string(nameOf(mode.param)); });
 
-TEST(DrivenSurfaces, AnAmountOfZeroIsNoMuscle) {
+TEST(DrivenSurfaces, ZeroAmountIsNoMuscle) {
   const auto character = test::makeLimb();
   Rig rig = test::randomRig(*character, {.primitives = 3, .carveChance = 0.0f}, 4);
   rig.smoothing.depth = 2;
@@ -74,7 +75,7 @@ TEST(DrivenSurfaces, AnAmountOfZeroIsNoMuscle) {
   EXPECT_EQ(zero.normals, none.normals);
 }
 
-TEST(DrivenSurfaces, MoreAmountRisesHigher) {
+TEST(DrivenSurfaces, LargerAmountRisesHigher) {
   const auto character = test::makeLimb();
   const Pose pose = bindPose(character->skeleton);
   float last = -1.0f;

@@ -1,4 +1,5 @@
-// tests/surface/face_culling_test.cpp: what the eye skips turns away from it; what it does not skip is as ever.
+// tests/surface/face_culling_test.cpp: triangles culled for an eye face away from it; all others are unaffected.
+
 #include "core/surface/face_culling.h"
 
 #include <cmath>
@@ -17,14 +18,14 @@
 namespace sinew::test {
 namespace {
 
-/// Sums over the eyes of one scene and mode.
+/// Sums over all eyes of one scene and mode.
 struct Tally {
   long long eyes = 0;
   long long triangles = 0;
   long long culled = 0;
-  long long small = 0;    ///< Refined triangles of culled ones.
-  long long towards = 0;  ///< Those that face the eye on the whole surface.
-  long long changed = 0;  ///< Drawn vertices that differ from the whole surface's in any bit.
+  long long small = 0;    ///< Refined triangles of culled control triangles.
+  long long towards = 0;  ///< Those that face the eye on the complete surface.
+  long long changed = 0;  ///< Drawn vertices that differ from the complete surface's in any bit.
 };
 
 bool facesEye(const Surface& surface, const std::array<int, 3>& triangle, const glm::vec3& eye) {
@@ -80,7 +81,7 @@ Tally tallyOf(const TrialScene& scene, const Rig& rig) {
   return tally;
 }
 
-TEST(FaceCulling, WhatIsSkippedFacesAwayAndAllElseIsTheSameToTheBit) {
+TEST(FaceCulling, CullsOnlyBackFacesAndLeavesTheRestUnchanged) {
   std::printf("  %-11s %-8s %6s %8s %12s %10s %8s\n", "scene", "mode", "eyes", "culled", "refined", "towards",
               "changed");
   for (const TrialScene& trial : trialScenes()) {
@@ -100,7 +101,7 @@ TEST(FaceCulling, WhatIsSkippedFacesAwayAndAllElseIsTheSameToTheBit) {
   }
 }
 
-TEST(FaceCulling, WhatHasTwoSidesIsNeverSkipped) {
+TEST(FaceCulling, DoubleSidedMaterialsAreNeverCulled) {
   TrialScene scene = oneSided(trialScene("tangle"));
   auto character = std::make_shared<Character>(*scene.character);
   for (Material& material : character->materials) material.doubleSided = true;
@@ -114,7 +115,7 @@ TEST(FaceCulling, WhatHasTwoSidesIsNeverSkipped) {
   }
 }
 
-TEST(FaceCulling, WithoutMusclesAboutHalfIsSkippedFromFar) {
+TEST(FaceCulling, CullsAboutHalfFromFarAwayWithoutMuscles) {
   const TrialScene scene = oneSided(trialScene("tangle"));
   Smoother smoother(scene.character);
   ASSERT_TRUE(smoother.prepare(Rig{}).ok());

@@ -1,4 +1,4 @@
-// tests/surface/hidden_test.cpp: hidden primitives leave the surface that a rig without them gives, bit for bit.
+// tests/surface/hidden_test.cpp: hidden muscles give the surface of a rig without them, bit for bit.
 
 #include <vector>
 
@@ -35,9 +35,9 @@ void expectSameSurface(const Surface& a, const Surface& b) {
   EXPECT_EQ(a.report.unresolved, b.report.unresolved);
 }
 
-class Hidden : public testing::TestWithParam<SurfaceMode> {};
+class HiddenMuscles : public testing::TestWithParam<SurfaceMode> {};
 
-TEST_P(Hidden, LeaveTheSurfaceOfARigWithoutThem) {
+TEST_P(HiddenMuscles, MatchARigWithoutThem) {
   const auto character = makeTwoLegged();
   for (std::uint64_t seed = 0; seed < 12; ++seed) {
     Random random(seed);
@@ -70,9 +70,9 @@ TEST_P(Hidden, LeaveTheSurfaceOfARigWithoutThem) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Modes, Hidden, testing::Values(SurfaceMode::kSwell, SurfaceMode::kReplace));
+INSTANTIATE_TEST_SUITE_P(Modes, HiddenMuscles, testing::Values(SurfaceMode::kSwell, SurfaceMode::kReplace));
 
-TEST(Hidden, ShowingAndHidingAttachesNothingAnew) {
+TEST(HiddenMuscles, ShowingAndHidingReattachesNothing) {
   const auto character = makeTwoLegged();
   const Rig rig = randomRig(*character, {}, 3);
   PreparedInTurn preparations(character);
@@ -83,7 +83,7 @@ TEST(Hidden, ShowingAndHidingAttachesNothingAnew) {
   }
 }
 
-TEST(Hidden, IndicesAreThoseOfTheWholeRig) {
+TEST(HiddenMuscles, IndicesReferToTheWholeRig) {
   const auto character = makeTwoLegged();
   Rig rig = randomRig(*character, {}, 3);
   rig.primitives[4].bone = "of another character";

@@ -1,4 +1,4 @@
-// tests/surface/identity_test.cpp: where no primitive reaches, the surface is the patch; every depth is whole.
+// tests/surface/identity_test.cpp: beyond every muscle's reach the surface is the patch; every depth is watertight.
 
 #include <gtest/gtest.h>
 
@@ -27,7 +27,7 @@ Surface surfaceOf(const CharacterPtr& character, const Rig& rig, const Pose& pos
   return out;
 }
 
-TEST(Identity, EmptyRigIsThePatchAtEveryDepth) {
+TEST(SurfaceIdentity, EmptyRigIsThePatchAtEveryDepth) {
   for (const CharacterPtr& character : characters()) {
     for (const PatchKind patch : {PatchKind::kPn, PatchKind::kPhong, PatchKind::kFlat}) {
       for (int depth = 1; depth <= kMaxDepth; ++depth) {
@@ -53,7 +53,7 @@ TEST(Identity, EmptyRigIsThePatchAtEveryDepth) {
   }
 }
 
-TEST(Identity, DepthOneIsTheSkinnedControlMesh) {
+TEST(SurfaceIdentity, DepthOneIsTheSkinnedControlMesh) {
   for (const CharacterPtr& character : characters()) {
     for (const PatchKind patch : kEveryPatch) {
       Rig rig;
@@ -69,7 +69,7 @@ TEST(Identity, DepthOneIsTheSkinnedControlMesh) {
   }
 }
 
-TEST(Identity, OutOfReachIsThePatchBitForBit) {
+TEST(SurfaceIdentity, SkinOutOfReachIsThePatchBitForBit) {
   for (const CharacterPtr& character : characters()) {
     for (const SurfaceMode mode : {SurfaceMode::kSwell, SurfaceMode::kReplace}) {
       int outside = 0;
@@ -88,7 +88,7 @@ TEST(Identity, OutOfReachIsThePatchBitForBit) {
         const Surface without = surfaceOf(character, empty, pose);
         oracle::Oracle oracle(*character, rig);
         oracle.pose(pose);
-        // Faces turn one edge away from a moved vertex.
+        // Normals change up to one edge away from a moved vertex.
         const std::vector<bool> reshaded =
             grown(with.refinement->triangles, movedBetween(with.positions, without.positions), 1);
         for (std::size_t v = 0; v<with.positions.size(); v += depth> 6 ? 5 : 1) {
@@ -117,7 +117,7 @@ TEST(Identity, OutOfReachIsThePatchBitForBit) {
   }
 }
 
-TEST(Identity, EveryDepthKeepsTheControlMeshsTopology) {
+TEST(SurfaceIdentity, EveryDepthKeepsTheTopology) {
   for (const CharacterPtr& character : characters()) {
     const EdgeCensus control = censusOf(trianglesOf(character->mesh));
     for (int depth = 1; depth <= kMaxDepth; ++depth) {
@@ -135,7 +135,7 @@ TEST(Identity, EveryDepthKeepsTheControlMeshsTopology) {
   }
 }
 
-TEST(Identity, EveryPatchIsWholeFiniteAndUnit) {
+TEST(SurfaceIdentity, EveryPatchIsFiniteWithUnitNormals) {
   for (const CharacterPtr& character : characters()) {
     for (const PatchKind patch : kEveryPatch) {
       for (int depth = 1; depth <= kMaxDepth; depth += depth < 4 ? 1 : 4) {
@@ -164,8 +164,8 @@ float longestSide(std::span<const glm::vec3> positions, std::span<const std::arr
   return out;
 }
 
-// Edge vertices are shared, so a patch that did not meet its edges would show as long thin triangles beside them.
-TEST(Identity, PatchesMeetTheirEdges) {
+// Edge vertices are shared, so a patch that missed its edges would show as long thin triangles next to them.
+TEST(SurfaceIdentity, PatchesMeetTheirEdges) {
   constexpr int kFinest = 16;
   for (const CharacterPtr& character : characters()) {
     for (const PatchKind patch : kEveryPatch) {
@@ -180,9 +180,9 @@ TEST(Identity, PatchesMeetTheirEdges) {
   }
 }
 
-// Neighboring refined triangles must not fold: in the bind pose a patch's small triangles face as their corners'
+// Adjacent refined triangles must not fold: in the bind pose a patch's small triangles face along their corners'
 // normals.
-TEST(Identity, SmallTrianglesFaceOutwards) {
+TEST(SurfaceIdentity, SmallTrianglesFaceOutwards) {
   for (const CharacterPtr& character : characters()) {
     for (const PatchKind patch : kEveryPatch) {
       Rig rig;
@@ -200,8 +200,8 @@ TEST(Identity, SmallTrianglesFaceOutwards) {
   }
 }
 
-// A spherigon has several readings; all of them put a sphere's points on the sphere.
-TEST(Identity, SpherigonBulgesLikeASphere) {
+// There are several definitions of a spherigon; all of them put a sphere's points on the sphere.
+TEST(SurfaceIdentity, SpherigonBulgesLikeASphere) {
   const CharacterPtr character = makeLimb();
   Rig rig;
   rig.smoothing.depth = 6;

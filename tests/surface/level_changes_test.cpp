@@ -1,5 +1,5 @@
-// tests/surface/level_changes_test.cpp: an edit is looked at wherever it shows, and nowhere else; what a part of a
-// mesh shows is what the whole shows there.
+// tests/surface/level_changes_test.cpp: an edit reevaluates levels wherever it has an effect, and nowhere else; part of
+// a mesh gets the whole's levels.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -32,7 +32,7 @@ struct Preparer {
   }
 };
 
-/// What a drag, a number field or an eye in the list may change of one muscle.
+/// Random edit of one muscle by a drag, a number field or a visibility switch.
 Rig edited(Rig rig, Random& random) {
   Primitive& primitive = at(rig.primitives, random.below(static_cast<int>(rig.primitives.size())));
   switch (random.below(6)) {
@@ -86,7 +86,7 @@ int carrierOf(const Refinement& points, int vertex) {
   return points.controlVertices + points.controlEdges + pieceOf(points.insideBegin);
 }
 
-TEST(LevelChanges, EverySampleThatAnEditChangesIsLookedAt) {
+TEST(LevelChanges, EveryChangedSampleIsReevaluated) {
   Random random(5);
   std::size_t changed = 0;
   std::size_t looked = 0;
@@ -124,7 +124,7 @@ TEST(LevelChanges, EverySampleThatAnEditChangesIsLookedAt) {
   EXPECT_LT(looked, carriers * 2 / 3) << "and little besides";
 }
 
-TEST(LevelChanges, LevelsAfterAnEditAreThoseFromScratch) {
+TEST(LevelChanges, LevelsAfterAnEditMatchAFreshStart) {
   Random random(11);
   for (const char* name : {"humanoid-flex", "horse"}) {
     const TrialScene scene = bundledTrialScene(name);
@@ -146,8 +146,8 @@ TEST(LevelChanges, LevelsAfterAnEditAreThoseFromScratch) {
   }
 }
 
-// A piece is some thousand edges and triangles, and a range of vertices a thousand: a fine mesh alone has several.
-TEST(LevelChanges, SeveralThreadsFindTheLevelsOfOne) {
+// Pieces hold about a thousand edges and triangles, ranges a thousand vertices: only a fine mesh has several.
+TEST(LevelChanges, LevelsDoNotDependOnThreads) {
   const CharacterPtr character = fineHumanoid();
   Rig rig = randomRig(*character, {.primitives = 4}, 3);
   rig.smoothing.detail = DetailKind::kAdaptive;
@@ -172,8 +172,8 @@ TEST(LevelChanges, SeveralThreadsFindTheLevelsOfOne) {
   }
 }
 
-// An edge without a triangle of its own is sampled as well.
-TEST(LevelChanges, APartShowsWhatTheWholeShows) {
+// An edge without a triangle of its own is sampled too.
+TEST(LevelChanges, PartialMeshMatchesTheWhole) {
   const TrialScene scene = bundledTrialScene("tangle");
   Preparer prepared(scene.character);
   for (const SurfaceMode mode : {SurfaceMode::kSwell, SurfaceMode::kReplace}) {

@@ -1,4 +1,4 @@
-// tests/surface/oracle_test.cpp: the smoother's vertices against a double-precision brute-force solver.
+// tests/surface/oracle_test.cpp: the smoother's vertices match a double-precision brute-force solver.
 
 #include <array>
 #include <iostream>
@@ -28,7 +28,7 @@ RigRecipe recipeOf(int primitives) {
   return recipe;
 }
 
-/// The bind pose, then `count` moments spread over the character's first clip.
+/// The bind pose, then `count` poses spread over the character's first clip.
 std::vector<Pose> posesOf(const Character& character, int count) {
   std::vector<Pose> out{bindPose(character.skeleton)};
   const AnimationClip& clip = character.clips.back();
@@ -113,8 +113,8 @@ void expectReplaceAgrees(ProjectionKind projection) {
   }
 }
 
-// The comparison itself must see what it is there to see.
-TEST(Oracle, ComparisonNoticesWrongSurfaces) {
+// The comparison must detect deliberate errors.
+TEST(Oracle, ComparisonDetectsWrongSurfaces) {
   const CharacterPtr character = makeLimb();
   const Rig rig = randomRig(*character, recipeOf(12), 2);
   Smoother smoother(character);
@@ -133,15 +133,15 @@ TEST(Oracle, ComparisonNoticesWrongSurfaces) {
   Surface wrong = right;
   for (glm::vec3& p : wrong.positions) p.y += 2e-4f * character->height;
   const oracle::Tally moved = oracle::compare(oracle, *character, stages, wrong, 1, 0);
-  // A guarded vertex is compared as it was before.
+  // A guarded vertex is compared as before.
   EXPECT_EQ(moved.far + moved.farUnsought + moved.guardOff, moved.compared);
   wrong = right;
   for (glm::vec3& n : wrong.normals) n = glm::normalize(n + glm::vec3(0.05f, -0.04f, 0.03f));
   EXPECT_GT(oracle::compare(oracle, *character, stages, wrong, 1, 0).shadingOff, good.sought / 2);
 }
 
-// ... a triangle that was turned and left so, and field normals that were not held to their faces.
-TEST(Oracle, ComparisonNoticesUnfinishedSurfaces) {
+// Deliberate errors: inverted triangles left as they are, and field normals not limited by their faces.
+TEST(Oracle, ComparisonDetectsUnfinishedSurfaces) {
   const CharacterPtr character = makeTwoLegged();
   const Rig rig = randomRig(*character, recipeOf(40), 40);
   Smoother smoother(character);
@@ -166,15 +166,15 @@ TEST(Oracle, ComparisonNoticesUnfinishedSurfaces) {
   EXPECT_GT(oracle::compare(oracle, *character, stages, unfiltered, 1, 0).shadingOff, good.sought / 20);
 }
 
-TEST(Oracle, SwellOnSyntheticCharacters) {
+TEST(Oracle, SwellMatchesOnSyntheticCharacters) {
   for (const CharacterPtr& character : {makeLimb(), makeTwoLegged(), makeStrip(), makeTube()}) {
     for (const int primitives : {1, 5, 40}) expectSwellAgrees(character, primitives, longRun() ? 2500 : 600);
   }
 }
 
-TEST(Oracle, ReplaceByNewton) { expectReplaceAgrees(ProjectionKind::kNewton); }
+TEST(Oracle, ReplaceByNewtonMatches) { expectReplaceAgrees(ProjectionKind::kNewton); }
 
-TEST(Oracle, ReplaceAlongNormals) {
+TEST(Oracle, ReplaceAlongNormalsMatches) {
   const CharacterPtr character = makeTwoLegged();
   Rig rig = wrappingRig(*character, 40);
   rig.smoothing.alongNormals = true;
@@ -183,11 +183,11 @@ TEST(Oracle, ReplaceAlongNormals) {
   EXPECT_GT(tally.sought, 0);
 }
 
-TEST(Oracle, ReplaceByAnalytic) { expectReplaceAgrees(ProjectionKind::kAnalytic); }
+TEST(Oracle, ReplaceByAnalyticMatches) { expectReplaceAgrees(ProjectionKind::kAnalytic); }
 
-TEST(Oracle, ReplaceByBisection) { expectReplaceAgrees(ProjectionKind::kBisection); }
+TEST(Oracle, ReplaceByBisectionMatches) { expectReplaceAgrees(ProjectionKind::kBisection); }
 
-TEST(Oracle, EveryPatchUnderMuscles) {
+TEST(Oracle, EveryPatchMatches) {
   const CharacterPtr character = makeTwoLegged();
   for (const PatchKind patch : {PatchKind::kPn, PatchKind::kPhong, PatchKind::kFlat}) {
     Rig rig = randomRig(*character, recipeOf(12), 3);
@@ -197,7 +197,7 @@ TEST(Oracle, EveryPatchUnderMuscles) {
   }
 }
 
-TEST(Oracle, SpheresByTheirCheaperPath) {
+TEST(Oracle, SpheresMatchOnTheirFastPath) {
   for (const SurfaceMode mode : {SurfaceMode::kSwell, SurfaceMode::kReplace}) {
     for (const ProjectionKind projection : kEveryProjection) {
       const CharacterPtr character = makeTwoLegged();
@@ -209,7 +209,7 @@ TEST(Oracle, SpheresByTheirCheaperPath) {
   }
 }
 
-TEST(Oracle, OtherIsoAndSkinBlend) {
+TEST(Oracle, OtherIsoAndSkinBlendMatch) {
   const CharacterPtr character = makeLimb();
   for (const float iso : {0.05f, 0.5f, 0.9f}) {
     for (const float blend : {0.01f, 0.15f}) {
@@ -222,7 +222,7 @@ TEST(Oracle, OtherIsoAndSkinBlend) {
   }
 }
 
-TEST(Oracle, OtherAmounts) {
+TEST(Oracle, OtherAmountsMatch) {
   for (const SurfaceMode mode : {SurfaceMode::kSwell, SurfaceMode::kReplace}) {
     const CharacterPtr character = makeTwoLegged();
     Rig rig = mode == SurfaceMode::kSwell ? randomRig(*character, recipeOf(20), 31) : wrappingRig(*character, 20);
@@ -232,7 +232,7 @@ TEST(Oracle, OtherAmounts) {
   }
 }
 
-TEST(Oracle, UnevenBoneScale) {
+TEST(Oracle, NonuniformBoneScaleMatches) {
   const CharacterPtr character = makeTwoLegged();
   const Rig rig = randomRig(*character, recipeOf(20), 21);
   Smoother smoother(character);
@@ -252,7 +252,7 @@ TEST(Oracle, UnevenBoneScale) {
   expectAgreement("two-legged, stretched bones", total);
 }
 
-TEST(Oracle, SwellOnRealCharacters) {
+TEST(Oracle, SwellMatchesOnRealCharacters) {
   int found = 0;
   for (const char* file : {"Fox.glb", "greenman.glb"}) {
     const CharacterPtr character = realCharacter(file);

@@ -1,4 +1,5 @@
-// tests/surface/preparation_test.cpp: what preparations share, and that threads may share one.
+// tests/surface/preparation_test.cpp: data shared between preparations, and use from several threads.
+
 #include "core/surface/preparation.h"
 
 #include <thread>
@@ -47,7 +48,7 @@ void expectSame(const Surface& a, const Surface& b) {
 
 class SharedPreparations : public testing::TestWithParam<SurfaceMode> {};
 
-TEST_P(SharedPreparations, ShareAllThatAnEditOfShapesLeavesAsItIs) {
+TEST_P(SharedPreparations, ShareEverythingAShapeEditDoesNotAffect) {
   Prepared prepared;
   Rig rig = prepared.rig(3, GetParam());
   const auto before = prepared(rig);
@@ -62,7 +63,7 @@ TEST_P(SharedPreparations, ShareAllThatAnEditOfShapesLeavesAsItIs) {
   EXPECT_EQ(after->anchors, before->anchors);
 }
 
-TEST_P(SharedPreparations, GiveTheSameSurfaceWhateverCameBefore) {
+TEST_P(SharedPreparations, DoNotDependOnHistory) {
   Prepared prepared;
   std::shared_ptr<const Preparation> former;
   for (std::uint64_t seed = 0; seed < 12; ++seed) {
@@ -77,7 +78,7 @@ TEST_P(SharedPreparations, GiveTheSameSurfaceWhateverCameBefore) {
   }
 }
 
-TEST_P(SharedPreparations, AreReadByThreadsAtOnce) {
+TEST_P(SharedPreparations, CanBeReadByConcurrentThreads) {
   Prepared prepared;
   Rig rig = animatedLimbRig(*prepared.character, 5);
   rig.surface.mode = GetParam();
@@ -95,7 +96,7 @@ TEST_P(SharedPreparations, AreReadByThreadsAtOnce) {
   for (std::size_t i = 0; i < poses.size(); ++i) expectSame(together[i], surfaceOf(preparation, poses[i]));
 }
 
-TEST_P(SharedPreparations, EveryProjectorFindsTheSameSurface) {
+TEST_P(SharedPreparations, ProjectorsAgree) {
   Prepared prepared;
   const auto preparation = prepared(prepared.rig(7, GetParam()));
   const Pose pose = samplePose(prepared.character->skeleton, prepared.character->clips.front(), 0.6f);

@@ -1,4 +1,4 @@
-// tests/surface/prepare_again_test.cpp: a smoother that was edited step by step gives what a fresh one gives.
+// tests/surface/prepare_again_test.cpp: a smoother edited step by step matches a fresh one.
 
 #include <functional>
 #include <utility>
@@ -75,7 +75,7 @@ const std::vector<Edit>& edits() {
   return all;
 }
 
-TEST(PrepareAgain, GivesTheSameBitsAsAFreshSmoother) {
+TEST(RepeatedPrepare, MatchesAFreshSmootherBitForBit) {
   const auto character = makeTwoLegged();
   const Pose pose = samplePose(character->skeleton, character->clips.back(), 0.4f);
   for (std::uint64_t seed = 0; seed < 6; ++seed) {
@@ -100,8 +100,8 @@ TEST(PrepareAgain, GivesTheSameBitsAsAFreshSmoother) {
   }
 }
 
-// A drag changes shapes alone, and what depends on nothing else is kept.
-TEST(PrepareAgain, OnlyShapesChangeInADrag) {
+// A drag changes shapes only; what does not depend on them is kept.
+TEST(RepeatedPrepare, DragChangesOnlyShapes) {
   const auto character = makeTwoLegged();
   const Rig rig = randomRig(*character, {}, 3);
   Placement moved = rig.primitives[0].placement;
@@ -113,7 +113,7 @@ TEST(PrepareAgain, OnlyShapesChangeInADrag) {
   EXPECT_FALSE(sameCandidates(rig, addGroup(rig, "another").value()));
 }
 
-TEST(PrepareAgain, MusclesAreAttachedOnlyWhereMoreThanShapesChanges) {
+TEST(RepeatedPrepare, ReattachesOnlyIfMoreThanShapesChanges) {
   const auto character = makeTwoLegged();
   Rig rig = randomRig(*character, {}, 3);
   PreparedInTurn preparations(character);
@@ -133,8 +133,8 @@ TEST(PrepareAgain, MusclesAreAttachedOnlyWhereMoreThanShapesChanges) {
   EXPECT_TRUE(isAttachedAnew());
 }
 
-// Groups in threes of which each is linked to all but its own two: 3^8 cliques.
-TEST(PrepareAgain, ARigWithTooManyCliquesIsRefusedEachTimeAndTheFormerOneStays) {
+// Groups in threes, each linked to all but its own two: 3^8 cliques.
+TEST(RepeatedPrepare, RigWithTooManyCliquesIsRefusedAndThePreviousOneStays) {
   const auto character = makeTwoLegged();
   const Rig rig = randomRig(*character, {}, 3);
   Rig tangled = rig;

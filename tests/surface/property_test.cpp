@@ -1,5 +1,5 @@
-// tests/surface/property_test.cpp: hundreds of random rigs and poses: finite, unit, no further than the definitions
-// say, and moving without jumps.
+// tests/surface/property_test.cpp: hundreds of random rigs and poses: finite, unit normals, bounded by the definitions,
+// and continuous.
 
 #include <algorithm>
 #include <cmath>
@@ -43,7 +43,7 @@ Rig anyRig(const Character& character, std::uint64_t seed) {
   return rig;
 }
 
-/// How far docs/design.md lets muscles move the skin of one rig and pose.
+/// Bounds of docs/design.md on how far muscles move the skin in one rig and pose.
 class Bounds {
  public:
   Bounds(const Character& character, const Rig& rig, const Pose& pose)
@@ -61,7 +61,7 @@ class Bounds {
     blend_ = std::min(static_cast<double>(rig.surface.skinBlend * character.height), radius);
   }
 
-  /// Number of moved vertices; -1: one is where nothing can have brought it, and the test has failed.
+  /// @return number of moved vertices; -1 if one is out of bounds, and the test has failed
   int check(const Surface& surface) {
     const Surface& raw = projected_.now();
     const Surface& patch = projected_.patch();
@@ -70,7 +70,7 @@ class Bounds {
       const auto i = static_cast<std::size_t>(v);
       const double lift = distance(raw.positions[i], patch.positions[i]);
       moved += lift > 0.0 ? 1 : 0;
-      // Folds: no vertex goes further from its place than muscles have moved it; what is taken back only shrinks.
+      // Folds: no vertex moves further from its place than muscles have moved it; corrections only shrink.
       const bool held = distance(surface.positions[i], patch.positions[i]) <= 2.0 * lift + (lift > 0.0 ? slack() : 0.0);
       const bool may = lift == 0.0 || (rig_.surface.mode == SurfaceMode::kSwell ? maySwell(v) : mayReplace(v));
       EXPECT_TRUE(held && may) << "vertex " << v << ", lifted by " << lift << (held ? "" : ", then thrown by folds");
@@ -82,11 +82,11 @@ class Bounds {
  private:
   [[nodiscard]] double slack() const { return 1e-4 * static_cast<double>(character_.height); }
   static double distance(const glm::vec3& a, const glm::vec3& b) { return static_cast<double>(glm::distance(a, b)); }
-  /// Inside some muscle's influence, rounding allowed for.
+  /// Inside some muscle's influence, with tolerance for rounding.
   [[nodiscard]] bool reached(const glm::vec3& point) const { return field_.nearest(oracle::vec(point), all_) < 1.01; }
 
-  /// Swell: only skin that a muscle reaches moves. Outwards the skin's own field ends at h, so what rises further is
-  /// where muscles alone make F = T, inside them; inwards the search ends at r_T W.
+  /// Swell: only skin within a muscle's reach moves. Outwards the skin's own field ends at h, so anything higher lies
+  /// inside muscles that reach F = T on their own; inwards the search ends at r_T W.
   [[nodiscard]] bool maySwell(int vertex) const {
     const auto v = static_cast<std::size_t>(vertex);
     const glm::vec3& from = projected_.patch().positions[v];
@@ -98,11 +98,11 @@ class Bounds {
     return distance(from, to) <= most + slack() || (!inwards && reached(to));
   }
 
-  /// Replace: a mean of the patch and of roots no further than L from the place in the control triangle.
+  /// Replace: a mean of the patch and of roots no further than L from the point in the control triangle.
   [[nodiscard]] bool mayReplace(int vertex) const {
     const Surface& patch = projected_.patch();
     const oracle::Site site = oracle::siteOf(character_.mesh, *patch.refinement, vertex);
-    glm::dvec3 flat(0.0);  // Control vertices come first in the refinement, and patches go through them.
+    glm::dvec3 flat(0.0);  // Control vertices come first in the refinement, and patches interpolate them.
     for (std::size_t i = 0; i < 3; ++i) {
       flat += site.barycentric[i] * glm::dvec3(patch.positions[static_cast<std::size_t>(site.vertices[i])]);
     }
@@ -116,11 +116,11 @@ class Bounds {
   const Rig& rig_;
   oracle::Field field_;
   Projected projected_;
-  std::vector<double> all_;  ///< Weights: territories only take away.
+  std::vector<double> all_;  ///< Weights: territories only reduce.
   double blend_ = 0.0;       ///< Largest h.
 };
 
-TEST(Property, RandomRigsAndPosesStayWholeAndWithinTheirBounds) {
+TEST(SurfaceProperty, RandomRigsAndPosesStayFiniteAndWithinBounds) {
   const std::vector<CharacterPtr> characters{makeLimb(), makeTwoLegged(), makeTube(), makeStrip()};
   int moved[2] = {0, 0};
   for (std::uint64_t seed = 0; seed < (longRun() ? 1000u : 200u); ++seed) {
@@ -142,8 +142,8 @@ TEST(Property, RandomRigsAndPosesStayWholeAndWithinTheirBounds) {
   EXPECT_GT(moved[1], 2'000);
 }
 
-// The corners of what a rig may say.
-TEST(Property, SettingsAtTheirLimitsStayWholeAndWithinTheirBounds) {
+// Extreme values that a rig may contain.
+TEST(SurfaceProperty, ExtremeSettingsStayFiniteAndWithinBounds) {
   const CharacterPtr character = makeTwoLegged();
   for (std::uint64_t seed = 0; seed < 12; ++seed) {
     Rig rig = anyRig(*character, seed);
@@ -164,8 +164,8 @@ TEST(Property, SettingsAtTheirLimitsStayWholeAndWithinTheirBounds) {
   }
 }
 
-// Bones flattened to a plane, a line, a point; primitives on them reach nothing or something, never NaN.
-TEST(Property, FlattenedBonesAreHarmless) {
+// Bones flattened to a plane, a line, a point; muscles on them may reach nothing, but never give NaN.
+TEST(SurfaceProperty, FlattenedBonesAreHarmless) {
   const CharacterPtr character = makeTwoLegged();
   for (std::uint64_t seed = 0; seed < 24; ++seed) {
     const Rig rig = anyRig(*character, seed);
@@ -181,8 +181,8 @@ TEST(Property, FlattenedBonesAreHarmless) {
   }
 }
 
-// A mirrored bone (negative scale) turns the skin inside out with its normals still unit.
-TEST(Property, MirroredBonesAreHarmless) {
+// A mirrored bone (negative scale) turns the skin inside out; its normals stay unit.
+TEST(SurfaceProperty, MirroredBonesAreHarmless) {
   const CharacterPtr character = makeLimb();
   for (std::uint64_t seed = 0; seed < 12; ++seed) {
     Smoother smoother(character);
@@ -205,8 +205,8 @@ float largestStep(const Surface& a, const Surface& b) {
   return out;
 }
 
-// A shallow muscle (no overhang) sliding out through the skin: the skin rises without a jump.
-TEST(Property, SwellMovesContinuouslyWithThePrimitive) {
+// A shallow muscle (no overhang) that slides out through the skin: the skin rises without a jump.
+TEST(SurfaceProperty, SwellMovesContinuouslyWithThePrimitive) {
   const CharacterPtr character = makeLimb();
   Rig rig;
   rig.groups.push_back({"a", {}});

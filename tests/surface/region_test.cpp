@@ -1,4 +1,4 @@
-// tests/surface/region_test.cpp: a part of the body in detail is that of the whole, and fits to the rest.
+// tests/surface/region_test.cpp: a detailed part of the body matches the whole surface, and fits the rest.
 #include "sinew/surface/region.h"
 
 #include <algorithm>
@@ -28,11 +28,11 @@ Region regionOf(const Character& character, const std::vector<std::string>& name
 
 int count(const Region& region) { return static_cast<int>(std::ranges::count(region, 1)); }
 
-/// How a part differs from the whole surface.
+/// Differences between a part and the whole surface.
 struct PartDifference {
-  int triangles = 0;      ///< Of the region, of which not all corners are the same to the bit.
-  float position = 0.0f;  ///< The most, character units.
-  float normal = 0.0f;    ///< The most.
+  int triangles = 0;      ///< Triangles of the region with any corner that differs in a bit.
+  float position = 0.0f;  ///< Maximum, character units.
+  float normal = 0.0f;    ///< Maximum.
 };
 
 PartDifference differenceOfPart(const Surface& part, const Surface& whole, const Region& region) {
@@ -68,7 +68,7 @@ struct RegionCase {
 
 class RegionOfScene : public testing::TestWithParam<RegionCase> {};
 
-TEST_P(RegionOfScene, IsThatOfTheWholeSurfaceToTheBit) {
+TEST_P(RegionOfScene, MatchesTheWholeSurfaceBitForBit) {
   const TrialScene scene = bundledTrialScene(GetParam().scene);
   const Region region = regionOf(*scene.character, GetParam().bones);
   for (const DetailKind detail : {DetailKind::kUniform, DetailKind::kAdaptive}) {
@@ -92,8 +92,8 @@ INSTANTIATE_TEST_SUITE_P(Bundled, RegionOfScene,
                                          RegionCase{"humanoid", {"chest"}}, RegionCase{"humanoid-wrapped", {"shin.L"}},
                                          RegionCase{"demo", {"head"}}));
 
-/// Muscles as steep and folded as they come: what is done about it may reach further than the margin, and fades there.
-TEST(Region, DiffersLittleWhereFoldsReachThroughTheMargin) {
+/// Steep and folded muscles: their correction may reach beyond the margin, and fades there.
+TEST(Region, DiffersLittleWhereFoldsCrossTheMargin) {
   std::vector<std::pair<std::shared_ptr<const Character>, Rig>> scenes;
   const auto body = makeTwoLegged();
   for (std::uint64_t seed = 0; seed < 6; ++seed) scenes.emplace_back(body, randomRig(*body, kShortReach, seed));
@@ -122,7 +122,7 @@ TEST(Region, DiffersLittleWhereFoldsReachThroughTheMargin) {
   EXPECT_LT(different, all / 200) << "of " << all;
 }
 
-TEST(Region, OfAllIsTheWholeBody) {
+TEST(Region, WholeRegionIsTheWholeBody) {
   const auto limb = makeLimb();
   const Rig rig = randomRig(*limb, {}, 5);
   Smoother whole(limb), part(limb);
@@ -137,7 +137,7 @@ TEST(Region, OfAllIsTheWholeBody) {
   EXPECT_EQ(surface.refinement->triangles, expected.refinement->triangles);
 }
 
-TEST(Region, RestKeepsTheTrianglesOfTheControlMeshAndNothingOpens) {
+TEST(Region, RestKeepsTheControlTrianglesWithoutCracks) {
   const auto body = makeTwoLegged();
   const Region region = regionOf(*body, {"shin L"});
   Rig rig = randomRig(*body, {.primitives = 12}, 3);
@@ -149,7 +149,7 @@ TEST(Region, RestKeepsTheTrianglesOfTheControlMeshAndNothingOpens) {
   EXPECT_TRUE(isClosed(surface.refinement->triangles));
   EXPECT_TRUE(allFinite(surface.positions));
   EXPECT_TRUE(allUnit(surface.normals));
-  // Found here by vertices that are shared: 16 in the region and three rings around it, 1 where no edge of those is.
+  // Found by shared vertices: 16 in the region and three rings around it, 1 if none of its edges is there.
   std::set<int> corners;
   std::vector<bool> refined(region.begin(), region.end());
   for (int ring = 0; ring < 3; ++ring) {
@@ -175,7 +175,7 @@ TEST(Region, RestKeepsTheTrianglesOfTheControlMeshAndNothingOpens) {
   EXPECT_GT(coarse, 0);
 }
 
-TEST(Region, DependsOnNothingThatWasPreparedBefore) {
+TEST(Region, DoesNotDependOnEarlierPreparations) {
   const auto body = makeTwoLegged();
   const Region left = regionOf(*body, {"leg L"}), right = regionOf(*body, {"shin R"});
   Rig rig = randomRig(*body, {.primitives = 8}, 4);
@@ -202,7 +202,7 @@ TEST(Region, DependsOnNothingThatWasPreparedBefore) {
   }
 }
 
-TEST(Region, OfBonesIsTheSkinThatFollowsThemAndWhatHangsOnThem) {
+TEST(Region, BonesIncludeTheirDescendantsSkin) {
   const auto body = makeTwoLegged();
   const Region leg = regionOf(*body, {"leg L"}), shin = regionOf(*body, {"shin L"}), all = regionOf(*body, {"hips"});
   EXPECT_EQ(count(all), static_cast<int>(all.size()));
@@ -218,7 +218,7 @@ TEST(Region, OfBonesIsTheSkinThatFollowsThemAndWhatHangsOnThem) {
   }
 }
 
-TEST(Region, OfPartsIsTheirTriangles) {
+TEST(Region, PartsGiveTheirTriangles) {
   Character two = *makeLimb();
   two.parts = {{"skin", 0}, {"sleeve", 0}};
   for (std::size_t t = 0; t < two.mesh.triangles.size(); t += 3) two.mesh.triangles[t].part = 1;
@@ -226,7 +226,7 @@ TEST(Region, OfPartsIsTheirTriangles) {
   for (std::size_t t = 0; t < sleeve.size(); ++t) EXPECT_EQ(sleeve[t], t % 3 == 0 ? 1 : 0);
 }
 
-TEST(Region, OfAnotherMeshIsRefused) {
+TEST(Region, RegionOfAnotherMeshIsRefused) {
   const auto limb = makeLimb();
   Smoother smoother(limb);
   const auto prepared = smoother.prepare(randomRig(*limb, {}, 1), {}, Region(3, 1));

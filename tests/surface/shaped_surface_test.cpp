@@ -1,5 +1,5 @@
-// tests/surface/shaped_surface_test.cpp: surfaces over capsules, eggs and bent spindles: the second opinion, the
-// vector path, continuity.
+// tests/surface/shaped_surface_test.cpp: surfaces over capsules, eggs and bent spindles: oracle, vector path,
+// continuity.
 
 #include <iostream>
 
@@ -78,11 +78,11 @@ void expectAgreement(SurfaceMode mode) {
   EXPECT_GT(sought, 100);
 }
 
-TEST(ShapedSurface, SwellIsWhatBruteForceFinds) { expectAgreement(SurfaceMode::kSwell); }
+TEST(ShapedSurface, SwellMatchesBruteForce) { expectAgreement(SurfaceMode::kSwell); }
 
-TEST(ShapedSurface, ReplaceIsWhatBruteForceFinds) { expectAgreement(SurfaceMode::kReplace); }
+TEST(ShapedSurface, ReplaceMatchesBruteForce) { expectAgreement(SurfaceMode::kReplace); }
 
-TEST(ShapedSurface, LanesGiveTheScalarPathsSurface) {
+TEST(ShapedSurface, VectorPathMatchesTheScalarPath) {
   for (const SurfaceMode mode : {SurfaceMode::kSwell, SurfaceMode::kReplace}) {
     Agreement seen;
     for (const CharacterPtr& character : {makeLimb(), makeTwoLegged()}) {
@@ -96,14 +96,14 @@ TEST(ShapedSurface, LanesGiveTheScalarPathsSurface) {
     const std::string what = nameOf(mode);
     print(what, seen);
     EXPECT_GT(seen.projected, 2000) << what;
-    // Where two roots meet, rounding says which is there.
+    // Where two roots meet, rounding decides which one is found.
     EXPECT_LE(seen.beyondAim, seen.projected / 500) << what;
     EXPECT_LE(seen.far, seen.projected / 2000) << what;
     EXPECT_LE(seen.uncertifiedShare(), 0.05) << what;
   }
 }
 
-/// Largest step of any vertex from one surface to the next.
+/// Largest step of any vertex between two surfaces.
 float step(const Surface& a, const Surface& b) {
   float most = 0.0f;
   for (std::size_t v = 0; v < a.positions.size(); ++v) {
@@ -112,7 +112,7 @@ float step(const Surface& a, const Surface& b) {
   return most;
 }
 
-TEST(ShapedSurface, SweepsOfEachNumberAreContinuous) {
+TEST(ShapedSurface, SurfaceIsContinuousInEachShapeParameter) {
   const CharacterPtr character = makeLimb();
   Rig start;
   start.groups.push_back({"arm", {}});

@@ -1,4 +1,4 @@
-// tests/surface/smoother_test.cpp: the pipeline as its users meet it: same in, same out; edits; refusals; counts.
+// tests/surface/smoother_test.cpp: public behavior of the pipeline: determinism, edits, refusals, counts.
 
 #include <cmath>
 #include <limits>
@@ -49,7 +49,7 @@ void expectSame(const Surface& a, const Surface& b, const std::string& what) {
 
 constexpr std::array kModes{SurfaceMode::kSwell, SurfaceMode::kReplace};
 
-TEST(Smoother, SameInSameOut) {
+TEST(Smoother, EqualInputsGiveEqualSurfaces) {
   const CharacterPtr character = makeTwoLegged();
   for (const SurfaceMode mode : kModes) {
     const Rig rig = someRig(*character, mode);
@@ -57,7 +57,7 @@ TEST(Smoother, SameInSameOut) {
     const Surface first = fresh(character, rig, at(*character, 0.8f));
     expectSame(first, fresh(character, rig, at(*character, 0.8f)), what);
 
-    // A smoother that saw other moments in any order, one of them far away, says the same.
+    // A smoother that saw other poses in any order, one of them far away, gives the same.
     Smoother used(character);
     ASSERT_TRUE(used.prepare(rig).ok());
     Surface surface;
@@ -69,7 +69,7 @@ TEST(Smoother, SameInSameOut) {
   }
 }
 
-TEST(Smoother, SearchesToCompareAreTheScalarPath) {
+TEST(Smoother, ComparisonSearchesUseTheScalarPath) {
   const CharacterPtr character = makeTwoLegged();
   const Rig rig = someRig(*character);
   const Pose pose = at(*character, 0.8f);
@@ -103,7 +103,7 @@ TEST(Smoother, OutputMemoryIsReusableAcrossDepthsAndCharacters) {
   expectSame(surface, fresh(limb, limbRig, at(*limb, 0.4f)), "reused output");
 }
 
-TEST(Smoother, EditThenUndoIsAsBefore) {
+TEST(Smoother, EditThenUndoRestoresTheSurface) {
   const CharacterPtr character = makeLimb();
   for (const SurfaceMode mode : kModes) {
     const Rig rig = someRig(*character, mode);
@@ -137,7 +137,7 @@ TEST(Smoother, EditThenUndoIsAsBefore) {
   }
 }
 
-TEST(Smoother, RefusedRigLeavesTheFormerInForce) {
+TEST(Smoother, RefusedRigKeepsThePreviousOne) {
   const CharacterPtr character = makeLimb();
   const Rig rig = someRig(*character);
   Smoother smoother(character);
@@ -166,7 +166,7 @@ TEST(Smoother, RefusedRigLeavesTheFormerInForce) {
 TEST(Smoother, TooManyCliquesAreRefused) {
   const CharacterPtr character = makeLimb();
   Rig rig;
-  // 8 triples, all linked but within a triple: 3^8 = 6,561 maximal cliques.
+  // 8 triples, all linked except within a triple: 3^8 = 6,561 maximal cliques.
   for (int i = 0; i < 24; ++i) rig.groups.push_back({"g" + std::to_string(i), {}});
   for (int i = 0; i < 24; ++i) {
     for (int j = 0; j < i; ++j) {
@@ -198,7 +198,7 @@ TEST(Smoother, UnattachedPrimitivesAreNamedAndHarmless) {
   EXPECT_TRUE(smoother.unattached().empty());
 }
 
-TEST(Smoother, ReportCounts) {
+TEST(Smoother, ReportCountsAreConsistent) {
   for (const CharacterPtr& character : {makeLimb(), makeTwoLegged(), makeStrip(), makeTube()}) {
     for (const SurfaceMode mode : kModes) {
       for (const int depth : {1, 2, 5, 16}) {
@@ -235,7 +235,7 @@ TEST(Smoother, ReportCounts) {
   }
 }
 
-TEST(Smoother, ClassesFollowTheOmegas) {
+TEST(Smoother, ClassesFollowOmega) {
   const CharacterPtr character = makeTwoLegged();
   Rig rig = someRig(*character, SurfaceMode::kReplace);
   for (Primitive& primitive : rig.primitives) primitive.placement.radii *= 1.6f;
@@ -258,7 +258,7 @@ TEST(Smoother, ClassesFollowTheOmegas) {
   EXPECT_GT(seen[2], 0);
 }
 
-TEST(Smoother, DisplacementIsTheWayAlongTheRiseDirection) {
+TEST(Smoother, DisplacementIsMeasuredAlongTheRiseDirection) {
   const CharacterPtr character = makeTwoLegged();
   const Rig rig = someRig(*character);
   Rig bare = rig;
@@ -270,7 +270,7 @@ TEST(Smoother, DisplacementIsTheWayAlongTheRiseDirection) {
   oracle.pose(pose);
   int moved = 0;
   int turned = 0;
-  int aside = 0;  // Out of a fold, along the skin.
+  int aside = 0;  // Moved out of a fold, along the skin.
   for (std::size_t v = 0; v < surface.positions.size(); ++v) {
     const oracle::Vec rise = oracle.riseAt(oracle::siteOf(character->mesh, *surface.refinement, static_cast<int>(v)));
     const oracle::Vec way = oracle::vec(surface.positions[v]) - oracle::vec(patch.positions[v]);
@@ -287,7 +287,7 @@ TEST(Smoother, DisplacementIsTheWayAlongTheRiseDirection) {
   EXPECT_GT(turned, 0) << "every direction is its normal: nothing was told apart";
 }
 
-TEST(Smoother, DisplacementInReplaceIsThePatchNormalsShare) {
+TEST(Smoother, ReplaceDisplacementIsAlongThePatchNormal) {
   const CharacterPtr character = makeTwoLegged();
   const Rig rig = someRig(*character, SurfaceMode::kReplace);
   Rig bare = rig;
@@ -304,8 +304,8 @@ TEST(Smoother, DisplacementInReplaceIsThePatchNormalsShare) {
   EXPECT_GT(moved, 0);
 }
 
-// docs/design.md with the numbers typed in: T = 1/4, h = 0.08, a sphere of radius 0.3 whose center lies on a flat skin.
-TEST(Smoother, SwellOverASphereOnAFlatSkin) {
+// docs/design.md with numbers: T = 1/4, h = 0.08, a sphere of radius 0.3 whose center lies on a flat skin.
+TEST(Smoother, SwellOverASphereMatchesTheFormula) {
   const CharacterPtr character = makeStrip();
   Rig rig;
   rig.groups.push_back({"a", {}});
@@ -331,8 +331,8 @@ TEST(Smoother, SwellOverASphereOnAFlatSkin) {
   EXPECT_GT(risen, 5);
 }
 
-// Under `replace` the counts of a surface are those the brute-force search comes to.
-TEST(Smoother, ReplaceCountsWhatItCouldNotResolve) {
+// Under `replace` a surface's counts match the brute-force search.
+TEST(Smoother, ReplaceCountsUnresolvedVertices) {
   const CharacterPtr character = makeTwoLegged();
   const Rig rig = someRig(*character, SurfaceMode::kReplace);
   const Pose pose = at(*character, 1.3f);
@@ -351,8 +351,7 @@ TEST(Smoother, ReplaceCountsWhatItCouldNotResolve) {
   EXPECT_GT(sought, 0);
 }
 
-// A lone ellipsoid far bigger than the skin under it: swell must reach out to its visible surface or beyond, never
-// below.
+// A lone ellipsoid far bigger than the skin under it: swell must reach its visible surface or beyond, never stay below.
 TEST(Smoother, SkinCoversALoneMuscle) {
   const CharacterPtr character = makeLimb();
   Rig rig;

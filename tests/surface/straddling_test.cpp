@@ -1,4 +1,5 @@
-// tests/surface/straddling_test.cpp: the wrapped body's classes, and the paper's mix on straddling triangles.
+// tests/surface/straddling_test.cpp: triangle classes of the wrapped body, and the paper's blend on straddling
+// triangles.
 
 #include <algorithm>
 #include <array>
@@ -19,7 +20,7 @@
 namespace sinew::test {
 namespace {
 
-/// Bone that a control vertex follows most.
+/// Bone with the largest weight on a control vertex.
 std::string boneOf(const Character& character, int vertex) {
   const auto influences = character.mesh.influencesOf(vertex);
   const Influence strongest = *std::ranges::max_element(influences, {}, &Influence::weight);
@@ -36,7 +37,7 @@ Surface smoothed(const TrialScene& scene, const Rig& rig, const Pose& pose) {
   return out;
 }
 
-TEST(Straddling, TheWrappedBodyHasAllThreeClassesWhereTheyBelong) {
+TEST(Straddling, WrappedBodyHasAllThreeClasses) {
   const TrialScene& scene = trialScene("wrapped");
   ASSERT_EQ(scene.rig.surface.mode, SurfaceMode::kReplace);
   const Surface surface = smoothed(scene, scene.rig, bindPose(scene.character->skeleton));
@@ -56,8 +57,8 @@ TEST(Straddling, TheWrappedBodyHasAllThreeClassesWhereTheyBelong) {
   EXPECT_GT(seen[2], 200);
 }
 
-// Where a vertex of an implicit triangle stays on its patch, brute force finds no way to the surface either: in the
-// armpits of the moving body it runs along the arm, past the search length.
+// Where a vertex of an implicit triangle stays on its patch, brute force does not find the surface either: in the
+// armpits of the moving body the ray runs along the arm, beyond the search length.
 TEST(Straddling, ImplicitTrianglesOfTheWrappedBodyFindTheSurface) {
   const TrialScene& scene = trialScene("wrapped");
   Rig empty = scene.rig;
@@ -102,7 +103,7 @@ std::vector<double> omegas(const TrialScene& scene, const Rig& rig, const Refine
   return out;
 }
 
-/// The projections alone: every control vertex counted as implicit.
+/// Pure projections: every control vertex counts as implicit.
 Surface projectedAlone(const TrialScene& scene, const Rig& rig, const Pose& pose, const Surface& patch) {
   const Character& character = *scene.character;
   const Attachment attachment = attach(rig, character).value();
@@ -126,7 +127,7 @@ Surface projectedAlone(const TrialScene& scene, const Rig& rig, const Pose& pose
 }
 
 // p' = omega p_implicit + (1 - omega) p_normal, and the normals likewise.
-TEST(Straddling, PositionsAreThePapersMix) {
+TEST(Straddling, PositionsMatchThePapersBlend) {
   const TrialScene& scene = trialScene("wrapped");
   const float height = scene.character->height;
   const Rig rig = withMode(scene.rig, SurfaceMode::kReplace);

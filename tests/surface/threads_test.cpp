@@ -1,4 +1,4 @@
-// tests/surface/threads_test.cpp: one surface made by several threads is that of one thread, bit for bit.
+// tests/surface/threads_test.cpp: a surface computed by several threads matches a single thread's, bit for bit.
 
 #include <gtest/gtest.h>
 
@@ -11,10 +11,11 @@
 namespace sinew::test {
 namespace {
 
-constexpr int kSharedDepth = 7;  // Every bundled character has patches and roots enough to be shared out.
+constexpr int kSharedDepth = 7;  // Every bundled character has enough patches and roots to be distributed.
 constexpr int kLeastVertices = 10'000;
 
-/// One thread's surfaces against those of several, of a smoother each, which several threads have prepared.
+/// Compares one thread's surfaces with those of several threads, each with its own smoother prepared by several
+/// threads.
 void expectSame(const std::shared_ptr<const Character>& character, const Rig& rig) {
   Smoother one(character);
   Smoother several(character);
@@ -53,7 +54,7 @@ class Threads : public ::testing::TestWithParam<const char*> {
   TrialScene scene_ = bundledTrialScene(GetParam());
 };
 
-TEST_P(Threads, MakeTheSameSurfaceInBothModes) {
+TEST_P(Threads, GiveTheSameSurfaceInBothModes) {
   Rig rig = scene_.rig;
   rig.smoothing.detail = DetailKind::kUniform;
   rig.smoothing.depth = kSharedDepth;
@@ -63,7 +64,7 @@ TEST_P(Threads, MakeTheSameSurfaceInBothModes) {
   }
 }
 
-TEST_P(Threads, MakeTheSameCreases) {
+TEST_P(Threads, GiveTheSameCreases) {
   Rig rig = scene_.rig;
   rig.smoothing.detail = DetailKind::kUniform;
   rig.smoothing.depth = kSharedDepth;
@@ -72,8 +73,8 @@ TEST_P(Threads, MakeTheSameCreases) {
   expectSame(scene_.character, rig);
 }
 
-// Stages that go by control triangles or control vertices are shared out from some thousands of these on.
-TEST(ThreadsOfAFineBody, MakeTheSameSurface) {
+// Stages over control triangles or control vertices use several threads only above some thousands of them.
+TEST(ThreadsOnAFineBody, GiveTheSameSurface) {
   const auto character = fineHumanoid();
   Rig rig = trialRig(*character, 14, 3);
   rig.smoothing.depth = 1;

@@ -1,4 +1,4 @@
-// tests/ui/changed_tiles_test.cpp: every change of what is drawn lies in a rectangle, and little else does.
+// tests/ui/changed_tiles_test.cpp: every changed pixel lies in a reported rectangle, and few other pixels do.
 #include "app/ui/changed_tiles.h"
 
 #include <gtest/gtest.h>
@@ -16,7 +16,7 @@ namespace {
 using app::ChangedTiles;
 using app::TextureRevision;
 
-constexpr glm::ivec2 kSize{330, 200};  // No multiple of a tile.
+constexpr glm::ivec2 kSize{330, 200};  // Not a multiple of the tile size.
 constexpr std::uintptr_t kKnown = 7, kUnknown = 8;
 
 /// A filled box, as the interface draws it.
@@ -26,15 +26,15 @@ struct Box {
   std::uintptr_t texture = kKnown;
 };
 
-class Tiles : public testing::Test {
+class TileChanges : public testing::Test {
  protected:
-  Tiles() { ImGui::CreateContext(); }
-  ~Tiles() override {
+  TileChanges() { ImGui::CreateContext(); }
+  ~TileChanges() override {
     for (ImDrawList* list : lists_) IM_DELETE(list);
     ImGui::DestroyContext();
   }
 
-  /// Draw data of these boxes; good until the test ends.
+  /// Draw data of these boxes; valid until the test ends.
   ImDrawData dataOf(const std::vector<Box>& boxes) {
     auto* list = IM_NEW(ImDrawList)(ImGui::GetDrawListSharedData());
     lists_.push_back(list);
@@ -66,7 +66,7 @@ class Tiles : public testing::Test {
   std::vector<ImDrawList*> lists_;
 };
 
-/// By painter's rule, the oracle: the topmost color of each pixel.
+/// Oracle: topmost color of each pixel by painter's algorithm.
 std::vector<ImU32> painted(const std::vector<Box>& boxes) {
   std::vector<ImU32> pixels(static_cast<std::size_t>(kSize.x * kSize.y), 0);
   for (const Box& box : boxes) {
@@ -82,7 +82,7 @@ int holders(const std::vector<glm::ivec4>& rects, int x, int y) {
       std::ranges::count_if(rects, [&](const glm::ivec4& r) { return x >= r.x && x < r.z && y >= r.y && y < r.w; }));
 }
 
-TEST_F(Tiles, EqualFramesHaveNoChangeAndTheFirstIsAllChange) {
+TEST_F(TileChanges, FirstFrameIsFullyChangedAndEqualFramesAreNot) {
   ChangedTiles tiles;
   const std::vector<Box> boxes{{{10, 10, 90, 50}, 5}, {{60, 30, 300, 190}, 6}};
   const std::vector<glm::ivec4> first = update(tiles, boxes);
@@ -91,7 +91,7 @@ TEST_F(Tiles, EqualFramesHaveNoChangeAndTheFirstIsAllChange) {
   EXPECT_TRUE(update(tiles, boxes).empty());
 }
 
-TEST_F(Tiles, EveryPixelThatDiffersIsInOneRectangle) {
+TEST_F(TileChanges, EveryChangedPixelIsInOneRectangle) {
   std::mt19937 random(3);
   const auto below = [&](int end) { return std::uniform_int_distribution<int>(0, end - 1)(random); };
   const auto anyBox = [&] {
@@ -127,7 +127,7 @@ TEST_F(Tiles, EveryPixelThatDiffersIsInOneRectangle) {
   EXPECT_LT(marked, 300LL * kSize.x * kSize.y * 9 / 10);
 }
 
-TEST_F(Tiles, ASmallChangeIsASmallRectangle) {
+TEST_F(TileChanges, SmallChangeGivesASmallRectangle) {
   ChangedTiles tiles;
   std::vector<Box> boxes{{{0, 0, 330, 200}, 5}, {{100, 100, 104, 104}, 6}};
   update(tiles, boxes);
@@ -137,7 +137,7 @@ TEST_F(Tiles, ASmallChangeIsASmallRectangle) {
   EXPECT_EQ(rects[0], glm::ivec4(96, 96, 128, 128));
 }
 
-TEST_F(Tiles, ATextureChangesWithItsRevisionAndAnUnknownOneAlways) {
+TEST_F(TileChanges, TextureChangesWithItsRevisionAndUnknownTexturesAlways) {
   ChangedTiles tiles;
   const std::vector<Box> boxes{{{0, 0, 64, 64}, 5, kKnown}};
   update(tiles, boxes, 1);
@@ -148,7 +148,7 @@ TEST_F(Tiles, ATextureChangesWithItsRevisionAndAnUnknownOneAlways) {
   EXPECT_EQ(update(tiles, other, 2).size(), 1u);
 }
 
-TEST_F(Tiles, DrawingIsClippedToTheRectangles) {
+TEST_F(TileChanges, DrawingIsClippedToTheRectangles) {
   lists_.reserve(10);
   ImDrawData data = dataOf({{{0, 0, 330, 200}, 5}});
   const std::vector<glm::ivec4> rects{{32, 32, 64, 96}, {128, 0, 160, 32}};

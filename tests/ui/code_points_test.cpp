@@ -1,4 +1,4 @@
-// tests/ui/code_points_test.cpp: UTF-8 there and back; kinds of letters.
+// tests/ui/code_points_test.cpp: UTF-8 decoding and encoding; classes of letters.
 
 #include "app/ui/code_points.h"
 
@@ -12,7 +12,7 @@ namespace {
 
 bool isSurrogate(char32_t c) { return c >= 0xD800 && c <= 0xDFFF; }
 
-TEST(CodePoints, EveryOneComesBack) {
+TEST(CodePoints, EveryCodePointRoundTrips) {
   std::u32string all;
   for (char32_t c = 1; c <= 0x10FFFF; ++c) {
     if (!isSurrogate(c)) all.push_back(c);
@@ -20,16 +20,16 @@ TEST(CodePoints, EveryOneComesBack) {
   EXPECT_EQ(codePoints(utf8(all)), all);
 }
 
-TEST(CodePoints, WhatIsIllFormedIsReplaced) {
+TEST(CodePoints, InvalidUtf8IsReplaced) {
   EXPECT_EQ(codePoints("a\xff\x62"), U"a\uFFFDb");
-  EXPECT_EQ(codePoints("\xe8\x85"), U"\uFFFD\uFFFD");          // Cut off.
+  EXPECT_EQ(codePoints("\xe8\x85"), U"\uFFFD\uFFFD");          // Truncated.
   EXPECT_EQ(codePoints("\xc0\xaf"), U"\uFFFD\uFFFD");          // Overlong.
   EXPECT_EQ(codePoints("\xed\xa0\x80").size(), 3u);            // A surrogate.
-  EXPECT_EQ(codePoints("\xf4\x90\x80\x80").size(), 4u);        // Past the last.
+  EXPECT_EQ(codePoints("\xf4\x90\x80\x80").size(), 4u);        // Beyond the last code point.
   EXPECT_EQ(codePoints("\xe5\xb7\xa6\xe8\x85\x95"), U"左腕");  // Well-formed.
 }
 
-TEST(CodePoints, AnyBytesGiveWellFormedText) {
+TEST(CodePoints, ArbitraryBytesGiveWellFormedText) {
   std::mt19937 random(7);
   for (int round = 0; round < 20000; ++round) {
     std::string bytes(std::uniform_int_distribution<std::size_t>(0, 12)(random), '\0');
@@ -40,7 +40,7 @@ TEST(CodePoints, AnyBytesGiveWellFormedText) {
   }
 }
 
-TEST(CodePoints, Kinds) {
+TEST(CodePoints, ScriptsAndPropertiesAreClassified) {
   for (const char32_t c : std::u32string_view(U"左腕骨盘팔センター（")) {
     EXPECT_TRUE(isWide(c)) << static_cast<unsigned>(c);
   }

@@ -1,4 +1,4 @@
-// tests/ui/elide_test.cpp: long names in little room, by the properties that readers rely on.
+// tests/ui/elide_test.cpp: elided names: properties that readers rely on.
 
 #include "app/ui/reading_order.h"
 
@@ -12,7 +12,7 @@
 namespace sinew::app {
 namespace {
 
-/// A font in which letters differ in width, and two letters side by side stand closer than apart.
+/// Width in a font whose letters differ in width.
 float widthOf(std::string_view text) {
   float width = 0.0f;
   for (const char c : text) {
@@ -45,7 +45,7 @@ std::string randomName(std::mt19937& random) {
   return name;
 }
 
-TEST(Elide, FitsIsPartOfTheTextAndIsLeftAloneWhereThereIsRoom) {
+TEST(Elide, ResultFitsAndIsUnchangedIfThereIsRoom) {
   std::mt19937 random(7);
   for (int round = 0; round < 4000; ++round) {
     const std::string name = randomName(random);
@@ -91,7 +91,7 @@ TEST(Elide, NamesThatDifferInTheirMiddleStayDifferent) {
                 70.0f);
 }
 
-TEST(Elide, WhatMostNamesBeginWithGoesFirst) {
+TEST(Elide, SharedPrefixIsRemovedFirst) {
   const std::vector<std::string> names{"mixamorig:LeftForeArm", "mixamorig:LeftUpLeg", "mixamorig:Spine", "Armature"};
   const std::vector<std::string_view> views = viewsOf(names);
   const SharedEnds shared = sharedEnds(views);
@@ -100,7 +100,7 @@ TEST(Elide, WhatMostNamesBeginWithGoesFirst) {
   EXPECT_EQ(elided(names[0], widthOf(names[0]), widthOf, shared), names[0]);
 }
 
-TEST(Elide, TheBeginningStaysWhereThereIsRoomForIt) {
+TEST(Elide, StartIsKeptIfThereIsRoom) {
   const std::vector<std::string> names{"neck_Joint_01 muscle L", "neck_Joint_01 muscle R"};
   const std::vector<std::string_view> views = viewsOf(names);
   const SharedEnds shared = sharedEnds(views);

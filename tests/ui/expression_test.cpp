@@ -21,7 +21,7 @@ double valueOf(const std::string& text, double current = 0.0) {
   return typed ? typed->value : std::nan("");
 }
 
-TEST(Expression, CalculatesAsOnPaper) {
+TEST(Expression, FollowsTheUsualPrecedence) {
   const std::pair<const char*, double> rows[] = {{"0.2*1.5", 0.2 * 1.5},
                                                  {"12/5", 2.4},
                                                  {"1 + 2 * 3", 7},
@@ -49,7 +49,7 @@ TEST(Expression, CalculatesAsOnPaper) {
   EXPECT_DOUBLE_EQ(valueOf("pi/2"), 0.5 * std::numbers::pi);
 }
 
-TEST(Expression, ChangesWhatWasThere) {
+TEST(Expression, AppliesRelativeOperators) {
   EXPECT_DOUBLE_EQ(valueOf("+=0.1", 2.0), 2.1);
   EXPECT_DOUBLE_EQ(valueOf("-= 0.5", 2.0), 1.5);
   EXPECT_DOUBLE_EQ(valueOf("*=1+1", 2.0), 4.0);
@@ -58,7 +58,7 @@ TEST(Expression, ChangesWhatWasThere) {
   EXPECT_FALSE(evaluate("+1", 5.0)->relative);
 }
 
-TEST(Expression, SaysWhatIsWrong) {
+TEST(Expression, ReportsSyntaxErrors) {
   const std::pair<const char*, const char*> rows[] = {
       {"", "a number is missing"},
       {"1+", "a number is missing at the end"},
@@ -89,7 +89,7 @@ TEST(Expression, SaysWhatIsWrong) {
   for (const char open : {'(', '-'}) EXPECT_FALSE(evaluate(std::string(100000, open), 0.0).ok());
 }
 
-/// A random tree: its value is calculated from the tree, its text is read.
+/// Random expression tree: its value is computed from the tree, its text is parsed.
 struct Tree {
   char kind = 'n';  // 'n'umber, 'm'inus sign, else an operator.
   double number = 0.0;
@@ -101,10 +101,10 @@ struct Tree {
     if (kind == 'm') return -left->value();
     const double a = left->value();
     const double b = right->value();
-    if (kind == '/') return b == 0.0 ? std::nan("") : a / b;  // Refused, whatever is made of it.
+    if (kind == '/') return b == 0.0 ? std::nan("") : a / b;  // Refused, whatever follows.
     return kind == '+' ? a + b : (kind == '-' ? a - b : a * b);
   }
-  /// How tightly it binds.
+  /// Precedence.
   [[nodiscard]] int rank() const { return kind == 'n' ? 3 : (kind == 'm' ? 2 : (kind == '+' || kind == '-' ? 0 : 1)); }
   [[nodiscard]] std::string text(std::mt19937& random) const {
     const auto part = [&](const Tree& tree, int least) {
@@ -133,7 +133,7 @@ std::unique_ptr<Tree> randomTree(std::mt19937& random, int depth) {
   return tree;
 }
 
-TEST(Expression, AnyExpressionGivesTheValueOfItsTree) {
+TEST(Expression, RandomExpressionsMatchTheirTrees) {
   std::mt19937 random(5);
   int finite = 0;
   for (int round = 0; round < 3000; ++round) {
@@ -149,7 +149,7 @@ TEST(Expression, AnyExpressionGivesTheValueOfItsTree) {
   EXPECT_GT(finite, 2900);
 }
 
-TEST(Expression, AnyTextIsANumberOrARefusal) {
+TEST(Expression, ArbitraryTextIsANumberOrAnError) {
   std::mt19937 random(6);
   const std::string letters = "0123456789.,+-*/^()= episqrtx%\xc2\xb0";
   for (int round = 0; round < 20000; ++round) {
@@ -161,7 +161,7 @@ TEST(Expression, AnyTextIsANumberOrARefusal) {
   }
 }
 
-TEST(Expression, TheLocaleDoesNotMatter) {
+TEST(Expression, DoesNotDependOnTheLocale) {
   const std::string before = std::setlocale(LC_NUMERIC, nullptr);
   for (const char* locale : {"de_DE.UTF-8", "fr_FR.UTF-8", "C"}) {
     std::setlocale(LC_NUMERIC, locale);

@@ -1,4 +1,4 @@
-// tests/ui/input_queue_test.cpp: nothing is lost or reordered between the window and a slow frame.
+// tests/ui/input_queue_test.cpp: no input is lost or reordered between the window and a slow frame.
 
 #include "app/ui/input_queue.h"
 
@@ -15,7 +15,7 @@ constexpr int kKeyA = 65;
 constexpr int kKeyS = 83;
 constexpr int kLeftControl = 341;
 
-TEST(InputQueue, AClickWithinOneFrameIsSeenAsPressAndRelease) {
+TEST(InputQueue, ClickWithinOneFrameIsPressAndRelease) {
   InputQueue queue;
   queue.move({10, 20});
   queue.button(0, true);
@@ -29,7 +29,7 @@ TEST(InputQueue, AClickWithinOneFrameIsSeenAsPressAndRelease) {
   EXPECT_FALSE(queue.pending());
 }
 
-TEST(InputQueue, TheLastPositionOfADragComesBeforeItsRelease) {
+TEST(InputQueue, LastPositionOfADragComesBeforeItsRelease) {
   InputQueue queue;
   queue.button(0, true);
   static_cast<void>(queue.next());
@@ -41,7 +41,7 @@ TEST(InputQueue, TheLastPositionOfADragComesBeforeItsRelease) {
   EXPECT_EQ(queue.next().releasedButton, 0);
 }
 
-TEST(InputQueue, AMoveAfterThePressDoesNotMoveThePress) {
+TEST(InputQueue, MoveAfterThePressDoesNotMoveThePress) {
   InputQueue queue;
   queue.move({5, 5});
   queue.button(0, true);
@@ -53,7 +53,7 @@ TEST(InputQueue, AMoveAfterThePressDoesNotMoveThePress) {
   EXPECT_EQ(queue.next().mouse, glm::vec2(90, 90));
 }
 
-TEST(InputQueue, AShortcutKeepsItsModifier) {
+TEST(InputQueue, ShortcutKeepsItsModifier) {
   InputQueue queue;
   queue.key(kLeftControl, true);
   queue.key(kKeyS, true);
@@ -85,7 +85,7 @@ TEST(InputQueue, TypedTextArrivesWholeAndInOrder) {
   EXPECT_EQ(got, text);
 }
 
-TEST(InputQueue, ScrollStaysWhereThePointerWas) {
+TEST(InputQueue, ScrollKeepsItsPointerPosition) {
   InputQueue queue;
   queue.move({1, 1});
   queue.scroll({0, 1});
@@ -99,7 +99,7 @@ TEST(InputQueue, ScrollStaysWhereThePointerWas) {
   EXPECT_EQ(moved.mouse, glm::vec2(50, 50));
 }
 
-TEST(InputQueue, LosingFocusLetsGoOfEverything) {
+TEST(InputQueue, LosingFocusReleasesAllKeysAndButtons) {
   InputQueue queue;
   queue.key(kKeyA, true);
   queue.button(1, true);
@@ -118,12 +118,12 @@ TEST(InputQueue, UnknownCodesAreIgnored) {
   EXPECT_FALSE(queue.pending());
 }
 
-/// What a recorder of single transitions would write down, in order.
+/// Name of one transition, as a recorder would list it.
 std::string name(int kind, int code, bool down) {
   return std::to_string(kind) + ":" + std::to_string(code) + (down ? "+" : "-");
 }
 
-TEST(InputQueue, RandomEventsComeOutInOrderEachAtMostOncePerFrame) {
+TEST(InputQueue, RandomEventsKeepTheirOrderAtMostOnePerFrame) {
   std::mt19937 random(11);
   for (int round = 0; round < 200; ++round) {
     InputQueue queue;

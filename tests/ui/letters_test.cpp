@@ -1,4 +1,4 @@
-// tests/ui/letters_test.cpp: which font has a letter, and how it draws it.
+// tests/ui/letters_test.cpp: which font has a letter, and how it is drawn.
 
 #include <gtest/gtest.h>
 
@@ -13,7 +13,7 @@ namespace {
 constexpr const char* kNoto = "/usr/share/fonts/opentype/noto/NotoSansCJK-Regular.ttc";
 constexpr const char* kDejaVu = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf";
 
-TEST(LetterFonts, TheRegionIsThatOfTheNamesElseOfTheUser) {
+TEST(LetterFonts, RegionFollowsTheNamesOrElseTheLocale) {
   EXPECT_EQ(hanRegion(U"左腕 センター", "zh_CN.UTF-8"), HanRegion::kJapan);
   EXPECT_EQ(hanRegion(U"왼팔 左腕", "ja_JP.UTF-8"), HanRegion::kKorea);
   EXPECT_EQ(hanRegion(U"左臂", "ja_JP.UTF-8"), HanRegion::kJapan);
@@ -23,7 +23,7 @@ TEST(LetterFonts, TheRegionIsThatOfTheNamesElseOfTheUser) {
   EXPECT_EQ(hanRegion(U"", "C"), HanRegion::kMainland);
 }
 
-TEST(LetterFonts, TheFaceFollowsTheRegion) {
+TEST(LetterFonts, FontFollowsTheRegion) {
   EXPECT_EQ(fontFilesFor(U'骨', false, HanRegion::kJapan).front(), (FontFile{kNoto, 0}));
   EXPECT_EQ(fontFilesFor(U'骨', false, HanRegion::kMainland).front(), (FontFile{kNoto, 2}));
   EXPECT_EQ(fontFilesFor(U'骨', false, HanRegion::kHongKong).front(), (FontFile{kNoto, 4}));
@@ -33,7 +33,7 @@ TEST(LetterFonts, TheFaceFollowsTheRegion) {
   EXPECT_NE(fontFilesFor(U'ع', false, HanRegion::kJapan).front().file, kNoto);
 }
 
-TEST(LetterFaces, ScriptsOfThePackageThatSinewNeeds) {
+TEST(LetterFaces, RequiredFontPackageCoversItsScripts) {
   if (!std::filesystem::exists(kDejaVu)) GTEST_SKIP() << "no fonts-dejavu-core";
   LetterFaces faces;
   for (const char32_t c : std::u32string_view(U"عﻋאΩЖԱა")) {
@@ -47,7 +47,7 @@ TEST(LetterFaces, ScriptsOfThePackageThatSinewNeeds) {
   EXPECT_FALSE(faces.draw(0x12000, false, 15.0f));
 }
 
-TEST(LetterFaces, WideLettersFillTheirSquareAndFitIntoTheLine) {
+TEST(LetterFaces, WideLettersFillTheirSquareAndFitTheLine) {
   if (!std::filesystem::exists(kNoto)) GTEST_SKIP() << "no fonts-noto-cjk";
   LetterFaces faces;
   for (const HanRegion region : {HanRegion::kJapan, HanRegion::kMainland}) {

@@ -1,4 +1,4 @@
-// tests/ui/name_texture_test.cpp: letters that are shown are in the next texture.
+// tests/ui/name_texture_test.cpp: letters on the screen are in the next font texture.
 
 #include "app/ui/letters.h"
 
@@ -15,7 +15,7 @@
 namespace sinew::app {
 namespace {
 
-class NameTextureTest : public testing::Test {
+class LetterTexture : public testing::Test {
  protected:
   void SetUp() override {
     if (!std::filesystem::exists("/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf")) GTEST_SKIP() << "no fonts";
@@ -32,7 +32,7 @@ class NameTextureTest : public testing::Test {
     fonts = loadFonts(1.0f);
     texture.build(fonts);
   }
-  /// As between two frames of which the first shows a text. @return whether the texture was built again
+  /// Shows a text in a frame and starts the next. @return whether the texture was rebuilt
   bool show(const std::string& text) {
     (void)inReadingOrder(text);
     texture.want(takeShown());
@@ -43,7 +43,7 @@ class NameTextureTest : public testing::Test {
   [[nodiscard]] static const ImFontGlyph* glyph(const ImFont* font, char32_t c) {
     return font->FindGlyphNoFallback(static_cast<ImWchar>(c));
   }
-  /// What the texture holds where a letter is taken from.
+  /// Texture contents at a glyph.
   [[nodiscard]] static std::vector<unsigned char> pixels(const ImFontGlyph& of) {
     const ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
     const auto width = static_cast<float>(atlas.TexWidth);
@@ -60,10 +60,10 @@ class NameTextureTest : public testing::Test {
   NameTexture texture;
 };
 
-TEST_F(NameTextureTest, NothingIsDoneForLatinAndItsKin) { EXPECT_FALSE(show("Biceps.L \xc3\xa9 \xce\xa9")); }
+TEST_F(LetterTexture, LatinAndGreekNeedNoExtraLetters) { EXPECT_FALSE(show("Biceps.L \xc3\xa9 \xce\xa9")); }
 
-TEST_F(NameTextureTest, EveryLetterThatIsShownIsDrawnOnceInEveryFont) {
-  const std::string text = "\xd7\x90\xd7\x91 \xd8\xb9\xd8\xb6\xd9\x84\xd8\xa9";  // Hebrew, and Arabic that is joined.
+TEST_F(LetterTexture, EveryShownLetterIsDrawnOncePerFont) {
+  const std::string text = "\xd7\x90\xd7\x91 \xd8\xb9\xd8\xb6\xd9\x84\xd8\xa9";  // Hebrew, and joined Arabic.
   EXPECT_TRUE(show(text));
   EXPECT_FALSE(show(text));
   for (const ImFont* font : {fonts.body, fonts.strong, fonts.mono}) {
@@ -81,14 +81,14 @@ TEST_F(NameTextureTest, EveryLetterThatIsShownIsDrawnOnceInEveryFont) {
   }
 }
 
-TEST_F(NameTextureTest, WhatNoFontHasIsLookedForOnce) {
+TEST_F(LetterTexture, UnavailableLetterIsSearchedOnce) {
   EXPECT_TRUE(show("\xe1\x8b\x80"));  // Ethiopic.
   EXPECT_EQ(glyph(fonts.body, U'ዀ'), nullptr);
   EXPECT_FALSE(show("\xe1\x8b\x80"));
   EXPECT_FALSE(texture.has(U'ዀ'));
 }
 
-TEST_F(NameTextureTest, InvisibleOnesTakeNoRoom) {
+TEST_F(LetterTexture, InvisibleLettersHaveNoWidth) {
   EXPECT_FALSE(show("a\xe2\x80\xad\xe2\x80\x8d\xef\xb8\x8f"));
   for (const char32_t c : {0x202D, 0x200D, 0xFE0F}) {
     ASSERT_NE(glyph(fonts.body, c), nullptr);
@@ -97,7 +97,7 @@ TEST_F(NameTextureTest, InvisibleOnesTakeNoRoom) {
   }
 }
 
-TEST_F(NameTextureTest, ThousandsHaveRoomAndMoreThanThatMakeRoom) {
+TEST_F(LetterTexture, ThousandsOfLettersFitAndOlderOnesAreEvicted) {
   if (!texture.has(U'腕')) GTEST_SKIP() << "no fonts-noto-cjk";
   for (const char32_t from : {0x4E00, 0x5E00, 0x6E00, 0x7E00}) {
     std::u32string many;
@@ -110,7 +110,7 @@ TEST_F(NameTextureTest, ThousandsHaveRoomAndMoreThanThatMakeRoom) {
   EXPECT_TRUE(show("\xe4\xb8\x80"));
 }
 
-TEST_F(NameTextureTest, AnotherRegionDrawsThemAnew) {
+TEST_F(LetterTexture, RegionChangeRedrawsLetters) {
   if (!texture.has(U'骨')) GTEST_SKIP() << "no fonts-noto-cjk";
   EXPECT_TRUE(show("\xe9\xaa\xa8"));
   const std::vector<unsigned char> before = pixels(*glyph(fonts.body, U'骨'));

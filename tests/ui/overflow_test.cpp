@@ -1,4 +1,4 @@
-// tests/ui/overflow_test.cpp: how many of a bar's buttons have room, and where a number stops in steps.
+// tests/ui/overflow_test.cpp: number of a bar's buttons that fit, and the stops of a stepped number.
 
 #include <gtest/gtest.h>
 
@@ -13,7 +13,7 @@
 namespace sinew::app {
 namespace {
 
-TEST(Overflow, WhatIsShownFitsAndNoMoreWould) {
+TEST(Overflow, ShowsAsManyItemsAsFit) {
   std::mt19937 random(3);
   std::uniform_real_distribution<float> length(5.0f, 80.0f);
   for (int round = 0; round < 2000; ++round) {
@@ -32,7 +32,7 @@ TEST(Overflow, WhatIsShownFitsAndNoMoreWould) {
     if (shown > 0) {
       ASSERT_LE(sum(shown) + more, room);
     }
-    // One more would not fit, or would leave no room for the button.
+    // One more would not fit, or would leave no room for the overflow button.
     ASSERT_GT(sum(shown + 1) + more, room);
   }
 }

@@ -1,4 +1,4 @@
-// tests/ui/readable_names_test.cpp: names that no font can show are numbers, in lists and nowhere else.
+// tests/ui/readable_names_test.cpp: names that no font can show become numbers, in lists only.
 
 #include "app/ui/code_points.h"
 
@@ -11,13 +11,13 @@ namespace {
 
 bool latinAlone(char32_t c) { return c < 0x250; }
 
-/// A machine without other letters, as long as it lives.
+/// Simulates a machine with Latin fonts only during its lifetime.
 struct LatinMachine {
   LatinMachine() { setGlyphs(latinAlone); }
   ~LatinMachine() { setGlyphs({}); }
 };
 
-TEST(ReadableNames, WhatCanBeShownStaysAsItIs) {
+TEST(ReadableNames, DisplayableNamesAreUnchanged) {
   for (const char* name : {"", "Arm.L", "Bras gauche é", "##", "\xff"}) {
     EXPECT_EQ(readable(name, "bone 3", [](char32_t) { return true; }), name);
     EXPECT_EQ(readable(name, "bone 3", {}), name);
@@ -25,20 +25,20 @@ TEST(ReadableNames, WhatCanBeShownStaysAsItIs) {
   EXPECT_EQ(readable("左腕", "bone 3", [](char32_t) { return true; }), "左腕");
 }
 
-TEST(ReadableNames, TheNumberStandsForWhatIsMissing) {
+TEST(ReadableNames, NumberReplacesMissingLetters) {
   EXPECT_EQ(readable("左腕", "bone 3", latinAlone), "bone 3");
   EXPECT_EQ(readable("腕.L", "bone 3", latinAlone), "bone 3.L");
   EXPECT_EQ(readable("左足_IK_先", "bone 3", latinAlone), "bone 3_IK_");
   EXPECT_EQ(readable("ذراع أيسر", "bone 3", latinAlone), "bone 3 ");
 }
 
-TEST(ReadableNames, NoLetterWithoutAGlyphIsLeft) {
+TEST(ReadableNames, AllRemainingLettersHaveGlyphs) {
   for (const char* name : {"左腕", "腕.L", "a右b左c", "팔 1", "\xe5\xb7"}) {
     for (const char32_t c : codePoints(readable(name, "bone 3", latinAlone))) EXPECT_TRUE(latinAlone(c)) << name;
   }
 }
 
-TEST(ReadableNames, BonesOfACharacterAreNumberedFromOne) {
+TEST(ReadableNames, BonesAreNumberedFromOne) {
   Skeleton skeleton;
   for (const char* name : {"Hips", "左腕", "右腕", "腕.L"}) {
     Bone bone;
@@ -52,7 +52,7 @@ TEST(ReadableNames, BonesOfACharacterAreNumberedFromOne) {
   EXPECT_EQ(shortBoneNames(skeleton), names) << "what new muscles are called";
 }
 
-TEST(ReadableNames, MusclesAndGroups) {
+TEST(ReadableNames, MusclesAndGroupsAreNumbered) {
   Rig rig;
   rig.primitives.resize(2);
   rig.primitives[0].name = "Biceps";

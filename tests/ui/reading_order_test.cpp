@@ -1,4 +1,4 @@
-// tests/ui/reading_order_test.cpp: Hebrew and Arabic as they are drawn.
+// tests/ui/reading_order_test.cpp: display order and joining of Hebrew and Arabic.
 
 #include "app/ui/reading_order.h"
 
@@ -11,20 +11,20 @@
 namespace sinew::app {
 namespace {
 
-/// Without the marks around it.
+/// Result without the directional marks.
 std::u32string drawn(std::u32string_view text) {
   std::u32string out = codePoints(inReadingOrder(utf8(text)));
   std::erase_if(out, isInvisible);
   return out;
 }
 
-TEST(ReadingOrder, OtherTextIsItself) {
+TEST(ReadingOrder, OtherScriptsAreUnchanged) {
   for (const char* text : {"", "Arm.L", "左腕 センター", "왼팔", "Ωμος Рука é", "\xff\xd7"}) {
     EXPECT_EQ(inReadingOrder(text), text);
   }
 }
 
-TEST(ReadingOrder, HebrewIsTurnedRound) {
+TEST(ReadingOrder, HebrewIsReversed) {
   EXPECT_EQ(drawn(U"זרוע"), U"עורז");
   EXPECT_EQ(drawn(U"זרוע.L"), U"עורז.L") << "the line goes from left to right";
   EXPECT_EQ(drawn(U"Bone זרוע 12"), U"Bone 12 עורז") << "numbers keep their order";
@@ -38,13 +38,13 @@ TEST(ReadingOrder, ArabicLettersAreJoined) {
   EXPECT_EQ(drawn(U"ساق"), U"\uFED5\uFE8E\uFEB3");
   // YEH-DAL (يد), KAF-TEH-FEH (كتف): initial, medial, final.
   EXPECT_EQ(drawn(U"كتف"), U"\uFED2\uFE98\uFEDB");
-  // LAM-ALEF is one letter.
+  // LAM-ALEF is one ligature.
   EXPECT_EQ(drawn(U"لا").size(), 1u);
 }
 
-TEST(ReadingOrder, LinesStayLines) { EXPECT_EQ(drawn(U"אב\nA\nגד\n"), U"בא\nA\nדג\n"); }
+TEST(ReadingOrder, LineBreaksAreKept) { EXPECT_EQ(drawn(U"אב\nA\nגד\n"), U"בא\nA\nדג\n"); }
 
-TEST(ReadingOrder, TwiceIsOnce) {
+TEST(ReadingOrder, IsIdempotent) {
   for (const char* text : {"زراع", "زراع.L", "Bone זרוע 12", "אב\nגד", "ساق יד"}) {
     const std::string once = inReadingOrder(text);
     EXPECT_NE(once, text);

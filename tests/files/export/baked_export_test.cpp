@@ -1,4 +1,4 @@
-// tests/files/export/baked_export_test.cpp: baked clips, seen by other readers, beside the live surface.
+// tests/files/export/baked_export_test.cpp: baked clips match the live surface in independent readers.
 #include "sinew/files/baked_export.h"
 
 #include <bit>
@@ -40,7 +40,7 @@ class BakedExport : public ::testing::TestWithParam<const char*> {
     return exportBaked(scene_.characterFile, scene_.character, scene_.rig, settings, file, progress);
   }
 
-  /// Every frame, then the end.
+  /// Times of all frames, and the end.
   std::vector<float> times(double framesPerSecond = 15.0) const {
     std::vector<float> result;
     for (int frame = 0; frame < static_cast<double>(clip_->duration) * framesPerSecond - 1e-3; ++frame) {
@@ -50,7 +50,7 @@ class BakedExport : public ::testing::TestWithParam<const char*> {
     return result;
   }
 
-  /// The live surface at one time after the other.
+  /// Visits the live surface at each time.
   template <class Use>
   void forEachSurface(const std::vector<float>& moments, Use use) const {
     Smoother smoother(scene_.character);
@@ -62,7 +62,7 @@ class BakedExport : public ::testing::TestWithParam<const char*> {
     }
   }
 
-  /// Largest distance of a triangle's corner in the file from where the surface has it, percent of the height.
+  /// Largest distance of the file's triangle corners to the live surface, percent of the height.
   double worst(const GltfOracle& oracle, float time, const Surface& surface) const {
     const auto& triangles = surface.refinement->triangles;
     const auto exported = oracle.triangles(0, static_cast<double>(time));
@@ -82,7 +82,7 @@ class BakedExport : public ::testing::TestWithParam<const char*> {
   TemporaryFolder folder_;
 };
 
-TEST_P(BakedExport, NoVertexIsFartherOffThanTheBoundInAnyBakedFrame) {
+TEST_P(BakedExport, ErrorStaysWithinTheBoundInEveryBakedFrame) {
   for (const double bound : {0.4, 0.05}) {
     const auto file = folder_.path() / "out.glb";
     const auto report = bake(file, bound);
@@ -102,7 +102,7 @@ TEST_P(BakedExport, NoVertexIsFartherOffThanTheBoundInAnyBakedFrame) {
   }
 }
 
-TEST_P(BakedExport, ALooserBoundTakesFewerTargets) {
+TEST_P(BakedExport, LooserBoundNeedsFewerTargets) {
   const auto loose = bake(folder_.path() / "loose.glb", 0.8);
   const auto tight = bake(folder_.path() / "tight.glb", 0.05);
   const auto none = bake(folder_.path() / "none.glb", 100.0);
@@ -155,7 +155,7 @@ TEST_P(BakedExport, TargetsHaveNamesBoundsNormalsAndOneWeightEachAtEveryKey) {
   EXPECT_GT(sparse, 0u);
 }
 
-TEST_P(BakedExport, NormalsFollowTheLiveOnes) {
+TEST_P(BakedExport, NormalsFollowTheLiveSurface) {
   const auto file = folder_.path() / "out.glb";
   ASSERT_TRUE(bake(file).ok());
   const tinygltf::Model model = rawModel(file);
@@ -178,7 +178,7 @@ TEST_P(BakedExport, NormalsFollowTheLiveOnes) {
   EXPECT_LT(morphed, 0.5 * still);
 }
 
-TEST_P(BakedExport, SameInputsSameBytesOnAnyNumberOfThreads) {
+TEST_P(BakedExport, OutputDoesNotDependOnThreads) {
   for (const char* name : {"out.glb", "out.mdd", "out.usda"}) {
     const auto file = folder_.path() / name;  // USD names its root after the file.
     ASSERT_TRUE(bake(file).ok());
@@ -189,7 +189,7 @@ TEST_P(BakedExport, SameInputsSameBytesOnAnyNumberOfThreads) {
   }
 }
 
-TEST_P(BakedExport, TellsHowFarItIsAndCanBeCanceledAtAnyMoment) {
+TEST_P(BakedExport, ReportsProgressAndCanBeCanceledAtAnyTime) {
   for (const char* name : {"out.gltf", "out.pc2", "out.usda"}) {
     const auto file = folder_.path() / name;
     std::vector<double> told;
@@ -214,7 +214,7 @@ TEST_P(BakedExport, TellsHowFarItIsAndCanBeCanceledAtAnyMoment) {
   }
 }
 
-/// Reads numbers one after the other.
+/// Reads numbers in sequence.
 class Bytes {
  public:
   Bytes(std::string bytes, bool bigEndian) : bytes_(std::move(bytes)), bigEndian_(bigEndian) {}
@@ -263,7 +263,7 @@ TEST_P(BakedExport, PointCachesHoldTheLiveVertices) {
     forEachSurface(times(), [&](float time, const Surface& surface) {
       ASSERT_EQ(surface.positions.size(), points);
       for (const glm::vec3& place : surface.positions) {
-        const glm::vec3 cached{bytes.real(), bytes.real(), bytes.real()};  // Braces: in this order.
+        const glm::vec3 cached{bytes.real(), bytes.real(), bytes.real()};  // Braces: evaluated in this order.
         ASSERT_EQ(cached, place) << time;
       }
     });

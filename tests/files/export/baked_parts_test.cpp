@@ -1,4 +1,4 @@
-// tests/files/export/baked_parts_test.cpp: baked files of more than one plain mesh.
+// tests/files/export/baked_parts_test.cpp: baked files of several meshes.
 #include <cmath>
 
 #include <nlohmann/json.hpp>
@@ -17,7 +17,7 @@ namespace {
 
 using nlohmann::ordered_json;
 
-/// The post's patches curve as it bends: a live surface that no skinning shows, without a muscle.
+/// The post's patches curve as it bends: even without muscles the live surface differs from skinning.
 class BakedParts : public ::testing::Test {
  protected:
   void SetUp() override { rig_.smoothing.depth = 3; }
@@ -48,7 +48,7 @@ class BakedParts : public ::testing::Test {
       const auto& triangles = surface.refinement->triangles;
       EXPECT_EQ(shown.size(), triangles.size());
       for (std::size_t t = 0; t < shown.size(); ++t) {
-        // A mirrored mesh winds the other way: the nearest corner of the triangle.
+        // A mirrored mesh has the opposite winding: use the triangle's nearest corner.
         for (const glm::dvec3& corner : shown[t]) {
           double nearest = 1e9;
           for (const int vertex : triangles[t]) {
@@ -69,7 +69,7 @@ class BakedParts : public ::testing::Test {
   std::shared_ptr<const Character> character_;
 };
 
-TEST_F(BakedParts, MeshesInSpacesOfTheirOwnShareTheWeights) {
+TEST_F(BakedParts, MeshesInTheirOwnSpacesShareTheWeights) {
   ordered_json board;
   board["attributes"]["POSITION"] =
       post_.file.accessor(std::vector<float>{0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0.5f}, "VEC3");
@@ -107,7 +107,7 @@ TEST_F(BakedParts, PointsAndLinesOfAMorphedMeshHaveAsManyTargets) {
   }
 }
 
-TEST_F(BakedParts, TargetsOfTheFileAreBakedAndItsOtherExtrasStay) {
+TEST_F(BakedParts, TargetsOfTheFileAreBakedAndOtherExtrasKept) {
   const int target = post_.file.accessor(std::vector<float>(post_.positions.size(), 0.25f), "VEC3");
   post_.file.json["accessors"][static_cast<std::size_t>(target)]["min"] = {0.25, 0.25, 0.25};
   post_.file.json["accessors"][static_cast<std::size_t>(target)]["max"] = {0.25, 0.25, 0.25};
@@ -127,7 +127,7 @@ TEST_F(BakedParts, TargetsOfTheFileAreBakedAndItsOtherExtrasStay) {
   EXPECT_EQ(model.meshes[0].extras.Get("targetNames").ArrayLen(), static_cast<std::size_t>(report->targets));
 }
 
-TEST_F(BakedParts, AJointThatShrinksToNothingIsBakedOrRefused) {
+TEST_F(BakedParts, JointScaledToZeroIsBakedOrRefused) {
   ordered_json& clip = post_.file.json["animations"][0];
   clip["samplers"].push_back({{"input", clip["samplers"][0]["input"]},
                               {"output", post_.file.accessor(std::vector<float>{1, 1, 1, 0, 0, 0}, "VEC3")}});
@@ -138,7 +138,7 @@ TEST_F(BakedParts, AJointThatShrinksToNothingIsBakedOrRefused) {
   EXPECT_EQ(std::filesystem::exists(folder_.path() / "out.glb"), report.ok());
 }
 
-TEST_F(BakedParts, WhatIsAskedForIsCheckedBeforeTheWork) {
+TEST_F(BakedParts, SettingsAreCheckedFirst) {
   ASSERT_TRUE(bake(1.0).ok());
   std::filesystem::remove(folder_.path() / "out.glb");
   const auto refused = [&](BakedExportSettings settings, const char* name, const std::string& words) {

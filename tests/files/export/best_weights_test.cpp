@@ -1,4 +1,5 @@
-// tests/files/export/best_weights_test.cpp: no other legal weights are better.
+// tests/files/export/best_weights_test.cpp: no other valid weights are better.
+
 #include "core/files/fit/weight_fit.h"
 
 #include <random>
@@ -11,7 +12,7 @@ namespace sinew::exporting {
 namespace {
 
 struct Problem {
-  std::vector<std::vector<glm::dvec3>> ways;  // [candidates][poses] from the target to where each candidate puts it
+  std::vector<std::vector<glm::dvec3>> ways;  // [candidates][poses] offset of each candidate from the target
   Gram gram{};
 };
 
@@ -46,7 +47,7 @@ double costOf(const Problem& problem, const CandidateWeights& weights, double mu
   return cost;
 }
 
-/// At most four candidates, evenly over their simplex.
+/// At most four candidates, uniform over their simplex.
 CandidateWeights randomWeights(std::mt19937& random, std::size_t candidates) {
   std::uniform_int_distribution<std::size_t> any(0, candidates - 1);
   std::exponential_distribution<double> share;
@@ -61,7 +62,7 @@ CandidateWeights randomWeights(std::mt19937& random, std::size_t candidates) {
   return weights;
 }
 
-TEST(BestWeights, AreLegalAndNoneOfManyOthersIsBetter) {
+TEST(BestWeights, AreValidAndBetterThanRandomWeights) {
   std::mt19937 random(7);
   for (std::size_t candidates = 1; candidates <= kMostCandidates; ++candidates) {
     const Problem problem = randomProblem(random, candidates, 5);
@@ -85,7 +86,7 @@ TEST(BestWeights, AreLegalAndNoneOfManyOthersIsBetter) {
   }
 }
 
-TEST(BestWeights, ASmallStepAwayFromThemCostsMore) {
+TEST(BestWeights, AreALocalMinimum) {
   std::mt19937 random(11);
   for (int trial = 0; trial < 50; ++trial) {
     const Problem problem = randomProblem(random, 6, 8);

@@ -1,4 +1,5 @@
-// tests/files/export/candidates_test.cpp: which joints the fit may choose from.
+// tests/files/export/candidates_test.cpp: joints that the fit may use.
+
 #include "core/files/fit/joint_fit.h"
 
 #include <algorithm>
@@ -11,7 +12,7 @@
 namespace sinew::exporting {
 namespace {
 
-TEST(Candidates, BeginWithTheVertexsOwnAndNameNoneTwice) {
+TEST(Candidates, StartWithTheVertexsOwnAndAreUnique) {
   for (const char* name : {"humanoid-flex", "horse"}) {
     const test::ExportScene scene = test::bundledScene(name);
     const Refinement refinement = refine(scene.character->mesh, 2);
@@ -29,8 +30,8 @@ TEST(Candidates, BeginWithTheVertexsOwnAndNameNoneTwice) {
   }
 }
 
-/// A joint that carries no skin is a candidate where a muscle on it reaches, and nowhere else.
-TEST(Candidates, BonesOfMusclesAreAmongThem) {
+/// A joint without skin is a candidate only where a muscle on it reaches.
+TEST(Candidates, IncludeBonesOfMuscles) {
   test::ExportScene scene = test::bundledScene("horse");
   const Refinement refinement = refine(scene.character->mesh, 2);
   const auto own = interpolatedWeights(scene.character->mesh, refinement);
@@ -54,7 +55,7 @@ TEST(Candidates, BonesOfMusclesAreAmongThem) {
   EXPECT_LT(named(), static_cast<std::ptrdiff_t>(own.size()));
 }
 
-TEST(InterpolatedWeights, AreTheFilesOnVerticesAndHalfWayBetweenThemOnEdges) {
+TEST(InterpolatedWeights, MatchTheFileAtVerticesAndAreAveragedOnEdges) {
   const test::ExportScene scene = test::bundledScene("horse");
   const ControlMesh& mesh = scene.character->mesh;
   const Refinement refinement = refine(mesh, 2);

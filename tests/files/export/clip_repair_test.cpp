@@ -1,5 +1,4 @@
-// tests/files/export/clip_repair_test.cpp: clips whose keys are not as glTF wants them play in an export as they were
-// read.
+// tests/files/export/clip_repair_test.cpp: clips with keys that violate glTF play in an export as they were imported.
 #include <algorithm>
 #include <cmath>
 #include <random>
@@ -48,7 +47,7 @@ class ClipRepair : public ::testing::Test {
     return report.ok() ? report.value() : SkinnedExportReport{};
   }
 
-  /// All times rise from 0 on, in accessors that say so.
+  /// All times increase from 0, and accessors declare them so.
   void expectSoundTimes() const {
     const tinygltf::Model model = rawModel(out_);
     for (const tinygltf::Animation& animation : model.animations) {
@@ -58,7 +57,7 @@ class ClipRepair : public ::testing::Test {
         ASSERT_FALSE(times.empty());
         EXPECT_GE(times.front(), 0.0f);
         EXPECT_EQ(std::ranges::adjacent_find(times, std::ranges::greater_equal()), times.end());
-        if (accessor.minValues.empty()) continue;  // The file's own.
+        if (accessor.minValues.empty()) continue;  // Written by the file itself.
         EXPECT_EQ(static_cast<float>(accessor.minValues.at(0)), times.front());
         EXPECT_EQ(static_cast<float>(accessor.maxValues.at(0)), times.back());
       }
@@ -104,7 +103,7 @@ std::vector<float> turnsAbout(int axis, const std::vector<float>& angles) {
   return values;
 }
 
-TEST_F(ClipRepair, FallingAndRepeatedTimesAreWrittenAsTheyWereSorted) {
+TEST_F(ClipRepair, DecreasingAndRepeatedTimesAreWrittenSorted) {
   for (const ExportMesh mesh : {ExportMesh::kOriginal, ExportMesh::kRefined}) {
     post_ = makePost();
     clip() = {{"name", "odd"}, {"channels", ordered_json::array()}, {"samplers", ordered_json::array()}};
@@ -116,7 +115,7 @@ TEST_F(ClipRepair, FallingAndRepeatedTimesAreWrittenAsTheyWereSorted) {
   }
 }
 
-TEST_F(ClipRepair, SoundKeysStayTheFilesBytes) {
+TEST_F(ClipRepair, SoundKeysKeepTheirBytes) {
   addChannel(2, "rotation", {0.0f, 1.0f}, turnsAbout(0, {0.0f, 1.0f}));
   EXPECT_TRUE(exported().left.empty());
   const tinygltf::Model was = rawModel(source_);
@@ -127,7 +126,7 @@ TEST_F(ClipRepair, SoundKeysStayTheFilesBytes) {
   EXPECT_EQ(rawBytes(is, after.output), rawBytes(was, before.output));
 }
 
-TEST_F(ClipRepair, ChannelsThatDoNotPlayAreLeftOut) {
+TEST_F(ClipRepair, InactiveChannelsAreOmitted) {
   addChannel(2, "rotation", {0.0f, 1.0f}, turnsAbout(0, {0.0f, 1.0f}));
   addChannel(2, "rotation", {0.0f, 1.0f}, turnsAbout(2, {0.0f, 2.0f}));
   post_.file.json["nodes"].push_back({{"name", "still"}, {"matrix", {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1}}});
@@ -139,8 +138,8 @@ TEST_F(ClipRepair, ChannelsThatDoNotPlayAreLeftOut) {
   expectPlaysAsRead();
 }
 
-/// Any times, also before 0, any interpolation, rotations of any length.
-TEST_F(ClipRepair, AnyKeysPlayAsTheyWereRead) {
+/// Random times, also before 0, any interpolation, rotations of any length.
+TEST_F(ClipRepair, RandomKeysPlayAsImported) {
   std::mt19937 random(11);
   const auto number = [&](float low, float high) { return std::uniform_real_distribution<float>(low, high)(random); };
   constexpr const char* kKinds[] = {"LINEAR", "STEP", "CUBICSPLINE"};

@@ -1,5 +1,5 @@
-// tests/files/export/compressed_export_test.cpp: what is exported of a compressed character is plain, and nothing of it
-// is left.
+// tests/files/export/compressed_export_test.cpp: exports of compressed characters are uncompressed, without traces of
+// the compression.
 #include <webp/encode.h>
 
 #include "core/files/disk/atomic_file.h"
@@ -14,7 +14,7 @@ using nlohmann::ordered_json;
 
 class CompressedExport : public ::testing::Test {
  protected:
-  /// Without muscles, so that the file moves as its source does.
+  /// Without muscles, so that the export moves like its source.
   void exportPost(const Post& post, ExportMesh mesh) {
     EXPECT_TRUE(writeFileAtomically(source_, post.file.glb()).ok());
     const auto character = importGltf(source_);
@@ -29,7 +29,7 @@ class CompressedExport : public ::testing::Test {
     json_ = ordered_json::parse(bytes_.substr(20, byte(12) + (byte(13) << 8U) + (byte(14) << 16U)));
   }
 
-  /// Nothing of the extensions and of the bytes that they had is in the file.
+  /// The file contains nothing of the extensions and their bytes.
   void expectPlain(const std::string& compressed) const {
     EXPECT_EQ(bytes_.find("KHR_draco"), std::string::npos);
     EXPECT_EQ(bytes_.find("EXT_meshopt"), std::string::npos);
@@ -65,7 +65,7 @@ class CompressedExport : public ::testing::Test {
   ordered_json json_;
 };
 
-TEST_F(CompressedExport, DracoIsGone) {
+TEST_F(CompressedExport, DracoIsDecompressed) {
   for (const DracoMethod method : {DracoMethod::kSequential, DracoMethod::kEdgebreaker}) {
     for (const ExportMesh mesh : {ExportMesh::kOriginal, ExportMesh::kRefined}) {
       Post post = makePost();
@@ -80,7 +80,7 @@ TEST_F(CompressedExport, DracoIsGone) {
   }
 }
 
-TEST_F(CompressedExport, MeshoptimizerIsGone) {
+TEST_F(CompressedExport, MeshoptimizerIsDecompressed) {
   for (const bool asIndices : {false, true}) {
     for (const ExportMesh mesh : {ExportMesh::kOriginal, ExportMesh::kRefined}) {
       exportPost(meshoptPost(asIndices), mesh);
@@ -91,8 +91,8 @@ TEST_F(CompressedExport, MeshoptimizerIsGone) {
   }
 }
 
-/// Views that an extension might name cannot be renumbered; those of Draco are emptied.
-TEST_F(CompressedExport, AnUnknownExtensionKeepsViewsButNotTheirCompressedBytes) {
+/// Views that an extension may reference cannot be renumbered; those of Draco are emptied.
+TEST_F(CompressedExport, UnknownExtensionKeepsViewsWithoutTheirCompressedBytes) {
   Post post = makePost();
   const DracoPost packed = dracoPost(post, DracoMethod::kEdgebreaker);
   useDraco(post, packed);
@@ -103,8 +103,8 @@ TEST_F(CompressedExport, AnUnknownExtensionKeepsViewsButNotTheirCompressedBytes)
   expectPlaysAsPlainPost();
 }
 
-/// A mesh that the scene does not show is kept, so it must be plain, and its bounds those of what it holds now.
-TEST_F(CompressedExport, MeshesThatAreNotShownArePlainToo) {
+/// A mesh outside the scene is kept, so it must be uncompressed, with the bounds of its present contents.
+TEST_F(CompressedExport, HiddenMeshesAreDecompressed) {
   Post post = makePost();
   useDraco(post, dracoPost(post, DracoMethod::kEdgebreaker));
   const auto position = post.attributes()["POSITION"].get<std::size_t>();
@@ -123,7 +123,7 @@ TEST_F(CompressedExport, MeshesThatAreNotShownArePlainToo) {
   EXPECT_EQ(accessor.maxValues, (std::vector<double>{0.5, 2.0, 0.5}));
 }
 
-TEST_F(CompressedExport, WebpStaysAsItIs) {
+TEST_F(CompressedExport, WebpIsUnchanged) {
   const std::vector<std::uint8_t> pixels(64, 200);
   std::uint8_t* encoded = nullptr;
   const std::size_t size = WebPEncodeLosslessRGBA(pixels.data(), 4, 4, 16, &encoded);

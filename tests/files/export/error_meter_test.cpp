@@ -1,4 +1,4 @@
-// tests/files/export/error_meter_test.cpp: figures beside those of a sorted list.
+// tests/files/export/error_meter_test.cpp: error statistics match those of a sorted list.
 #include "core/files/fit/played_surface.h"
 
 #include <algorithm>
@@ -10,7 +10,7 @@
 namespace sinew::exporting {
 namespace {
 
-TEST(ErrorMeter, AgreesWithASortedList) {
+TEST(ErrorMeter, MatchesASortedList) {
   std::mt19937 random(5);
   std::lognormal_distribution<double> spread(-4.0, 2.0);
   constexpr double kHeight = 1.7;
@@ -35,7 +35,7 @@ TEST(ErrorMeter, AgreesWithASortedList) {
   EXPECT_LE(figures.percentile999, exact * 1.0011);
 }
 
-TEST(ErrorMeter, WithoutDistancesAllIsZero) {
+TEST(ErrorMeter, IsZeroWithoutDistances) {
   const ErrorFigures figures = ErrorMeter(1.0).figures();
   EXPECT_EQ(figures.poses, 0);
   EXPECT_EQ(figures.rms, 0.0);
@@ -44,7 +44,7 @@ TEST(ErrorMeter, WithoutDistancesAllIsZero) {
   EXPECT_EQ(figures.farthest.vertex, -1);
 }
 
-TEST(ErrorMeter, OfSeveralDistancesTheLargestIsThePercentileAndHasAPlace) {
+TEST(ErrorMeter, FewDistancesGiveTheLargestAsPercentileWithItsLocation) {
   ErrorMeter meter(100.0);
   meter.addPose(2, 0.5f);
   meter.add(0.25, 7);
@@ -58,7 +58,7 @@ TEST(ErrorMeter, OfSeveralDistancesTheLargestIsThePercentileAndHasAPlace) {
   EXPECT_EQ(meter.figures().farthest.time, 1.5f);
 }
 
-TEST(ErrorMeter, ADistanceThatIsNoNumberIsTheLargest) {
+TEST(ErrorMeter, NonFiniteDistanceIsTheLargest) {
   for (const double odd : {std::nan(""), -std::nan(""), HUGE_VAL}) {
     ErrorMeter meter(2.0);
     meter.add(1.0, 3);

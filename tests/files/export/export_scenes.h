@@ -1,4 +1,4 @@
-// tests/files/export/export_scenes.h: characters with muscles to export, and a raw look at what came out.
+// tests/files/export/export_scenes.h: characters with muscles to export, and raw access to the result.
 #pragma once
 
 #include <algorithm>
@@ -24,16 +24,16 @@ namespace sinew::test {
 
 struct ExportScene {
   std::filesystem::path characterFile;
-  std::shared_ptr<const Character> character;  ///< Null: the file is not at hand.
+  std::shared_ptr<const Character> character;  ///< Null: the file is not available.
   Rig rig;
 
-  /// Fitted and measured as the command line does it.
+  /// Fits and measures like the command line.
   [[nodiscard]] Result<SkinnedExportReport> write(const std::filesystem::path& file,
                                                   const SkinnedExportSettings& settings = {}) const {
     return exportSkinned(characterFile, character, *withRangeOfMotion(character), rig, settings, file);
   }
 
-  /// The first clip alone, without the range of motion: where the weights need not be the best.
+  /// First clip only, without range of motion: for tests that need no good weights.
   [[nodiscard]] Result<SkinnedExportReport> writeQuickly(const std::filesystem::path& file,
                                                          SkinnedExportSettings settings = {}) const {
     if (settings.clips.empty()) settings.clips = {character->clips.front().name};
@@ -50,8 +50,8 @@ struct ExportScene {
   }
 };
 
-/// The exported file, played by an independent reader, stays within the printed error of the live surface in five poses
-/// of every clip that is in it, each among those that were measured; and the printed error is of the same order.
+/// Played by an independent reader, the exported file stays within the reported error of the live surface in five
+/// measured poses of each of its clips; and the reported error has the same magnitude.
 inline void expectPlaysAsPrinted(const ExportScene& scene, const std::filesystem::path& file,
                                  const SkinnedExportReport& report) {
   const GltfOracle oracle(file);
@@ -90,7 +90,7 @@ inline ExportScene bundledScene(const std::string& rig) {
   return scene;
 }
 
-/// A character of others with 13 to 16 muscles as the add tool lays them, tests/export/rigs; a fine mesh at depth 2.
+/// A third-party character with 13 to 16 muscles as laid by the add tool, tests/export/rigs; a fine mesh at depth 2.
 inline ExportScene laidScene(const std::string& file) {
   ExportScene scene;
   scene.characterFile = std::filesystem::path(SINEW_CHARACTERS_DIR) / file;
@@ -98,12 +98,12 @@ inline ExportScene laidScene(const std::string& file) {
   if (!scene.character) return scene;
   const auto rigs = std::filesystem::path(SINEW_SOURCE_DIR) / "tests" / "export" / "rigs";
   scene.rig = loadRig(rigs / (scene.characterFile.stem().string() + ".rig.json")).value();
-  constexpr std::size_t kMany = 2000;  // Triangles: such a mesh is fine enough as it is.
+  constexpr std::size_t kMany = 2000;  // Triangles: such a mesh needs no refinement.
   if (scene.character->mesh.triangles.size() > kMany) scene.rig.smoothing.depth = 2;
   return scene;
 }
 
-/// Names without an ending are bundled rigs, with "-coarse" at depth 1.
+/// Names without an extension are bundled rigs, with "-coarse" at depth 1.
 inline ExportScene sceneNamed(const std::string& name) {
   if (const auto coarse = name.find("-coarse"); coarse != std::string::npos) {
     ExportScene scene = bundledScene(name.substr(0, coarse));
@@ -114,7 +114,7 @@ inline ExportScene sceneNamed(const std::string& name) {
   return name.find('.') == std::string::npos ? bundledScene(name) : laidScene(name);
 }
 
-/// By tinygltf alone; images stay encoded.
+/// Parsed by tinygltf alone; images stay encoded.
 inline tinygltf::Model rawModel(const std::filesystem::path& file) {
   tinygltf::TinyGLTF reader;
   reader.SetImageLoader([](tinygltf::Image*, int, std::string*, std::string*, int, int, const unsigned char*, int,
@@ -130,7 +130,7 @@ inline tinygltf::Model rawModel(const std::filesystem::path& file) {
   return model;
 }
 
-/// An accessor's elements, bytes as they are, tightly packed.
+/// An accessor's raw bytes, tightly packed.
 inline std::string rawBytes(const tinygltf::Model& model, int index) {
   const tinygltf::Accessor& accessor = model.accessors.at(static_cast<std::size_t>(index));
   const tinygltf::BufferView& view = model.bufferViews.at(static_cast<std::size_t>(accessor.bufferView));

@@ -1,4 +1,5 @@
-// tests/files/export/fit_kernel_test.cpp: the sums of every instruction set are those of plain loops, to the bit.
+// tests/files/export/fit_kernel_test.cpp: sums of every instruction set equal those of plain loops, bit for bit.
+
 #include "core/files/fit/weight_fit.h"
 
 #include <random>
@@ -11,7 +12,7 @@ namespace {
 
 constexpr std::size_t kVertices = 50;
 constexpr std::size_t kBindings = 20;
-constexpr std::size_t kFirstHelper = 7;  // 13 helpers: a group and a part of one.
+constexpr std::size_t kFirstHelper = 7;  // 13 helpers: one full group and part of another.
 constexpr std::size_t kHelpers = kBindings - kFirstHelper;
 constexpr std::size_t kPoses = 5;
 
@@ -50,7 +51,7 @@ struct Sums {
   }
 };
 
-TEST(FitKernel, GramsAreThoseOfPlainLoops) {
+TEST(FitKernel, GramsMatchPlainLoops) {
   const Sums sums;
   std::vector<double> wanted[2] = {std::vector<double>(sums.begin.back(), 0.5),
                                    std::vector<double>(sums.begin.back(), 0.0)};
@@ -69,7 +70,7 @@ TEST(FitKernel, GramsAreThoseOfPlainLoops) {
   }
   for (const InstructionSet set : availableInstructionSets()) {
     if (set == InstructionSet::kScalar) continue;
-    // Added to what is there, and in parts as threads do it.
+    // Added to existing sums, and in parts as threads do.
     std::vector<double> own(sums.begin.back(), 0.5);
     std::vector<double> further(sums.begin.back(), 0.0);
     const GramSums task{sums.rest, sums.lists, sums.begin, own.data(), further.data(), sums.poses};
@@ -80,7 +81,7 @@ TEST(FitKernel, GramsAreThoseOfPlainLoops) {
   }
 }
 
-TEST(FitKernel, GainsAreThoseOfPlainLoops) {
+TEST(FitKernel, GainsMatchPlainLoops) {
   const Sums sums;
   constexpr std::size_t kStride = 2 * kHelperGroup;
   std::vector<double> numbers(kPoses * 12 * kStride, 0.0);

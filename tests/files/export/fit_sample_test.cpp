@@ -1,4 +1,4 @@
-// tests/files/export/fit_sample_test.cpp: the vertices that stand for all are spread evenly and leave no part out.
+// tests/files/export/fit_sample_test.cpp: sampled vertices are spread evenly over all parts.
 #include "core/files/fit/joint_fit.h"
 
 #include <algorithm>
@@ -14,7 +14,7 @@ struct Sheets {
   std::vector<glm::vec3> rest;
   std::vector<std::array<int, 3>> triangles;
 
-  /// A square of so many vertices along each side, joined to nothing else.
+  /// Adds a separate square with this many vertices along each side.
   void add(int side, float height) {
     const int first = static_cast<int>(rest.size());
     const auto number = [&](int x, int y) { return first + y * side + x; };
@@ -32,7 +32,7 @@ struct Sheets {
 
 FourWeights following(int binding) { return fourLargest({{binding, 1.0}}); }
 
-TEST(FitSample, FewVerticesStandForThemselves) {
+TEST(FitSample, FewVerticesAreAllSampled) {
   Sheets sheets;
   sheets.add(10, 0.0f);
   const FitSample sample = sampleVertices(sheets.rest, sheets.triangles, kMost);
@@ -42,7 +42,7 @@ TEST(FitSample, FewVerticesStandForThemselves) {
   EXPECT_EQ(sample.triangles, sheets.triangles);
 }
 
-TEST(FitSample, ManyAreSharedOutEvenly) {
+TEST(FitSample, ManyVerticesAreSampledEvenly) {
   Sheets sheets;
   sheets.add(60, 0.0f);
   const FitSample sample = sampleVertices(sheets.rest, sheets.triangles, kMost);
@@ -60,11 +60,11 @@ TEST(FitSample, ManyAreSharedOutEvenly) {
   for (const auto& [a, b, c] : sample.triangles) EXPECT_TRUE(a != b && b != c && c != a);
 }
 
-TEST(FitSample, EveryPartHasAVertex) {
+TEST(FitSample, EveryPartIsSampled) {
   Sheets sheets;
   sheets.add(60, 0.0f);
-  for (int part = 0; part < 20; ++part) sheets.add(2, 100.0f);  // All in one place.
-  sheets.rest.emplace_back(0.0f);                               // Of no triangle.
+  for (int part = 0; part < 20; ++part) sheets.add(2, 100.0f);  // All in the same place.
+  sheets.rest.emplace_back(0.0f);                               // Vertex without a triangle.
   const FitSample sample = sampleVertices(sheets.rest, sheets.triangles, kMost);
   EXPECT_GE(sample.vertices.size(), kMost + 15);
   const auto partOf = [](int vertex) { return vertex < 3600 ? -1 : (vertex - 3600) / 4; };
@@ -74,7 +74,7 @@ TEST(FitSample, EveryPartHasAVertex) {
   }
 }
 
-TEST(FitSample, AVertexMayFollowItsOwnThenWhatIsAroundIt) {
+TEST(FitSample, CandidatesIncludeNeighbors) {
   Sheets sheets;
   sheets.add(60, 0.0f);
   const FitSample sample = sampleVertices(sheets.rest, sheets.triangles, kMost);

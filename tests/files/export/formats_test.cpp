@@ -1,4 +1,4 @@
-// tests/files/export/formats_test.cpp: which endings hold which form, and which files an export consists of.
+// tests/files/export/formats_test.cpp: file extensions of formats, and the files of an export.
 #include "sinew/files/formats.h"
 
 #include <gtest/gtest.h>
@@ -9,7 +9,7 @@ namespace {
 using Paths = std::vector<std::filesystem::path>;
 using Words = std::vector<std::string>;
 
-TEST(ExportFormats, EndingsAreListedByForm) {
+TEST(ExportFormats, ExtensionsAreListedByForm) {
   EXPECT_EQ(exportEndings({ExportForm::kSkin}), (Words{".glb", ".gltf", ".usda"}));
   EXPECT_EQ(exportEndings({ExportForm::kCache, ExportForm::kStage, ExportForm::kTargets}),
             (Words{".glb", ".gltf", ".usda", ".pc2", ".mdd"}))
@@ -19,7 +19,7 @@ TEST(ExportFormats, EndingsAreListedByForm) {
   EXPECT_FALSE(hasExportEnding("out", {ExportForm::kSkin}));
 }
 
-TEST(ExportFormats, FilesThatComeAlongAreNamedBeforeTheOneAskedFor) {
+TEST(ExportFormats, SideFilesAreListedFirst) {
   EXPECT_EQ(exportedFiles("a/out.glb"), (Paths{"a/out.glb"}));
   EXPECT_EQ(exportedFiles("a/out.GLTF"), (Paths{"a/out.bin", "a/out.GLTF"}));
   EXPECT_EQ(exportedFiles("a/my clip.pc2"), (Paths{"a/my clip.obj", "a/my_clip.mtl", "a/my clip.pc2"}))

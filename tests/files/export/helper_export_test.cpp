@@ -1,5 +1,5 @@
-// tests/files/export/helper_export_test.cpp: exports with helper joints, played by another reader beside the live
-// surface.
+// tests/files/export/helper_export_test.cpp: exports with helper joints match the live surface in an independent
+// reader.
 #include <map>
 #include <set>
 
@@ -11,7 +11,7 @@
 namespace sinew::test {
 namespace {
 
-/// Channels of one clip that move a node, by what they move.
+/// Channels of one clip that move a node, by path.
 std::map<std::string, const tinygltf::AnimationChannel*> channelsOf(const tinygltf::Animation& clip, int node) {
   std::map<std::string, const tinygltf::AnimationChannel*> channels;
   for (const tinygltf::AnimationChannel& channel : clip.channels) {
@@ -20,7 +20,7 @@ std::map<std::string, const tinygltf::AnimationChannel*> channelsOf(const tinygl
   return channels;
 }
 
-/// Over all clips, percent of the height. docs/export.md prints what is reached; a change that loses it shows here.
+/// Limits over all clips, percent of the height, close to the figures in docs/export.md to detect regressions.
 struct Ceiling {
   double rms;
   double percentile999;
@@ -49,7 +49,7 @@ class HelperExport : public ::testing::TestWithParam<const char*> {
   TemporaryFolder folder_;
 };
 
-TEST_P(HelperExport, PlaysAsThePrintedErrorSaysAndTwiceAsNearAsWithoutRefit) {
+TEST_P(HelperExport, MatchesTheReportedErrorAndHalvesThatWithoutRefit) {
   const auto file = folder_.path() / "out.glb";
   const auto report = scene_.write(file, {.joints = ExportJoints::kHelpers});
   ASSERT_TRUE(report.ok()) << report.error().text();
@@ -64,10 +64,10 @@ TEST_P(HelperExport, PlaysAsThePrintedErrorSaysAndTwiceAsNearAsWithoutRefit) {
   EXPECT_TRUE(importGltf(file).ok());
 }
 
-/// What needs no character of every kind.
-class HelperExportOfSome : public HelperExport {};
+/// Tests for which one kind of character is enough.
+class HelperExportQuick : public HelperExport {};
 
-TEST_P(HelperExportOfSome, OriginalVerticesComeNearerToo) {
+TEST_P(HelperExportQuick, OriginalVerticesAreCloser) {
   const std::vector clips{scene_.character->clips.back().name};
   const auto with = scene_.writeQuickly(
       folder_.path() / "with.glb", {.joints = ExportJoints::kHelpers, .mesh = ExportMesh::kOriginal, .clips = clips});
@@ -78,8 +78,8 @@ TEST_P(HelperExportOfSome, OriginalVerticesComeNearerToo) {
   EXPECT_LT(with->allClips.rms, without->allClips.rms);
 }
 
-TEST_P(HelperExportOfSome, MoreJointsComeNearerAndNoneIsTheSkinnedExport) {
-  const std::vector clips{scene_.character->clips.back().name};  // The first may hold no motion.
+TEST_P(HelperExportQuick, MoreJointsAreCloserAndNoneIsTheSkinnedExport) {
+  const std::vector clips{scene_.character->clips.back().name};  // The first clip may hold no motion.
   const auto none =
       scene_.writeQuickly(folder_.path() / "0.glb", {.joints = ExportJoints::kHelpers, .clips = clips, .helpers = 0});
   const auto skinned = scene_.writeQuickly(folder_.path() / "skinned.glb", {.clips = clips});
@@ -93,12 +93,12 @@ TEST_P(HelperExportOfSome, MoreJointsComeNearerAndNoneIsTheSkinnedExport) {
     ASSERT_TRUE(report.ok());
     EXPECT_LE(report->joints, skinned->joints + helpers);
     EXPECT_EQ(report->lineJoints + report->rigidHelpers, helpers);
-    EXPECT_LT(report->fitted.rms, last + 1e-3) << helpers;  // Percent: what is left may be next to nothing.
+    EXPECT_LT(report->fitted.rms, last + 1e-3) << helpers;  // Percent: the remaining error may be tiny.
     last = report->fitted.rms;
   }
 }
 
-TEST_P(HelperExportOfSome, AddedNodesHaveNamesOfTheirOwnAndKeysInEveryClip) {
+TEST_P(HelperExportQuick, AddedNodesHaveUniqueNamesAndKeysInEveryClip) {
   const auto file = folder_.path() / "out.glb";
   std::vector<std::string> clips;
   for (const AnimationClip& clip : scene_.character->clips) clips.push_back(clip.name);
@@ -133,7 +133,7 @@ TEST_P(HelperExportOfSome, AddedNodesHaveNamesOfTheirOwnAndKeysInEveryClip) {
   }
 }
 
-TEST_P(HelperExportOfSome, SameInputsSameBytesOnAnyNumberOfThreads) {
+TEST_P(HelperExportQuick, OutputDoesNotDependOnThreads) {
   const SkinnedExportSettings settings{.joints = ExportJoints::kHelpers, .helpers = 5};
   for (const auto& [name, threads] : {std::pair("a.glb", 1), std::pair("b.glb", 3)}) {
     const ThreadLimit limit(threads);
@@ -145,14 +145,14 @@ TEST_P(HelperExportOfSome, SameInputsSameBytesOnAnyNumberOfThreads) {
 
 INSTANTIATE_TEST_SUITE_P(Characters, HelperExport, ::testing::Values("humanoid-flex-coarse", "greenman.glb"),
                          nameOfScene);
-INSTANTIATE_TEST_SUITE_P(Characters, HelperExportOfSome, ::testing::Values("humanoid-flex-coarse"), nameOfScene);
+INSTANTIATE_TEST_SUITE_P(Characters, HelperExportQuick, ::testing::Values("humanoid-flex-coarse"), nameOfScene);
 INSTANTIATE_TEST_SUITE_P(Large, HelperExport,
                          ::testing::Values("humanoid-flex", "horse-flex", "Fox.glb", "cesium_man.gltf"), nameOfScene);
-INSTANTIATE_TEST_SUITE_P(Large, HelperExportOfSome, ::testing::Values("horse-flex", "Fox.glb", "robot.glb"),
+INSTANTIATE_TEST_SUITE_P(Large, HelperExportQuick, ::testing::Values("horse-flex", "Fox.glb", "robot.glb"),
                          nameOfScene);
 
-/// More vertices than joints are fitted to: some stand for all.
-TEST(HelperExportOfManyVertices, ComesAsNearAsThatOfFew) {
+/// More vertices than joints are fitted to, so that samples stand for all.
+TEST(HelperExportOfManyVertices, IsAsCloseAsWithFewVertices) {
   const TemporaryFolder folder;
   ExportScene scene = bundledScene("humanoid-flex");
   SkinnedExportSettings settings{.joints = ExportJoints::kHelpers, .clips = {"Walk"}, .helpers = 8};
@@ -184,7 +184,7 @@ TEST(HelperExportOfManyVertices, ComesAsNearAsThatOfFew) {
   EXPECT_EQ(readWholeFile(folder.path() / "one.glb", 1 << 28).value(), readWholeFile(file, 1 << 28).value());
 }
 
-TEST(HelperExportScale, JointsScaleAsTheEngineCan) {
+TEST(HelperExportScale, JointScaleFollowsTheSetting) {
   ExportScene scene = bundledScene("humanoid-flex");
   scene.rig.smoothing.detail = DetailKind::kUniform;
   scene.rig.smoothing.depth = 2;

@@ -1,4 +1,4 @@
-// tests/files/export/helper_fit_test.cpp: hidden joints are found again; helpers never make things worse.
+// tests/files/export/helper_fit_test.cpp: hidden joints are recovered; helpers never increase the error.
 #include "core/files/fit/helper_fit.h"
 
 #include <random>
@@ -12,7 +12,7 @@ namespace {
 
 constexpr int kSide = 24;  ///< Vertices along each side of a square sheet.
 
-/// One bone that only turns, and a sheet on it in which patches go their own ways.
+/// One bone that only rotates, and a sheet on it with independently moving patches.
 struct Sheet {
   Skeleton skeleton;
   std::vector<glm::vec3> rest;
@@ -101,7 +101,7 @@ Sheet movingSheet(const std::vector<glm::dvec3>& middles, bool withFurther = fal
 
 const std::vector<glm::dvec3> kMiddles{{0.25, 0.25, 0.0}, {0.75, 0.3, 0.0}, {0.5, 0.75, 0.0}};
 
-TEST(HelperFit, RestsWhereAPoseFlattensTheBone) {
+TEST(HelperFit, RestsIfAPoseFlattensTheBone) {
   Sheet sheet = movingSheet(kMiddles);
   for (const double thin : {0.0, 1e-7}) {
     FitPose& pose = sheet.poses[4];
@@ -119,8 +119,8 @@ TEST(HelperFit, RestsWhereAPoseFlattensTheBone) {
   }
 }
 
-/// Uneven and small, but not flat.
-TEST(HelperFit, ThinBonesStillCarryHelpers) {
+/// Uneven and small scale, but not flat.
+TEST(HelperFit, ThinBonesCanCarryHelpers) {
   Pose pose;
   pose.boneInWorld = {glm::scale(glm::mat4(1.0f), glm::vec3(1e-3f, 1.0f, 1.0f)),
                       glm::scale(glm::mat4(1.0f), glm::vec3(1e-4f)), glm::mat4(0.0f)};
@@ -129,7 +129,7 @@ TEST(HelperFit, ThinBonesStillCarryHelpers) {
   EXPECT_FALSE(fromWorld(pose, 2).has_value());
 }
 
-TEST(HelperFit, FindsHiddenJointsAgain) {
+TEST(HelperFit, RecoversHiddenJoints) {
   const Sheet sheet = movingSheet(kMiddles);
   const double before = sheet.error({{}, {}, sheet.start});
   const HelperResult result = fitHelpers(sheet.task(), sheet.start, 3, StageProgress({}));
@@ -144,7 +144,7 @@ TEST(HelperFit, FindsHiddenJointsAgain) {
   }
 }
 
-TEST(HelperFit, MoreHelpersAreNoFartherOff) {
+TEST(HelperFit, MoreHelpersReduceTheError) {
   const Sheet sheet = movingSheet({{0.2, 0.2, 0.0}, {0.8, 0.2, 0.0}, {0.2, 0.8, 0.0}, {0.8, 0.8, 0.0}});
   double last = sheet.error(fitHelpers(sheet.task(), sheet.start, 0, StageProgress({})));
   EXPECT_NEAR(last, sheet.error({{}, {}, sheet.start}), 1e-9);
@@ -157,7 +157,7 @@ TEST(HelperFit, MoreHelpersAreNoFartherOff) {
   }
 }
 
-TEST(HelperFit, WeightsAreThoseOfAnyExport) {
+TEST(HelperFit, WeightsAreValid) {
   const Sheet sheet = movingSheet(kMiddles);
   const HelperResult result = fitHelpers(sheet.task(), sheet.start, 5, StageProgress({}));
   for (const FourWeights& weights : result.weights) {
@@ -172,8 +172,8 @@ TEST(HelperFit, WeightsAreThoseOfAnyExport) {
   }
 }
 
-/// Where a helper rests, what follows it is where its bone takes it.
-TEST(HelperFit, FurtherPosesStayAsTheyWere) {
+/// Where a helper is at rest, its vertices follow their bone.
+TEST(HelperFit, ExcludedPosesAreUnchanged) {
   const Sheet sheet = movingSheet(kMiddles, true);
   const HelperResult result = fitHelpers(sheet.task(), sheet.start, 3, StageProgress({}));
   for (const FitPose& pose : sheet.poses) {
@@ -187,7 +187,7 @@ TEST(HelperFit, FurtherPosesStayAsTheyWere) {
   }
 }
 
-TEST(HelperFit, NothingToDoAddsNothingThatMoves) {
+TEST(HelperFit, NothingIsAddedIfNothingMoves) {
   const Sheet sheet = movingSheet({});
   const HelperResult result = fitHelpers(sheet.task(), sheet.start, 4, StageProgress({}));
   EXPECT_TRUE(result.helpers.empty());

@@ -1,4 +1,4 @@
-// tests/files/export/hostile_export_test.cpp: characters that an export must refuse, with the words it says so in.
+// tests/files/export/hostile_export_test.cpp: characters that an export must refuse, and the error messages.
 #include <cmath>
 
 #include <nlohmann/json.hpp>
@@ -63,8 +63,8 @@ class HostileExport : public ::testing::Test {
   Post post_ = makePost();
 };
 
-/// Six joints a vertex, of which four remain, and a lever of a million units.
-TEST_F(HostileExport, AMeshFarFromItsBonesIsRefusedByWhatWasMeasured) {
+/// Six joints for a vertex, of which four remain, with a lever of a million units.
+TEST_F(HostileExport, MeshFarFromItsBonesIsRefusedByItsError) {
   for (std::size_t v = 0; v < post_.positions.size(); v += 3) post_.positions[v] += 1e6f;
   withPositions();
   ordered_json& nodes = post_.file.json["nodes"];
@@ -98,7 +98,7 @@ TEST_F(HostileExport, AMeshFarFromItsBonesIsRefusedByWhatWasMeasured) {
   }
 }
 
-TEST_F(HostileExport, PlacesBeyondWhatFloatsHoldAreRefusedWithClipAndSecond) {
+TEST_F(HostileExport, NonFinitePositionsAreRefusedWithClipAndTime) {
   post_.file.json["nodes"].push_back({{"name", "top"}, {"children", {1}}});
   post_.file.json["scenes"][0]["nodes"] = {0, 3};
   for (const int node : {1, 2, 3}) addKeys(node, "scale", {1, 1, 1, 1e15f, 1e15f, 1e15f}, "VEC3");
@@ -110,7 +110,7 @@ TEST_F(HostileExport, PlacesBeyondWhatFloatsHoldAreRefusedWithClipAndSecond) {
     expectRefused(baked(name), "clip \"bend\" at 0.033 s", reason);
 }
 
-TEST_F(HostileExport, ABoundFinerThanFloatsFarFromTheOriginIsRefused) {
+TEST_F(HostileExport, BoundBelowFloatPrecisionIsRefused) {
   addKeys(1, "translation", {2e5f, 0, 0, 2e5f, 0, 0}, "VEC3");
   expectRefused(baked("out.glb"), "clip \"bend\"", "floats hold its places to");
   const auto coarse = baked("coarse.glb", 10.0);
@@ -118,7 +118,7 @@ TEST_F(HostileExport, ABoundFinerThanFloatsFarFromTheOriginIsRefused) {
   EXPECT_LE(coarse->baked.largest, 10.0);
 }
 
-TEST_F(HostileExport, ClipsOfHoursAreRefusedWhereTheyAreFitted) {
+TEST_F(HostileExport, LongClipsAreRefusedIfFitted) {
   addKeys(1, "translation", {0, 0, 0, 1, 0, 0}, "VEC3");
   for (const float hours : {1.01f, 1e6f, 2e11f}) {
     post_.file.json["animations"][0]["samplers"][1]["input"] =
@@ -131,8 +131,8 @@ TEST_F(HostileExport, ClipsOfHoursAreRefusedWhereTheyAreFitted) {
   EXPECT_TRUE(baked("cache.pc2", 0.1, 1e-12).ok()) << "two frames are two frames";
 }
 
-/// One view of both clips' keys, as many programs write them.
-TEST_F(HostileExport, BytesOfOtherClipsAreLeftOutOfASharedView) {
+/// One view with the keys of both clips, as many programs write them.
+TEST_F(HostileExport, BytesOfOtherClipsAreRemovedFromASharedView) {
   constexpr std::size_t kKeys = 50'000;
   std::vector<float> floats;
   for (std::size_t k = 0; k < kKeys; ++k) floats.push_back(static_cast<float>(k) / 100.0f);

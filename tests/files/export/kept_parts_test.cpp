@@ -1,4 +1,4 @@
-// tests/files/export/kept_parts_test.cpp: what an export keeps of files that hold more than one plain mesh.
+// tests/files/export/kept_parts_test.cpp: content kept when exporting files with several meshes.
 #include <cmath>
 #include <limits>
 #include <map>
@@ -18,7 +18,7 @@ using nlohmann::ordered_json;
 
 class KeptParts : public ::testing::Test {
  protected:
-  /// Writes the post as it is bent now, opens it, exports it without muscles.
+  /// Writes the modified post, opens it, exports it without muscles.
   SkinnedExportReport exported(const SkinnedExportSettings& settings, int depth = 1, const char* name = "out.glb") {
     EXPECT_TRUE(writeFileAtomically(source_, post_.file.glb()).ok());
     const auto character = importGltf(source_);
@@ -39,7 +39,7 @@ class KeptParts : public ::testing::Test {
     return ordered_json::parse(file.substr(20, size));
   }
 
-  /// Without muscles and at depth 1 the exported file moves as the source does.
+  /// Without muscles and at depth 1 the exported file moves like its source.
   void expectPlaysAsTheSource(const char* name = "out.glb") const {
     const GltfOracle before(source_);
     const GltfOracle after(folder_.path() / name);
@@ -61,7 +61,7 @@ class KeptParts : public ::testing::Test {
 
 const SkinnedExportSettings kOriginal{.mesh = ExportMesh::kOriginal};
 
-/// A board without a skin: below the knee, and once more on its own, elsewhere and mirrored.
+/// Adds a board without a skin: below the knee, and a second one elsewhere, mirrored.
 void addBoards(Post& post) {
   ordered_json board;
   board["attributes"]["POSITION"] =
@@ -74,7 +74,7 @@ void addBoards(Post& post) {
   post.file.json["scenes"][0]["nodes"] = {0, 1, 4};
 }
 
-TEST_F(KeptParts, MeshesWithoutASkinGetOneAndMoveAsBefore) {
+TEST_F(KeptParts, MeshesWithoutASkinGetOneAndMoveTheSame) {
   addBoards(post_);
   for (const ExportMesh mesh : {ExportMesh::kRefined, ExportMesh::kOriginal}) {
     exported({.mesh = mesh});
@@ -87,7 +87,7 @@ TEST_F(KeptParts, MeshesWithoutASkinGetOneAndMoveAsBefore) {
   }
 }
 
-TEST_F(KeptParts, AttributesAreLinearOverTheTriangles) {
+TEST_F(KeptParts, AttributesAreInterpolatedLinearly) {
   std::vector<float> uv;
   std::vector<float> color;
   std::vector<float> tangent;
@@ -131,7 +131,7 @@ TEST_F(KeptParts, AttributesAreLinearOverTheTriangles) {
   }
 }
 
-TEST_F(KeptParts, MorphTargetsStayWithBothMeshes) {
+TEST_F(KeptParts, MorphTargetsAreKeptWithBothMeshes) {
   const int target = post_.file.accessor(std::vector<float>(post_.positions.size(), 0.25f), "VEC3");
   post_.file.json["accessors"][static_cast<std::size_t>(target)]["min"] = {0.25, 0.25, 0.25};
   post_.file.json["accessors"][static_cast<std::size_t>(target)]["max"] = {0.25, 0.25, 0.25};
@@ -157,7 +157,7 @@ TEST_F(KeptParts, MorphTargetsStayWithBothMeshes) {
   EXPECT_EQ(rawBytes(model, model.meshes[0].primitives[0].targets.at(0).at("POSITION")), rawBytes(before, target));
 }
 
-TEST_F(KeptParts, ValuesThatAreNotFiniteAreReplacedInTheOriginalMesh) {
+TEST_F(KeptParts, NonFiniteValuesAreReplacedInTheOriginalMesh) {
   constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
   constexpr float kInfinite = std::numeric_limits<float>::infinity();
   const std::size_t count = post_.positions.size() / 3;
@@ -203,7 +203,7 @@ TEST_F(KeptParts, ValuesThatAreNotFiniteAreReplacedInTheOriginalMesh) {
   EXPECT_NE(report.left[0].find("COLOR_0: values that are not finite"), std::string::npos) << report.left[0];
 }
 
-TEST_F(KeptParts, ExtrasCamerasAndExtensionsStay) {
+TEST_F(KeptParts, ExtrasCamerasAndExtensionsAreKept) {
   ordered_json& file = post_.file.json;
   file["nodes"][1]["extras"] = {{"health", 12.5}, {"tags", {"a", "b"}}};
   file["meshes"][0]["extras"] = {{"lod", 0}};
@@ -234,7 +234,7 @@ TEST_F(KeptParts, ExtrasCamerasAndExtensionsStay) {
   }
 }
 
-TEST_F(KeptParts, DataThatAnUnknownExtensionMayNameKeepsItsNumber) {
+TEST_F(KeptParts, DataUsableByUnknownExtensionsKeepsItsIndex) {
   post_.file.json["extensionsUsed"] = {"ACME_cloth"};
   const int pins = post_.file.accessor(std::vector<float>{1, 2, 3}, "SCALAR");
   post_.file.json["meshes"][0]["extensions"]["ACME_cloth"] = {{"pins", pins}};
@@ -247,7 +247,7 @@ TEST_F(KeptParts, DataThatAnUnknownExtensionMayNameKeepsItsNumber) {
   }
 }
 
-TEST_F(KeptParts, ImagesBesideTheFileComeIntoItByteForByte) {
+TEST_F(KeptParts, ExternalImagesAreEmbeddedByteForByte) {
   const std::string image = std::string("\x89PNG\r\n\x1a\n", 8) + "not a whole image, but carried all the same";
   ASSERT_TRUE(writeFileAtomically(folder_.path() / "coat.png", image).ok());
   post_.file.json["images"] = ordered_json::array({{{"uri", "coat.png"}, {"name", "coat"}}});
@@ -263,7 +263,7 @@ TEST_F(KeptParts, ImagesBesideTheFileComeIntoItByteForByte) {
   }
 }
 
-TEST_F(KeptParts, ClipsOfHoursAreRefusedUnlessTheyAreLeftOut) {
+TEST_F(KeptParts, LongClipsAreRefusedUnlessExcluded) {
   ordered_json& clips = post_.file.json["animations"];
   ordered_json longer = clips[0];
   longer["name"] = "sleep";
@@ -281,7 +281,7 @@ TEST_F(KeptParts, ClipsOfHoursAreRefusedUnlessTheyAreLeftOut) {
   EXPECT_TRUE(exportSkinned(source_, character.value(), *character.value(), Rig{}, {.clips = {"bend"}}, out).ok());
 }
 
-TEST_F(KeptParts, NormalsThatTheFileDoesNotHaveAreRefused) {
+TEST_F(KeptParts, MissingNormalsAreRefused) {
   for (const int accessor : {-1, 99}) {
     post_.attributes()["NORMAL"] = accessor;
     ASSERT_TRUE(writeFileAtomically(source_, post_.file.glb()).ok());

@@ -1,5 +1,6 @@
-// tests/files/export/line_data_test.cpp: the numbers for runtimes, beside the bind pose they describe.
-// tests/export/runtime_test.py poses by them.
+// tests/files/export/line_data_test.cpp: line data for runtimes, next to its bind pose. tests/export/runtime_test.py
+// poses with it.
+
 #include "core/files/export/out_skins.h"
 
 #include <algorithm>
@@ -29,7 +30,7 @@ glm::dvec3 vectorOf(const ordered_json& list, std::size_t from = 0) {
   return {list.at(from).get<double>(), list.at(from + 1).get<double>(), list.at(from + 2).get<double>()};
 }
 
-/// The post with a muscle between its two bones, whose skin has extras.
+/// The post with a muscle between its two bones; its skin has extras.
 class LineData : public ::testing::Test {
  protected:
   ordered_json exported(const ordered_json& extras, SkinnedExportSettings settings = {}) {
@@ -70,7 +71,7 @@ class LineData : public ::testing::Test {
   std::vector<std::string> left_;
 };
 
-TEST_F(LineData, LeadsFromTheOriginToWhereTheJointRests) {
+TEST_F(LineData, PlacesTheJointRelativeToTheOrigin) {
   for (const JointScale scale : {JointScale::kFull, JointScale::kUniform, JointScale::kNone}) {
     const ordered_json file = exported({{"mine", 3}}, helpers(scale));
     const ordered_json& extras = file["skins"][0]["extras"];
@@ -83,7 +84,7 @@ TEST_F(LineData, LeadsFromTheOriginToWhereTheJointRests) {
     EXPECT_EQ(line["insertion"]["node"], 2);
     EXPECT_EQ(line["via"]["node"], 1);
     ASSERT_FALSE(line["joints"].empty());
-    // The hip's space is the world, in the bind pose.
+    // The hip's space is the world's in the bind pose.
     const ordered_json& frame = line["origin"]["frame"];
     const glm::dmat3 axes(vectorOf(frame), vectorOf(frame, 3), vectorOf(frame, 6));
     const glm::dvec3 origin = vectorOf(line["origin"]["point"]);
@@ -102,7 +103,7 @@ TEST_F(LineData, LeadsFromTheOriginToWhereTheJointRests) {
   }
 }
 
-TEST_F(LineData, IsOnlyWhereThereAreJoints) {
+TEST_F(LineData, ExistsOnlyWithLineJoints) {
   EXPECT_FALSE(exported(nullptr)["skins"][0].contains("extras"));
   SkinnedExportSettings none = helpers(JointScale::kFull);
   none.helpers = 0;
@@ -110,7 +111,7 @@ TEST_F(LineData, IsOnlyWhereThereAreJoints) {
   EXPECT_TRUE(exported(nullptr, helpers(JointScale::kFull))["skins"][0].contains("extras"));
 }
 
-TEST_F(LineData, LeavesExtrasThatAreNoObjectAlone) {
+TEST_F(LineData, KeepsExtrasThatAreNotAnObject) {
   const ordered_json file = exported("a text", helpers(JointScale::kFull));
   EXPECT_EQ(file["skins"][0]["extras"], "a text");
   EXPECT_TRUE(std::ranges::any_of(left_, [](const std::string& line) { return line.starts_with("line data"); }));

@@ -1,4 +1,6 @@
-// tests/files/export/line_joints_test.cpp: a line's joint does what the line does to the bind pose, in every pose.
+// tests/files/export/line_joints_test.cpp: in every pose a line's joint applies the line's deformation relative to the
+// bind pose.
+
 #include "core/files/fit/helper_motion.h"
 
 #include <gtest/gtest.h>
@@ -24,7 +26,7 @@ std::vector<Pose> posesOf(const std::shared_ptr<const Character>& character, flo
   return poses;
 }
 
-/// The deformation of a line against that of the bind pose, by docs/muscles.md.
+/// Deformation of a line relative to the bind pose, by docs/muscles.md.
 glm::dmat4 motionOf(const Rig& rig, const Character& character, const Pose& pose, int line) {
   const RigPoser poser(rig, character);
   const std::vector<PosedLine> now = poser.pose(pose).lines;
@@ -32,17 +34,17 @@ glm::dmat4 motionOf(const Rig& rig, const Character& character, const Pose& pose
   return glm::dmat4(at(now, line).deformation) * glm::inverse(glm::dmat4(at(inBind, line).deformation));
 }
 
-class LineJointsOf : public ::testing::TestWithParam<const char*> {
+class BundledLineJoints : public ::testing::TestWithParam<const char*> {
  protected:
   void SetUp() override {
     scene_ = test::bundledScene(GetParam());
-    // Bellies that are thick in the bind pose already.
+    // Bellies that are already thick in the bind pose.
     for (std::size_t i = 0; i < scene_.rig.lines.size(); i += 3) scene_.rig.lines[i].settings.base = 0.4f;
   }
   test::ExportScene scene_;
 };
 
-TEST_P(LineJointsOf, MoveAsTheLineDoes) {
+TEST_P(BundledLineJoints, FollowTheLine) {
   const Character& character = *scene_.character;
   const std::vector<Pose> poses = posesOf(scene_.character, 0.43f);
   const LineJoints lines(scene_.rig, character, JointScale::kFull, poses);
@@ -65,7 +67,7 @@ TEST_P(LineJointsOf, MoveAsTheLineDoes) {
   }
 }
 
-TEST_P(LineJointsOf, WithoutScaleFollowTheBellyUnderneathAndOnTop) {
+TEST_P(BundledLineJoints, FollowBottomAndTopOfTheBellyWithoutScale) {
   const Character& character = *scene_.character;
   const std::vector<Pose> poses = posesOf(scene_.character, 0.71f);
   const LineJoints lines(scene_.rig, character, JointScale::kNone, poses);
@@ -84,7 +86,7 @@ TEST_P(LineJointsOf, WithoutScaleFollowTheBellyUnderneathAndOnTop) {
   }
 }
 
-TEST_P(LineJointsOf, AtRestLeaveTheBindPoseAsItIs) {
+TEST_P(BundledLineJoints, KeepTheBindPose) {
   const Pose bind = bindPose(scene_.character->skeleton);
   for (const JointScale scale : {JointScale::kFull, JointScale::kUniform, JointScale::kNone}) {
     const LineJoints lines(scene_.rig, *scene_.character, scale, {});
@@ -102,11 +104,11 @@ TEST_P(LineJointsOf, AtRestLeaveTheBindPoseAsItIs) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Rigs, LineJointsOf, ::testing::Values("humanoid-flex", "horse-flex"),
+INSTANTIATE_TEST_SUITE_P(Rigs, BundledLineJoints, ::testing::Values("humanoid-flex", "horse-flex"),
                          [](const auto& rig) { return std::string(rig.param) == "horse-flex" ? "horse" : "humanoid"; });
 
-/// Bones that scale unevenly would shear what hangs on them.
-TEST(LineJoints, HangOnABoneThatScalesEvenly) {
+/// Bones with uneven scale would shear their children.
+TEST(LineJoints, UseAParentWithUniformScale) {
   const test::ExportScene scene = test::bundledScene("humanoid-flex");
   const Character& character = *scene.character;
   Pose pose = bindPose(character.skeleton);

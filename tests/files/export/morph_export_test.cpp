@@ -1,4 +1,4 @@
-// tests/files/export/morph_export_test.cpp: morph targets of exports, played by an independent reader.
+// tests/files/export/morph_export_test.cpp: exported morph targets, played by an independent reader.
 #include <gtest/gtest.h>
 
 #include "core/rig/animated_edit.h"
@@ -23,7 +23,7 @@ ExportScene sceneOf(const std::filesystem::path& file, std::uint64_t seed) {
   return scene;
 }
 
-/// A shape that grows as a bone bends, and another that is on by a half.
+/// A shape that grows as a bone bends, and another one at constant weight one half.
 void drive(ExportScene& scene, const std::string& bone) {
   DriverInput input;
   input.bone = bone;
@@ -42,7 +42,7 @@ class MorphExport : public ::testing::Test {
   ExportScene scene_;
 };
 
-TEST_F(MorphExport, ARefinedMeshPlaysItsTargetsWithinThePrintedError) {
+TEST_F(MorphExport, RefinedMeshMatchesTheReportedError) {
   for (const bool driven : {false, true}) {
     if (driven) drive(scene_, "knee");
     for (const ExportJoints joints : {ExportJoints::kOwn, ExportJoints::kHelpers}) {
@@ -57,8 +57,8 @@ TEST_F(MorphExport, ARefinedMeshPlaysItsTargetsWithinThePrintedError) {
   }
 }
 
-/// Without muscles in the way a target is what it is in the file, at any weight.
-TEST_F(MorphExport, WithoutMusclesTheTargetsAreTheFiles) {
+/// Without muscles a target equals the file's, at any weight.
+TEST_F(MorphExport, TargetsEqualTheFileWithoutMuscles) {
   scene_.rig.primitives.clear();
   scene_.rig.smoothing.depth = 1;
   scene_.rig.smoothing.patch = PatchKind::kFlat;
@@ -75,7 +75,7 @@ TEST_F(MorphExport, WithoutMusclesTheTargetsAreTheFiles) {
   }
 }
 
-TEST_F(MorphExport, TheFilesOwnMeshPlaysThemToo) {
+TEST_F(MorphExport, OriginalMeshPlaysTheTargets) {
   drive(scene_, "knee");
   scene_.rig.primitives.clear();
   const auto report = scene_.writeQuickly(out_, {.mesh = ExportMesh::kOriginal});
@@ -100,7 +100,7 @@ TEST_F(MorphExport, TheFilesOwnMeshPlaysThemToo) {
   }
 }
 
-TEST_F(MorphExport, BakedTargetsHoldTheFilesShapes) {
+TEST_F(MorphExport, BakedTargetsIncludeTheShapes) {
   drive(scene_, "knee");
   BakedExportSettings settings;
   settings.clip = "bend";
@@ -121,7 +121,7 @@ TEST_F(MorphExport, BakedTargetsHoldTheFilesShapes) {
   }
 }
 
-TEST_F(MorphExport, AStageOfUsdSaysWhatItHasNoPlaceFor) {
+TEST_F(MorphExport, UsdStageReportsUnsupportedShapes) {
   const auto report = scene_.writeQuickly(folder_.path() / "out.usda");
   ASSERT_TRUE(report.ok()) << report.error().text();
   EXPECT_TRUE(report->left.empty()) << report->left[0];
@@ -132,7 +132,7 @@ TEST_F(MorphExport, AStageOfUsdSaysWhatItHasNoPlaceFor) {
   EXPECT_NE(driven->left[0].find("where no clip plays"), std::string::npos);
 }
 
-TEST(MorphExportOfRealCharacters, ARobotsFacePlaysWithinThePrintedError) {
+TEST(MorphExportOfRealCharacters, RobotsFaceMatchesTheReportedError) {
   const auto file = characterFile("RobotExpressive.glb");
   if (!file) SINEW_SKIP_WITHOUT_CHARACTERS();
   const TemporaryFolder folder;

@@ -1,4 +1,4 @@
-// tests/files/export/morph_fit_test.cpp: how few targets are enough, on displacements whose number is known.
+// tests/files/export/morph_fit_test.cpp: smallest sufficient number of targets, for displacements of known rank.
 #include "core/files/fit/morph_fit.h"
 
 #include <cmath>
@@ -15,8 +15,8 @@ constexpr int kFrames = 40;
 constexpr int kVertices = 60;
 constexpr double kHeight = 2.0;
 
-/// Vertices of two mesh spaces on two joints; the live surface is what shapes times curves make of them.
-class MorphFitTest : public ::testing::Test {
+/// Vertices of two mesh spaces on two joints; the live surface combines shapes with curves.
+class MorphTargetFit : public ::testing::Test {
  protected:
   void SetUp() override {
     spaces_ = {glm::dmat3(1.0), glm::dmat3(glm::scale(glm::dmat4(1.0), glm::dvec3(-0.01, 0.02, 0.01)))};
@@ -54,7 +54,7 @@ class MorphFitTest : public ::testing::Test {
     return fit;
   }
 
-  /// Largest distance with what a file would hold.
+  /// Largest distance with the file's contents.
   [[nodiscard]] double worst(const MorphTargets& targets) const {
     double worst = 0.0;
     for (std::size_t frame = 0; frame < live_.size(); ++frame) {
@@ -80,7 +80,7 @@ class MorphFitTest : public ::testing::Test {
 
 double wave(int shape, int frame) { return std::sin(0.11 * (shape + 1) * frame) / (1.0 + shape); }
 
-TEST_F(MorphFitTest, FindsAsManyTargetsAsThereAreShapes) {
+TEST_F(MorphTargetFit, FindsAboutAsManyTargetsAsShapes) {
   const MorphFit fit = fitOf(4, wave);
   const auto targets = fit.solve(2e-4, StageProgress({}));
   ASSERT_TRUE(targets);
@@ -94,7 +94,7 @@ TEST_F(MorphFitTest, FindsAsManyTargetsAsThereAreShapes) {
   }
 }
 
-TEST_F(MorphFitTest, EveryBoundIsHeldAndNoneTakesMoreTargetsThanATighterOne) {
+TEST_F(MorphTargetFit, MeetsEveryBoundAndLooserBoundsNeedNoMoreTargets) {
   const MorphFit fit = fitOf(12, wave);
   int before = kFrames;
   for (const double bound : {1e-4, 1e-3, 1e-2, 0.1, 1.0}) {
@@ -107,8 +107,8 @@ TEST_F(MorphFitTest, EveryBoundIsHeldAndNoneTakesMoreTargetsThanATighterOne) {
   EXPECT_EQ(before, 0);
 }
 
-/// Few vertices that are far off hide in a sum of squares: by principal components alone they come last.
-TEST_F(MorphFitTest, TheBoundIsOnTheFarthestVertexNotOnTheMean) {
+/// A few vertices with a large error vanish in a sum of squares: principal components alone would treat them last.
+TEST_F(MorphTargetFit, BoundAppliesToTheFarthestVertex) {
   const auto curve = [](int shape, int frame) { return shape == 0 ? 1e-3 * (frame % 2) : wave(shape, frame); };
   const MorphFit fit = fitOf(3, curve);
   const auto targets = fit.solve(1.5e-5, StageProgress({}));
@@ -117,14 +117,14 @@ TEST_F(MorphFitTest, TheBoundIsOnTheFarthestVertexNotOnTheMean) {
   EXPECT_GE(targets->count, 3);
 }
 
-TEST_F(MorphFitTest, JointsThatFlattenVerticesAreToldNotPassedOver) {
+TEST_F(MorphTargetFit, JointsThatFlattenVerticesFail) {
   MorphFit fit(vertices_, spaces_, kHeight);
   std::vector<glm::vec3> live;
   for (const MorphVertex& vertex : vertices_) live.emplace_back(0.1 * vertex.rest);
   fit.add({glm::dmat4(0.0), glm::dmat4(0.0)}, live);
   EXPECT_FALSE(fit.solve(1e-3, StageProgress({})));
   EXPECT_TRUE(fit.solve(1.0, StageProgress({})));
-  // Nearly flat: what is left of a direction is used.
+  // Nearly flat: the rest of a direction is used.
   MorphFit thin(vertices_, spaces_, kHeight);
   const glm::dmat4 flat = glm::scale(glm::dmat4(1.0), glm::dvec3(1.0, 1.0, 0.05));
   for (std::size_t v = 0; v < live.size(); ++v) live[v] = glm::vec3(vertices_[v].rest) * glm::vec3(1.1f, 0.9f, 0.05f);

@@ -1,4 +1,4 @@
-// tests/files/export/played_surface_test.cpp: what lies between two keys, as glTF says.
+// tests/files/export/played_surface_test.cpp: interpolation between two keys as in glTF.
 #include "core/files/fit/played_surface.h"
 
 #include <cmath>
@@ -14,7 +14,7 @@ namespace {
 
 class PlayedBetweenKeys : public ::testing::Test {
  protected:
-  /// One vertex that follows a joint alone, which the clip "Move" takes from its rest by (2, 0, 0) within a second.
+  /// One vertex on a joint that the clip "Move" moves from rest by (2, 0, 0) within a second.
   void SetUp() override {
     const Skeleton& skeleton = character->skeleton;
     const HelperJoint joint = makeHelper("helper", 0, Trs{}, skeleton);
@@ -30,7 +30,7 @@ class PlayedBetweenKeys : public ::testing::Test {
     surface->place(bindPose(character->skeleton), clip, time, placed);
     return placed.at(0);
   }
-  /// By what the first bone's axes make of a move in its space.
+  /// Transforms a displacement by the first bone's axes.
   [[nodiscard]] glm::vec3 moved(float x) const {
     return kRest + glm::mat3(character->skeleton.bones[0].bindInWorld) * glm::vec3(x, 0.0f, 0.0f);
   }
@@ -50,18 +50,18 @@ TEST_F(PlayedBetweenKeys, JointsAreInterpolated) {
   expectNear(at("another", 0.5f), kRest);
 }
 
-TEST_F(PlayedBetweenKeys, TargetsAreBlendedBeforeJointsMove) {
+TEST_F(PlayedBetweenKeys, TargetsAreBlendedBeforeSkinning) {
   surface->targets = {"Move", {0.0f, 0.5f, 1.0f}, {0.0f, 1.0f, 1.0f}, {{glm::vec3(0.0f, 0.0f, 1.0f)}}};
   expectNear(at("Move", 0.25f), moved(0.5f) + glm::vec3(0.0f, 0.0f, 0.5f));
   expectNear(at("Move", 0.75f), moved(1.5f) + glm::vec3(0.0f, 0.0f, 1.0f));
   expectNear(at("another", 0.75f), kRest);
 }
 
-TEST_F(PlayedBetweenKeys, AddedJointsAreNamedAfterTheBoneTheyHangOn) {
+TEST_F(PlayedBetweenKeys, AddedJointsReportTheirParentBone) {
   EXPECT_EQ(surface->boneOf(0), character->skeleton.bones[0].name);
 }
 
-TEST(TimesBetween, FallBetweenTheKeys) {
+TEST(TimesBetween, LieBetweenTheKeys) {
   AnimationClip clip;
   clip.duration = 1.0f;
   const std::vector<float> times = timesBetween(clip, 30.0);

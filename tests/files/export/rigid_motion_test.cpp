@@ -1,5 +1,6 @@
-// tests/files/export/rigid_motion_test.cpp: a known motion is found again, noise or not; translation, rotation, scale
-// from matrices.
+// tests/files/export/rigid_motion_test.cpp: a known motion is recovered, with and without noise; matrices are
+// decomposed into translation, rotation and scale.
+
 #include "core/files/fit/helper_motion.h"
 
 #include <random>
@@ -38,7 +39,7 @@ double costOf(const std::vector<Pair>& pairs, const glm::dquat& turn, const glm:
   return cost;
 }
 
-TEST(RigidMotion, FindsAMotionAgain) {
+TEST(RigidMotion, RecoversAMotion) {
   Random random(1);
   for (int i = 0; i < 200; ++i) {
     const glm::dquat turn = randomTurn(random);
@@ -54,7 +55,7 @@ TEST(RigidMotion, FindsAMotionAgain) {
   }
 }
 
-TEST(RigidMotion, NoMotionNearbyIsBetterAndNoneIsAReflection) {
+TEST(RigidMotion, IsALocalMinimumWithoutReflection) {
   Random random(2);
   for (int i = 0; i < 100; ++i) {
     std::vector<Pair> pairs;
@@ -75,7 +76,7 @@ TEST(RigidMotion, NoMotionNearbyIsBetterAndNoneIsAReflection) {
   }
 }
 
-TEST(RigidMotion, StaysWhereThereIsNothingToFollow) {
+TEST(RigidMotion, IsIdentityWithoutPoints) {
   const RigidMotion::Motion none = RigidMotion().best();
   EXPECT_EQ(none.rotation, glm::dquat(1.0, 0.0, 0.0, 0.0));
   EXPECT_EQ(none.translation, glm::dvec3(0.0));
@@ -86,7 +87,7 @@ TEST(RigidMotion, StaysWhereThereIsNothingToFollow) {
             1e-12);
 }
 
-TEST(Trs, IsFoundAgainInItsMatrix) {
+TEST(Trs, IsRecoveredFromItsMatrix) {
   Random random(3);
   for (int i = 0; i < 300; ++i) {
     Trs trs{randomPoint(random), randomTurn(random), glm::abs(randomPoint(random)) + 0.1};

@@ -1,4 +1,4 @@
-// tests/files/export/skinned_export_test.cpp: what is exported, seen by other readers, beside the live surface.
+// tests/files/export/skinned_export_test.cpp: skinned exports match the live surface in independent readers.
 #include "sinew/files/skinned_export.h"
 
 #include <map>
@@ -31,11 +31,11 @@ class SkinnedExport : public ::testing::TestWithParam<const char*> {
   TemporaryFolder folder_;
 };
 
-/// Over all clips, root mean square, percent of the height; of vertices that gather where muscles move.
+/// Over all clips, root mean square, percent of the height; for vertices that gather where muscles move.
 const std::map<std::string, double> kMostOff{
     {"humanoid", 0.224}, {"humanoid-flex", 0.240}, {"horse", 0.250}, {"horse-flex", 0.340}};
 
-TEST_P(SkinnedExport, PlaysAsThePrintedErrorSays) {
+TEST_P(SkinnedExport, MatchesTheReportedError) {
   const auto file = folder_.path() / "out.glb";
   const auto report = scene_.write(file);
   ASSERT_TRUE(report.ok()) << report.error().text();
@@ -50,7 +50,7 @@ TEST_P(SkinnedExport, PlaysAsThePrintedErrorSays) {
   }
 }
 
-TEST_P(SkinnedExport, TellsHowFarItIsAndCanBeCanceledAtAnyMoment) {
+TEST_P(SkinnedExport, ReportsProgressAndCanBeCanceledAtAnyTime) {
   const auto file = folder_.path() / "out.glb";
   const auto write = [&](const ExportProgress& progress) {
     SkinnedExportSettings settings;
@@ -134,7 +134,7 @@ TEST_P(SkinnedExport, KeepsSkeletonClipsMaterialsAndImages) {
   }
 }
 
-TEST_P(SkinnedExport, WeightsAreFourNotNegativeAndSumToOne) {
+TEST_P(SkinnedExport, WeightsAreAtMostFourNonNegativeAndSumToOne) {
   for (const ExportMesh mesh : {ExportMesh::kRefined, ExportMesh::kOriginal}) {
     const auto file = folder_.path() / "out.glb";
     ASSERT_TRUE(scene_.writeQuickly(file, {.mesh = mesh}).ok());
@@ -164,7 +164,7 @@ TEST_P(SkinnedExport, WeightsAreFourNotNegativeAndSumToOne) {
   }
 }
 
-TEST_P(SkinnedExport, OriginalVerticesAreNeverFartherOffThanWithTransferredWeights) {
+TEST_P(SkinnedExport, OriginalVerticesAreNoWorseThanWithTransferredWeights) {
   const auto refitted = scene_.writeQuickly(folder_.path() / "a.glb", {.mesh = ExportMesh::kOriginal});
   const auto transferred = scene_.writeQuickly(folder_.path() / "b.glb",
                                                {.mesh = ExportMesh::kOriginal, .weights = ExportWeights::kTransferred});
@@ -172,7 +172,7 @@ TEST_P(SkinnedExport, OriginalVerticesAreNeverFartherOffThanWithTransferredWeigh
   expectNeverFartherOff(refitted.value(), transferred.value());
 }
 
-TEST_P(SkinnedExport, OriginalKeepsVerticesOrderTrianglesAndTextureCoordinates) {
+TEST_P(SkinnedExport, OriginalKeepsVertexOrderTrianglesAndTextureCoordinates) {
   const auto file = folder_.path() / "out.glb";
   ASSERT_TRUE(scene_.writeQuickly(file, {.mesh = ExportMesh::kOriginal}).ok());
   const tinygltf::Model before = rawModel(scene_.characterFile);
@@ -224,7 +224,7 @@ TEST_P(SkinnedExport, OriginalVerticesLieOnTheLiveSurface) {
   }
 }
 
-TEST_P(SkinnedExport, SameInputsSameBytesOnAnyNumberOfThreads) {
+TEST_P(SkinnedExport, OutputDoesNotDependOnThreads) {
   for (const auto& [name, threads] : {std::pair("a.glb", 1), std::pair("b.glb", 3)}) {
     const ThreadLimit limit(threads);
     ASSERT_TRUE(scene_.writeQuickly(folder_.path() / name).ok());
@@ -233,8 +233,8 @@ TEST_P(SkinnedExport, SameInputsSameBytesOnAnyNumberOfThreads) {
             readWholeFile(folder_.path() / "b.glb", 1 << 28).value());
 }
 
-/// The file on the disk is no longer what the character was imported from: said, not exported, whatever differs.
-TEST(SkinnedExportGuard, RefusesAFileThatHasChangedSinceItWasImported) {
+/// The file on disk differs from the imported one: the export is refused, whatever differs.
+TEST(SkinnedExportGuard, RefusesAFileChangedSinceImport) {
   const TemporaryFolder folder;
   const auto out = folder.path() / "out.glb";
   const ExportScene good = bundledScene("demo");

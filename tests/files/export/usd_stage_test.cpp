@@ -1,4 +1,5 @@
-// tests/files/export/usd_stage_test.cpp: points over time, names, and what a stage refuses.
+// tests/files/export/usd_stage_test.cpp: time samples of points, names, and invalid stages.
+
 #include "core/files/usd/stage.h"
 
 #include <charconv>
@@ -15,7 +16,7 @@
 namespace sinew::test {
 namespace {
 
-/// The numbers of a line, whatever stands between them.
+/// The numbers in a line, whatever separates them.
 std::vector<float> numbersIn(std::string_view line) {
   std::vector<float> numbers;
   for (std::size_t i = 0; i < line.size();) {
@@ -93,7 +94,7 @@ class UsdStage : public ::testing::Test {
   std::vector<exporting::RefinedPrimitive> primitives_;
 };
 
-TEST_F(UsdStage, PointsAreTheLiveSurfaceAtEveryMoment) {
+TEST_F(UsdStage, PointsMatchTheLiveSurfaceAtEverySample) {
   std::vector<std::vector<usd::MeshPoints>> shown;
   const usd::PointMoments moments{24.0, {0.0, 1.0, 7.5}, [&](std::size_t m, std::vector<usd::MeshPoints>& meshes) {
                                     ASSERT_EQ(m, shown.size());
@@ -129,7 +130,7 @@ TEST_F(UsdStage, PointsAreTheLiveSurfaceAtEveryMoment) {
   EXPECT_EQ(stage(moments).text, made.text);
 }
 
-TEST_F(UsdStage, MomentsWithoutTheFilesPointsAreRefused) {
+TEST_F(UsdStage, SamplesWithMissingPointsAreRefused) {
   const auto refuses = [&](const std::function<void(std::vector<usd::MeshPoints>&)>& spoil) {
     const usd::PointMoments moments{30.0, {0.0}, [&](std::size_t, std::vector<usd::MeshPoints>& meshes) {
                                       meshes = live(0.0f);
@@ -142,7 +143,7 @@ TEST_F(UsdStage, MomentsWithoutTheFilesPointsAreRefused) {
   refuses([](auto& meshes) { meshes.front().normals.pop_back(); });
 }
 
-TEST(UsdText, NumbersReadBackTheSame) {
+TEST(UsdText, NumbersRoundTrip) {
   for (const float number : {0.1f, -0.0f, 1e-30f, 3.4028235e38f, 16777217.0f, 1.0f / 3.0f}) {
     std::string text;
     usd::appendNumber(text, number);
@@ -152,7 +153,7 @@ TEST(UsdText, NumbersReadBackTheSame) {
   EXPECT_EQ(usd::tupleText(glm::quat(0.5f, 1.0f, 2.0f, 3.0f)), "(0.5, 1, 2, 3)");
 }
 
-TEST(UsdText, NamesAreIdentifiersAndNoTwoTheSame) {
+TEST(UsdText, NamesAreUniqueIdentifiers) {
   EXPECT_EQ(usd::identifierOf("mixamorig:Hips", "Joint"), "mixamorig_Hips");
   EXPECT_EQ(usd::identifierOf("9 toe", "Joint"), "_9_toe");
   EXPECT_EQ(usd::identifierOf("h\xc3\xbc"
@@ -169,14 +170,14 @@ TEST(UsdText, NamesAreIdentifiersAndNoTwoTheSame) {
   EXPECT_EQ(usd::quoted("it's \"b\" \\\n\x01"), "\"it's \\\"b\\\" \\\\\\n\\x01\"");
 }
 
-TEST(UsdJoints, FramesAreWholeOnesAndTheEnd) {
+TEST(UsdJoints, FramesAreWholeFramesAndTheEnd) {
   const auto frames = [](float duration) { return usd::framesOf({.name = {}, .duration = duration, .channels = {}}); };
   EXPECT_EQ(frames(0.0f), (std::vector<double>{0.0}));
-  EXPECT_EQ(frames(0.1f).size(), 4U);  // 0.1 as a float is a little more than three frames.
+  EXPECT_EQ(frames(0.1f).size(), 4U);  // 0.1 as a float is slightly more than three frames.
   EXPECT_EQ(frames(0.125f), (std::vector<double>{0.0, 1.0, 2.0, 3.0, 3.75}));
 }
 
-TEST(UsdJoints, ClipsThatWouldFillTheMemoryAreRefused) {
+TEST(UsdJoints, HugeClipsAreRefused) {
   gltf::BoundSkeleton bound;
   bound.skeleton.nodes.resize(1);
   bound.skeleton.bones.resize(1);

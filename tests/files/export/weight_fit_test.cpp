@@ -1,5 +1,5 @@
-// tests/files/export/weight_fit_test.cpp: weights that made a movement are found again; the fit never makes things
-// worse.
+// tests/files/export/weight_fit_test.cpp: weights that produced a motion are recovered; the fit never increases the
+// error.
 #include "core/files/fit/weight_fit.h"
 
 #include <random>
@@ -64,7 +64,7 @@ std::vector<glm::vec3> liveIn(const Movement& movement, const std::vector<glm::d
 const std::vector<std::vector<int>> kAll(40, {0, 1, 2, 3, 4, 5, 6});
 const std::vector<FourWeights> kFirst(40, FourWeights{{0, -1, -1, -1}, {1.0f}});
 
-TEST(WeightFit, FindsTheWeightsThatMadeTheMovement) {
+TEST(WeightFit, RecoversTheWeightsOfAMovement) {
   std::mt19937 random(1);
   const Movement movement = randomMovement(random);
   WeightFit fit(movement.rest, kAll, kFirst);
@@ -78,10 +78,10 @@ TEST(WeightFit, FindsTheWeightsThatMadeTheMovement) {
   }
 }
 
-TEST(WeightFit, NoVertexIsFartherOffThanBefore) {
+TEST(WeightFit, NeverIncreasesAVertexsError) {
   std::mt19937 random(2);
   const Movement movement = randomMovement(random);
-  // Beginning with the best weights there are but for noise, and with a pull from neighbors that differ.
+  // Starts with optimal weights up to noise, and with a pull from neighbors that differ.
   std::vector<std::array<int, 3>> triangles;
   for (int v = 0; v + 2 < 40; ++v) triangles.push_back({v, v + 1, v + 2});
   for (const float bulge : {0.0f, 0.01f, 0.3f}) {
@@ -110,7 +110,7 @@ TEST(WeightFit, NoVertexIsFartherOffThanBefore) {
   }
 }
 
-TEST(WeightFit, WeightsNearEnoughStayToTheBit) {
+TEST(WeightFit, GoodWeightsAreUnchangedBitForBit) {
   std::mt19937 random(3);
   const Movement movement = randomMovement(random);
   WeightFit fit(movement.rest, kAll, movement.truth);

@@ -1,4 +1,4 @@
-// tests/support/characters/body_with_arms.cpp: cells, rounded, with a hole and a fin.
+// tests/support/characters/body_with_arms.cpp: a rounded body of cells with a hole and a fin.
 
 #include "tests/support/characters/body_with_arms.h"
 

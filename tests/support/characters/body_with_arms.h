@@ -1,5 +1,4 @@
-// tests/support/characters/body_with_arms.h: a character with what real ones have beside limbs: shoulders, an open
-// neck, a fin.
+// tests/support/characters/body_with_arms.h: a character with features of real ones: shoulders, an open neck, a fin.
 #pragma once
 
 #include <memory>

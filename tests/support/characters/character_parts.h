@@ -1,4 +1,4 @@
-// tests/support/characters/character_parts.h: what characters made in code are put together from.
+// tests/support/characters/character_parts.h: building blocks of characters made in code.
 #pragma once
 
 #include <array>
@@ -22,7 +22,7 @@ void addQuad(TriangleSoup& soup, int a, int b, int c, int d);
 /// Bone with its joint at `joint` in the bind pose, parents first; node and bone share an index.
 void addBone(Skeleton& skeleton, const std::string& name, int parent, const glm::vec3& joint);
 
-/// Rotates a node to and fro between two angles, radians, keys every half second over two seconds.
+/// Rotates a node back and forth between two angles, radians, keys every half second over two seconds.
 void swing(AnimationClip& clip, int node, const glm::vec3& axis, float from, float to);
 
 [[nodiscard]] std::shared_ptr<const Character> finish(const std::string& name, const TriangleSoup& soup,
@@ -30,7 +30,7 @@ void swing(AnimationClip& clip, int node, const glm::vec3& axis, float from, flo
 
 using Cell = std::array<int, 3>;
 
-/// The cells' outer faces as quads over shared corners, outside out.
+/// Outer faces of the cells as quads with shared corners, facing outwards.
 void boundaryQuads(const std::set<Cell>& cells, std::vector<Cell>& corners, std::vector<std::array<int, 4>>& quads);
 
 /// Pulls every corner towards its neighbors, a few times: boxes become limbs. In cells.

@@ -1,4 +1,4 @@
-// tests/support/characters/characters.h: where the files of the real characters lie, if they are at hand.
+// tests/support/characters/characters.h: paths of the real characters' files, if available.
 #pragma once
 
 #include <filesystem>

@@ -131,7 +131,7 @@ Post meshoptPost(bool trianglesAsIndices) {
     const ordered_json range = post.file.json["bufferViews"][view];
     const std::string bytes =
         post.file.binary().substr(range["byteOffset"].get<std::size_t>(), range["byteLength"].get<std::size_t>());
-    const std::size_t count = bytes.size() / 4;  // All have elements of four bytes, or several.
+    const std::size_t count = bytes.size() / 4;  // All have elements of a multiple of four bytes.
     useMeshopt(post, number, meshoptAttributes(bytes.data(), count, 4),
                {{"mode", "ATTRIBUTES"}, {"count", count}, {"byteStride", 4}});
   }

@@ -11,7 +11,7 @@ namespace sinew::test {
 
 enum class DracoMethod { kSequential, kEdgebreaker };
 
-/// A mesh as Draco has compressed it.
+/// A mesh compressed by Draco.
 struct DracoPost {
   std::string bytes;
   int vertices = 0;
@@ -20,9 +20,10 @@ struct DracoPost {
 /// @param bits  that positions and weights are rounded to; 0: without loss
 [[nodiscard]] DracoPost dracoPost(const Post& post, DracoMethod method, int bits = 0);
 
-/// The post's mesh is this one, and stands nowhere else. Draco's numbers: POSITION 0, JOINTS_0 1, WEIGHTS_0 2.
+/// Replaces the post's mesh by this one, without an uncompressed copy. Draco's ids: POSITION 0, JOINTS_0 1, WEIGHTS_0
+/// 2.
 void useDraco(Post& post, const DracoPost& mesh);
-/// What the file says of the compressed mesh.
+/// JSON of the compressed mesh.
 [[nodiscard]] nlohmann::ordered_json& dracoOf(Post& post);
 
 /// Bytes of the three modes of EXT_meshopt_compression.
@@ -30,11 +31,11 @@ void useDraco(Post& post, const DracoPost& mesh);
 [[nodiscard]] std::string meshoptTriangles(const std::vector<std::uint32_t>& indices);
 [[nodiscard]] std::string meshoptIndices(const std::vector<std::uint32_t>& indices);
 
-/// A view holds these bytes, compressed, and no others. @param settings  mode, count, byteStride, filter
+/// Makes a view hold exactly these bytes, compressed. @param settings  mode, count, byteStride, filter
 void useMeshopt(Post& post, int view, const std::string& bytes, const nlohmann::ordered_json& settings);
-/// What the file says of a compressed view.
+/// JSON of a compressed view.
 [[nodiscard]] nlohmann::ordered_json& meshoptOf(Post& post, int view);
-/// All views of the post are compressed, without loss.
+/// The post with all views compressed losslessly.
 [[nodiscard]] Post meshoptPost(bool trianglesAsIndices = false);
 
 /// View of the accessor of an attribute, or of "indices".

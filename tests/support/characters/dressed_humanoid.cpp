@@ -1,4 +1,4 @@
-// tests/support/characters/dressed_humanoid.cpp: offsets of the curved skin, appended to the file.
+// tests/support/characters/dressed_humanoid.cpp: clothes as offsets of the curved skin, appended to the file.
 #include "tests/support/characters/dressed_humanoid.h"
 
 #include <algorithm>
@@ -38,7 +38,7 @@ class Tailor {
   explicit Tailor(std::shared_ptr<const Character> character) : character_(std::move(character)) {
     Smoother smoother(character_);
     Rig rig;
-    rig.smoothing.depth = 3;  // One vertex inside of each triangle: its middle.
+    rig.smoothing.depth = 3;  // One vertex inside each triangle: its middle.
     if (!smoother.prepare(rig)) std::abort();
     smoother.smooth(bindPose(character_->skeleton), skin_);
   }
@@ -174,7 +174,7 @@ class Tailor {
   Surface skin_;
 };
 
-/// A .glb taken apart.
+/// A parsed .glb.
 class GlbFile {
  public:
   explicit GlbFile(const std::filesystem::path& path) {

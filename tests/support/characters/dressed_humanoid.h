@@ -23,15 +23,15 @@ inline constexpr Outfit kOutfits[] = {Outfit::kUsual, Outfit::kTight, Outfit::kL
 /// "usual", "long sleeves"
 [[nodiscard]] const char* nameOf(Outfit outfit);
 
-/// assets/humanoid.glb, untouched, with four more meshes on its skin: "Shirt" and "Trousers" over it, of other
-/// triangles than the body's (its edges are turned about the middles of its triangles), "Hair" over the head, and
-/// "Eyes", two balls inside of it. As a .glb.
+/// assets/humanoid.glb, unchanged, with four more meshes on its skin: "Shirt" and "Trousers" over it, with other
+/// triangles than the body's (its edges are rotated about the middles of its triangles), "Hair" over the head, and
+/// "Eyes", two balls inside it. As a .glb.
 [[nodiscard]] std::string dressedHumanoidGlb(Outfit outfit = Outfit::kUsual);
 /// Writes it to a folder and gives its path.
 std::filesystem::path writeDressedHumanoid(const std::filesystem::path& folder, Outfit outfit = Outfit::kUsual);
-/// Imported; each made once.
+/// Imported; each is made once.
 [[nodiscard]] std::shared_ptr<const Character> dressedHumanoid(Outfit outfit = Outfit::kUsual);
-/// So many moments of each clip.
+/// This many poses of each clip.
 [[nodiscard]] std::vector<Pose> posesOfClips(const Character& character, int each);
 
 }  // namespace sinew::test

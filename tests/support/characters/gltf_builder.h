@@ -13,7 +13,7 @@
 
 namespace sinew::test {
 
-/// Collects binary data and the JSON that describes it; the JSON is open for a test to bend.
+/// Collects binary data and the JSON that describes it; tests may modify the JSON.
 class GltfBuilder {
  public:
   GltfBuilder();

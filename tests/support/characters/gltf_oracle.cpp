@@ -101,7 +101,7 @@ glm::dvec4 slerp(glm::dvec4 a, glm::dvec4 b, double t) {
   return (std::sin((1.0 - t) * angle) * a + std::sin(t * angle) * b) / std::sin(angle);
 }
 
-/// Morph weights of a node asSize a time of a clip; of the node or its mesh where nothing moves them.
+/// Morph weights of a node at a time of a clip; of the node or its mesh if they are not animated.
 std::vector<double> morphWeights(const tinygltf::Model& model, int node, std::optional<std::size_t> clip, double time) {
   const tinygltf::Node& shown = model.nodes.at(asSize(node));
   const tinygltf::Mesh& mesh = model.meshes.at(asSize(shown.mesh));
@@ -141,7 +141,7 @@ std::vector<double> morphWeights(const tinygltf::Model& model, int node, std::op
   return weights;
 }
 
-/// Value of a sampler asSize a time (glTF 2.0, appendix C).
+/// Value of a sampler at a time (glTF 2.0, appendix C).
 glm::dvec4 sample(const tinygltf::Model& model, const tinygltf::AnimationSampler& sampler, bool rotation, double time) {
   const std::vector<double> times = numbers(model, sampler.input);
   const std::vector<double> values = numbers(model, sampler.output);

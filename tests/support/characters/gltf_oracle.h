@@ -1,4 +1,4 @@
-// tests/support/characters/gltf_oracle.h: what a raw glTF file looks like at a time, in double.
+// tests/support/characters/gltf_oracle.h: geometry of a raw glTF file at a time, in double precision.
 //
 // Reads with tinygltf alone, without the import's guard, and shares no code with core: own node tree, own
 // sampling (glTF 2.0, appendix C), own skinning, own morph targets and their weights. Knows what the test files hold:

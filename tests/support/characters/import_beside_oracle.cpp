@@ -1,4 +1,4 @@
-// tests/support/characters/import_beside_oracle.cpp: an import's skin compared with the oracle's, corner by corner.
+// tests/support/characters/import_beside_oracle.cpp: compares an import's skin with the oracle's, corner by corner.
 #include <algorithm>
 #include <string>
 
@@ -15,8 +15,8 @@
 namespace sinew::test {
 namespace {
 
-/// Largest distance between a corner in the file and its vertex in the import; the corners may start elsewhere and turn
-/// the other way (mirrored binds).
+/// Largest distance between a corner in the file and its vertex in the import; the corners may start elsewhere and have
+/// the opposite winding (mirrored binds).
 double distance(const RawTriangle& raw, const ControlTriangle& triangle, const std::vector<glm::vec3>& positions) {
   double best = 1e300;
   for (std::size_t start = 0; start < 6; ++start) {

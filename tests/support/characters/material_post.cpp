@@ -1,4 +1,4 @@
-// tests/support/characters/material_post.cpp: images byte by byte, and a material with all of them.
+// tests/support/characters/material_post.cpp: images written byte by byte, and a material that uses them all.
 
 #include "tests/support/characters/material_post.h"
 

@@ -21,11 +21,11 @@ extern const std::string kOnePixel;
 /// A map of texture coordinates 0. @param transform  KHR_texture_transform, if any
 [[nodiscard]] nlohmann::ordered_json mapAt(int texture, const nlohmann::ordered_json& transform = {});
 
-/// Every map that Sinew reads but the base color, of textures 0 to 2.
+/// All maps that Sinew reads except the base color, with textures 0 to 2.
 [[nodiscard]] nlohmann::ordered_json wholeMaterial();
 
-/// A post of this material, all of whose corners lie at (0.25, 0.75).
-/// @param images  textures, each with an image of its own, `image`
+/// A post with this material; all of its corners lie at (0.25, 0.75). @param images  textures, each with its own copy
+/// of `image`
 [[nodiscard]] Post materialPost(const nlohmann::ordered_json& material, int images,
                                 const std::string& image = kOnePixel);
 

@@ -32,7 +32,7 @@ int sparse(GltfBuilder& file, const std::vector<float>& deltas) {
   return static_cast<int>(file.json["accessors"].size()) - 1;
 }
 
-/// Four components a vertex, of which the last only fills up.
+/// Four components per vertex, the last one padding.
 int shorts(GltfBuilder& file, const std::vector<float>& deltas) {
   std::vector<std::int16_t> packed;
   for (const float delta : deltas) packed.push_back(static_cast<std::int16_t>(std::lround(delta * 32767.0f)));

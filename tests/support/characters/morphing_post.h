@@ -1,4 +1,4 @@
-// tests/support/characters/morphing_post.h: a post with morph targets, in every form that glTF has for them.
+// tests/support/characters/morphing_post.h: a post with morph targets in every form that glTF allows.
 #pragma once
 
 #include <cstdint>
@@ -9,7 +9,7 @@
 
 namespace sinew::test {
 
-/// How the deltas of a target lie in the file.
+/// Storage of a target's deltas in the file.
 enum class DeltaForm { kFloats, kSparse, kShorts };
 
 /// makePost() with `targets` targets of random deltas, names in extras, weights 0.

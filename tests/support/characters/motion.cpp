@@ -1,4 +1,4 @@
-// tests/support/characters/motion.cpp: offsets in frames that ride on the patch.
+// tests/support/characters/motion.cpp: offsets in frames that move with the patch.
 
 #include "tests/support/characters/motion.h"
 

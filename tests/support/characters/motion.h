@@ -1,4 +1,4 @@
-// tests/support/characters/motion.h: how far vertices step from frame to frame against the skin that carries them.
+// tests/support/characters/motion.h: motion of vertices between frames relative to the skin that carries them.
 #pragma once
 
 #include <vector>
@@ -10,7 +10,8 @@
 
 namespace sinew::test {
 
-/// Axes that ride on the patch at one vertex: the normal, the direction to a neighbor across it, and the third.
+/// Axes that move with the patch at one vertex: the normal, the direction to a neighbor orthogonal to it, and the
+/// third.
 struct PatchFrame {
   glm::vec3 origin{0.0f};
   glm::mat3 axes{1.0f};  ///< Columns.
@@ -18,7 +19,8 @@ struct PatchFrame {
   [[nodiscard]] glm::vec3 seen(const glm::vec3& point) const { return (point - origin) * axes; }
 };
 
-/// Displacements p' - patch of all vertices in these frames, so that a body that only turns and bends changes nothing.
+/// Displacements p' - patch of all vertices in these frames, so that a body that only rotates and bends changes
+/// nothing.
 class CarriedOffsets {
  public:
   explicit CarriedOffsets(const Refinement& refinement);

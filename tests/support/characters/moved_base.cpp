@@ -1,4 +1,4 @@
-// tests/support/characters/moved_base.cpp: positions written over in the file's own buffer.
+// tests/support/characters/moved_base.cpp: overwrites positions in the file's own buffer.
 #include "tests/support/characters/moved_base.h"
 
 #include <cstring>
@@ -14,7 +14,7 @@ namespace {
 
 std::size_t toSize(int index) { return static_cast<std::size_t>(index); }
 
-/// One accessor of its own a primitive: files share them.
+/// One separate accessor per primitive, since files share them.
 void setPositions(tinygltf::Model& model, tinygltf::Primitive& primitive, const std::vector<glm::dvec3>& positions) {
   tinygltf::Accessor accessor;
   tinygltf::BufferView view;

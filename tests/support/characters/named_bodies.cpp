@@ -1,4 +1,4 @@
-// tests/support/characters/named_bodies.cpp: the joints of a body, and what each program calls them.
+// tests/support/characters/named_bodies.cpp: the joints of a body, and their names in each program.
 #include "tests/support/characters/named_bodies.h"
 
 #include "tests/support/characters/character_parts.h"
@@ -284,7 +284,7 @@ std::vector<NamedBone> vroid() {
   return bones;
 }
 
-/// Bones whose names say nothing; the left ones end in 1, the right ones in 2. Ends, which move no skin, are left out.
+/// Bones with meaningless names; the left ones end in 1, the right ones in 2. Ends, which move no skin, are omitted.
 std::vector<NamedBone> numbered(std::vector<NamedBone> bones, const std::string& left) {
   std::erase_if(bones, [](const NamedBone& bone) { return bone.name.ends_with("_End"); });
   std::map<std::string, std::string> names{{"", ""}};

@@ -1,4 +1,4 @@
-// tests/support/characters/named_bodies.h: skeletons as well-known programs name them, with the parts they have.
+// tests/support/characters/named_bodies.h: skeletons with the names that well-known programs use, and their body parts.
 #pragma once
 
 #include <map>
@@ -20,15 +20,15 @@ struct NamedBone {
 struct NamedBody {
   std::string style;
   std::string left;   ///< In names of bones of the left side.
-  std::string right;  ///< What stands there on the right.
+  std::string right;  ///< Its replacement on the right side.
   std::vector<NamedBone> bones;
   bool quadruped = false;
 };
 
-/// Every style.
+/// All styles.
 [[nodiscard]] std::vector<NamedBody> namedBodies();
 
-/// Those on four legs; namedBodies() has them too.
+/// Quadrupeds; namedBodies() includes them.
 [[nodiscard]] std::vector<NamedBody> namedAnimals();
 
 enum class Stance { kArmsLevel, kArmsDown };

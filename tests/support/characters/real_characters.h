@@ -1,4 +1,4 @@
-// tests/support/characters/real_characters.h: characters nobody in this project made, where they are at hand.
+// tests/support/characters/real_characters.h: third-party characters, where available.
 #pragma once
 
 #include <memory>

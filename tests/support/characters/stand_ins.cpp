@@ -1,4 +1,5 @@
-// tests/support/characters/stand_ins.cpp: patches of the bundled characters, split, then made uneven or taken apart.
+// tests/support/characters/stand_ins.cpp: patches of the bundled characters, refined, then made irregular or split into
+// parts.
 #include "tests/support/characters/stand_ins.h"
 
 #include <algorithm>
@@ -78,7 +79,7 @@ TriangleSoup soupOf(const Split& split) {
   return soup;
 }
 
-/// Each vertex within the skin by up to a quarter of its shortest edge.
+/// Moves each vertex within the skin by up to a quarter of its shortest edge.
 void moveAbout(Split& split, Random& random) {
   std::vector<float> shortest(split.positions.size(), 1e30f);
   const std::vector<glm::vec3> before = split.positions;
@@ -95,7 +96,7 @@ void moveAbout(Split& split, Random& random) {
   }
 }
 
-/// A third of the edges, wherever both new triangles face as the old ones do.
+/// Flips a third of the edges, wherever both new triangles face like the old ones.
 void turnEdges(Split& split, Random& random) {
   std::map<std::array<int, 2>, std::size_t> sides;  // An edge as a triangle runs it -> that triangle.
   const auto faceOf = [&](const std::array<int, 3>& t) {

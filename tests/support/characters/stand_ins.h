@@ -1,4 +1,4 @@
-// tests/support/characters/stand_ins.h: characters such as games have, made from the bundled ones: irregular, fine, in
+// tests/support/characters/stand_ins.h: characters like those of games, made from the bundled ones: irregular, fine, in
 // parts.
 #pragma once
 
@@ -8,14 +8,14 @@
 
 namespace sinew::test {
 
-/// The bundled horse in 1,648 triangles of uneven size and shape: vertices are moved within the skin, edges turned.
+/// The bundled horse in 1,648 triangles of uneven size and shape: vertices moved within the skin, edges flipped.
 [[nodiscard]] std::shared_ptr<const Character> irregularHorse();
 
 /// The bundled humanoid in 47,952 triangles.
 [[nodiscard]] std::shared_ptr<const Character> fineHumanoid();
 
 /// The bundled humanoid in 2,368 triangles and eight parts (head, trunk, arms, forearms with hands, legs) that share no
-/// vertex: borders are open, and a bit smaller than what they meet.
+/// vertex: borders are open, and slightly smaller than those they meet.
 [[nodiscard]] std::shared_ptr<const Character> humanoidInParts();
 
 }  // namespace sinew::test

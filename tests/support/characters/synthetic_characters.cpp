@@ -15,7 +15,7 @@
 namespace sinew::test {
 namespace {
 
-/// Share of the chain's bones along it: a soft step of the given width at every joint but the first.
+/// Weights of the chain's bones along it: a smooth step of the given width at every joint except the first.
 Weights chainWeights(float along, const std::vector<float>& joints, float width) {
   Weights out;
   float rest = 1.0f;

@@ -10,8 +10,8 @@ namespace sinew::test {
 /// Closed capsule along +Y, 2 units tall, three bones end to end ("root", "middle", "end"), clip "bend" (2 s).
 [[nodiscard]] std::shared_ptr<const Character> makeLimb();
 
-/// Closed body of a torso and two legs. Bones: "hips" > "spine", "leg L" > "shin L", "leg R" > "shin R" (L at +X).
-/// Clip "cross" (2 s): the legs swing across each other, sideways and to and fro.
+/// Closed body of a torso and two legs. Bones: "hips" > "spine", "leg L" > "shin L", "leg R" > "shin R" (L at +X). Clip
+/// "cross" (2 s): the legs swing across each other, sideways and back and forth.
 [[nodiscard]] std::shared_ptr<const Character> makeTwoLegged();
 
 /// Open flat strip in the XY plane, two bones ("root", "end"), clip "bend" (2 s).

@@ -1,4 +1,4 @@
-// tests/support/characters/vrm_post.h: what makes the morphing post an avatar, in both versions of VRM.
+// tests/support/characters/vrm_post.h: turns the morphing post into an avatar, in both versions of VRM.
 #pragma once
 
 #include <nlohmann/json.hpp>

@@ -1,4 +1,4 @@
-// tests/support/editor/drawn_text.h: what ImGui has really drawn as text, read from its triangles.
+// tests/support/editor/drawn_text.h: text drawn by ImGui, read from its triangles.
 #pragma once
 
 #include <imgui.h>
@@ -15,13 +15,13 @@ namespace sinew::app {
 /// A letter on the screen.
 struct Glyph {
   ImVec4 box;        ///< x0, y0, x1, y1 in window coordinates, as drawn.
-  ImVec4 clip;       ///< What cuts it off.
+  ImVec4 clip;       ///< Clip rectangle.
   std::string list;  ///< The window it belongs to.
   ImVec2 uv;         ///< Of its upper left corner in the atlas: which letter it is.
 };
 
-/// Letters that are seen, of the frame that ImGui::Render() has ended. Icons and frames have no texture, so every quad
-/// that is textured is a letter.
+/// Visible letters of the frame that ImGui::Render() has ended. Icons and frames have no texture, so every textured
+/// quad is a letter.
 inline std::vector<Glyph> drawnGlyphs() {
   std::vector<Glyph> glyphs;
   const ImDrawData& data = *ImGui::GetDrawData();
@@ -83,7 +83,7 @@ inline std::string textIn(const std::vector<Glyph>& glyphs, const std::string& w
   return text;
 }
 
-/// How much of the smaller of two letters the other covers.
+/// Fraction of the smaller of two letters that the other covers.
 inline float covered(const Glyph& a, const Glyph& b) {
   const float x = std::min(a.box.z, b.box.z) - std::max(a.box.x, b.box.x);
   const float y = std::min(a.box.w, b.box.w) - std::max(a.box.y, b.box.y);

@@ -1,4 +1,4 @@
-// tests/support/editor/headless_editor.h: the panels without window and OpenGL, driven as a hand would.
+// tests/support/editor/headless_editor.h: the panels without window and OpenGL, driven by simulated input.
 #pragma once
 
 #include <imgui.h>
@@ -39,13 +39,13 @@ class HeadlessEditor : public testing::Test {
     io.Fonts->Build();
     ASSERT_TRUE(openFile(state, std::filesystem::path(SINEW_SOURCE_DIR) / "assets" / "demo.glb"));
     state.open.transport.playing = false;
-    state.session.program = SINEW_PROGRAM;  // What draws pictures; the tests themselves would run as that.
+    state.session.program = SINEW_PROGRAM;  // Program that draws pictures; by default the tests would run themselves.
     frame();
     frame();
   }
   void TearDown() override { ImGui::DestroyContext(); }
 
-  /// One frame of what the queue holds.
+  /// Draws one frame with the queued input.
   void frame() {
     const RawInput& input = queue.next();
     feedImGui(input);
@@ -79,7 +79,7 @@ class HeadlessEditor : public testing::Test {
     queue.button(button, false);
     settle();
   }
-  /// In the picture. @param at  window coordinates
+  /// Clicks in the viewport. @param at  window coordinates
   void clickAt(const glm::vec2& at) {
     queue.move(at);
     settle();
@@ -125,14 +125,14 @@ class HeadlessEditor : public testing::Test {
     for (const char c : text) queue.character(static_cast<char32_t>(c));
     settle();
   }
-  /// A number into its field.
+  /// Types a number into its field.
   void typeInto(const std::string& id, const std::string& text) {
     doubleClick(id);
     press(kKeyA, true);
     type(text);
     press(kEnter);
   }
-  /// A muscle on the first bone, selected.
+  /// Adds a muscle on the first bone, selected.
   void addOne() {
     addMuscle(state, 0);
     ASSERT_EQ(state.document.activePrimitive(), 0);

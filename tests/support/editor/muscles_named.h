@@ -1,4 +1,4 @@
-// tests/support/editor/muscles_named.h: a document's muscles by name, as tests speak of them.
+// tests/support/editor/muscles_named.h: a document's muscles by name.
 #pragma once
 
 #include <gtest/gtest.h>

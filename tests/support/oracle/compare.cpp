@@ -1,4 +1,4 @@
-// tests/support/oracle/compare.cpp: a surface against the oracle.
+// tests/support/oracle/compare.cpp: comparison of a surface with the oracle.
 
 #include "tests/support/oracle/compare.h"
 

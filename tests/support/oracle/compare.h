@@ -1,4 +1,4 @@
-// tests/support/oracle/compare.h: a surface against the oracle, with a tally that can be read.
+// tests/support/oracle/compare.h: comparison of a surface with the oracle, with a readable tally.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace sinew::oracle {
 
-/// The stages a surface went through: what the finisher starts from, and what it comes to.
+/// Stages of a surface: the finisher's input, and its result.
 struct Stages {
   const Surface& patch;  ///< Without muscles.
   const Surface& raw;    ///< Projected, before folds and shading.
@@ -22,8 +22,8 @@ struct Stages {
                                             : finish(oracle.mesh(), bindPatch, patchOf, rawOf, oracle.swells())) {}
 };
 
-/// What the comparison of some vertices came to. "Far": more than 1e-4 H from the oracle. What folds have moved
-/// is compared before they did with the oracle, and after it with the finisher.
+/// Result of comparing some vertices. "Far": more than 1e-4 H from the oracle. Vertices moved by folds are compared
+/// with the oracle before, and with the finisher after that.
 struct Tally {
   int compared = 0;
   int sought = 0;           ///< The oracle looked for a root there.

@@ -1,4 +1,4 @@
-// tests/support/oracle/field.cpp: every primitive at every point, every clique by trying all subsets of the groups.
+// tests/support/oracle/field.cpp: all primitives at every point, and cliques from all subsets of the groups.
 
 #include "tests/support/oracle/field.h"
 

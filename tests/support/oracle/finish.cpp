@@ -1,4 +1,4 @@
-// tests/support/oracle/finish.cpp: every triangle and every vertex in every round.
+// tests/support/oracle/finish.cpp: all triangles and all vertices in every round.
 
 #include "tests/support/oracle/finish.h"
 

@@ -1,4 +1,4 @@
-// tests/support/oracle/heights.cpp: every step until nothing changes, every vertex in every round.
+// tests/support/oracle/heights.cpp: repeats all steps until nothing changes.
 
 #include "tests/support/oracle/heights.h"
 
@@ -7,8 +7,8 @@
 namespace sinew::oracle {
 namespace {
 
-/// What a pose's creases leave of each height: by how much the control triangles around a control vertex still face
-/// outwards, linear in between. Control vertices come first among the refined ones, and lie on the patch.
+/// Fraction of each height that a pose's creases leave: how much the control triangles around a control vertex still
+/// face outwards, linearly interpolated. Control vertices come first among the refined ones, and lie on the patch.
 std::vector<double> creaseShares(const ControlMesh& mesh, const Refinement& refinement, const PatchOf& bind,
                                  const PatchOf& patch) {
   std::vector<double> rho(mesh.positions.size(), 1.0);
@@ -31,7 +31,7 @@ std::vector<double> creaseShares(const ControlMesh& mesh, const Refinement& refi
   return out;
 }
 
-/// Where a path over the patch may go in one step: along edges, and across them to the next triangle's third corner.
+/// Possible steps of a path over the patch: along edges, and across them to the next triangle's third corner.
 std::vector<std::array<std::size_t, 2>> stepsOf(const Triangles& triangles) {
   std::vector<std::array<std::size_t, 2>> out;
   std::map<std::array<int, 2>, std::vector<int>> thirds;
@@ -52,7 +52,7 @@ std::vector<std::array<std::size_t, 2>> stepsOf(const Triangles& triangles) {
   return out;
 }
 
-/// No steeper than 1.5 along any path: the longest way round, every step until nothing changes.
+/// Limits the slope to 1.5 along any path by repeating all steps until nothing changes.
 void boundSlopes(const Triangles& triangles, const std::vector<Vec>& patch, std::vector<double>& heights) {
   const auto steps = stepsOf(triangles);
   bool changed = true;

@@ -1,5 +1,5 @@
-// tests/support/oracle/heights.h: what is left of the heights before folds are looked for. Written from docs/design.md,
-// "Creases of a pose", "Slopes" and "Sampling". It shares no code with the smoothing.
+// tests/support/oracle/heights.h: heights that remain before folds are searched. Written from docs/design.md, "Creases
+// of a pose", "Slopes" and "Sampling". It shares no code with the smoothing.
 #pragma once
 
 #include <vector>
@@ -15,7 +15,7 @@ struct PatchOf {
   const std::vector<Vec>& normals;
 };
 
-/// Less in a pose's creases, and no steeper than 1.5 along any path.
+/// Lowers heights in a pose's creases, and limits their slope to 1.5 along any path.
 /// @param raw [V'] as projected
 [[nodiscard]] std::vector<double> boundHeights(const ControlMesh& mesh, const Refinement& refinement,
                                                const PatchOf& bind, const PatchOf& patch,

@@ -1,4 +1,4 @@
-// tests/support/oracle/line.cpp: one line after another, with quaternions and the standard library's functions.
+// tests/support/oracle/line.cpp: one line at a time, with quaternions and the standard library's functions.
 #include "tests/support/oracle/line.h"
 
 #include <algorithm>

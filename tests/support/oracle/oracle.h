@@ -1,8 +1,7 @@
-// tests/support/oracle/oracle.h: what every refined vertex should be, in double, by brute force.
+// tests/support/oracle/oracle.h: expected position of every refined vertex in double precision, by brute force.
 //
-// Written from docs/design.md, docs/design.md and the paper alone. It shares no code with the smoothing: own skinning,
-// patches, field, anchors and root search (thousands of samples and halving). Slow on purpose; tests ask it about some
-// of the vertices.
+// Written from docs/design.md and the paper only. It shares no code with the smoothing: own skinning, patches, field,
+// anchors and root search (thousands of samples and bisection). Slow by design; tests evaluate some of the vertices.
 #pragma once
 
 #include <array>

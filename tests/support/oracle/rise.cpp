@@ -1,4 +1,4 @@
-// tests/support/oracle/rise.cpp: rounds over all edges, each from the round before alone.
+// tests/support/oracle/rise.cpp: rounds over all edges, each based on the previous round only.
 
 #include "tests/support/oracle/rise.h"
 

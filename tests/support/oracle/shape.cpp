@@ -1,4 +1,4 @@
-// tests/support/oracle/shape.cpp: straight from the page, no rearranging.
+// tests/support/oracle/shape.cpp: direct transcription of the page, without rearrangement.
 #include "tests/support/oracle/shape.h"
 
 #include <algorithm>

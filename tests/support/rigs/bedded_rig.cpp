@@ -1,4 +1,4 @@
-// tests/support/rigs/bedded_rig.cpp: an ellipsoid under the skin, where the skin around follows one bone.
+// tests/support/rigs/bedded_rig.cpp: an ellipsoid under the skin, where the surrounding skin follows one bone.
 #include "tests/support/rigs/bedded_rig.h"
 
 #include <algorithm>
@@ -26,13 +26,14 @@ float weightOn(const Character& character, int vertex, int bone) {
   return sum;
 }
 
-/// A place for a muscle: a vertex and how far from it the skin still follows the bone.
+/// A place for a muscle: a vertex, and the distance within which the skin still follows the bone.
 struct Bed {
   int vertex = 0;
   float free = 0.0f;
 };
 
-/// Vertices of a bone's skin with room around them, roomiest first. Room ends where other bones have a say.
+/// Vertices of a bone's skin with room around them, in descending order of room. Room ends where other bones have
+/// weight.
 std::vector<Bed> bedsOf(const Character& character, const Skin& skin) {
   std::vector<glm::vec3> foreign;
   const ControlMesh& mesh = character.mesh;
@@ -51,7 +52,7 @@ std::vector<Bed> bedsOf(const Character& character, const Skin& skin) {
   return beds;
 }
 
-/// Under the skin by most of its thickness, its influence within the room.
+/// Most of its thickness lies under the skin, its influence within the room.
 Placement bedded(const Character& character, const Bone& bone, const Bed& bed) {
   const Segment segment = bindSegment(bone);
   Placement placement = placementAt(character, bone, segment, bed.vertex);

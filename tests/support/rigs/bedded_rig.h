@@ -1,4 +1,5 @@
-// tests/support/rigs/bedded_rig.h: muscles under the skin of one bone each, whose surface should move smoothly in time.
+// tests/support/rigs/bedded_rig.h: muscles under the skin of one bone each, whose surface should move smoothly over
+// time.
 #pragma once
 
 #include "sinew/character/character.h"

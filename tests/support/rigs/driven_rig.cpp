@@ -1,4 +1,4 @@
-// tests/support/rigs/driven_rig.cpp: every number of a pose written where the rig has it.
+// tests/support/rigs/driven_rig.cpp: replaces every parameter by its value in a pose.
 #include "tests/support/rigs/driven_rig.h"
 
 namespace sinew::test {

@@ -1,4 +1,4 @@
-// tests/support/rigs/random_animation.cpp: every input kind, every owner, every way to join.
+// tests/support/rigs/random_animation.cpp: all kinds of inputs, owners and combinations.
 #include "tests/support/rigs/random_animation.h"
 
 #include <cstddef>

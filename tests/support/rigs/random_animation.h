@@ -1,4 +1,4 @@
-// tests/support/rigs/random_animation.h: keys, drivers and channels at random.
+// tests/support/rigs/random_animation.h: random keys, drivers and channels.
 #pragma once
 
 #include <cstdint>

@@ -27,7 +27,7 @@ float positiveFloat(Random& random) {
   }
 }
 
-/// Denormals and the ends of the range come seldom among random bits; here they come often.
+/// Denormals and extreme values are rare among random bits; make them frequent.
 float edgeFloat(Random& random) {
   constexpr std::array<float, 8> kEdges{0.0f, -0.0f, 1e-45f, 1.17549435e-38f, 3.4028235e+38f, 16777216.0f, 0.1f, -1.0f};
   return random.chance(0.3f) ? kEdges[static_cast<std::size_t>(random.below(8))] : anyFloat(random);
@@ -101,7 +101,7 @@ LineAnchor anyAnchor(Random& random) {
           anyUnknownKeys(random)};
 }
 
-/// Settings at their defaults are left out of files, so some stay there.
+/// Files omit settings at their defaults, so keep some defaults.
 LineSettings anySettings(Random& random) {
   LineSettings settings;
   if (random.chance(0.5f)) settings.rest = random.uniform(kLeastRest, kMostRest);

@@ -1,4 +1,4 @@
-// tests/support/rigs/random_documents.h: rigs as files may hold them: any floats, any names, keys from the future.
+// tests/support/rigs/random_documents.h: rigs as in files: any floats, any names, keys of future versions.
 #pragma once
 
 #include <cstdint>

@@ -34,18 +34,18 @@ struct RigRecipe {
   float reachHigh = 2.0f;     ///< At least 1.2.
 };
 
-/// Many muscles whose rims are steep.
+/// Many muscles with steep rims.
 inline constexpr RigRecipe kShortReach{.primitives = 24, .reachHigh = 1.5f};
 
-/// Any shape that is legal for a reach; plain ones, straight ones and untapered ones among them.
+/// A random valid shape for a reach; plain, straight and untapered ones among them.
 [[nodiscard]] Shape randomShape(Random& random, float reach);
 
 /// Ellipsoids as a designer might set them: centers a little under or over the skin of random bones, any orientation,
 /// reach from 1.2; default territories but for a few.
 [[nodiscard]] Rig randomRig(const Character& character, const RigRecipe& recipe, std::uint64_t seed);
 
-/// Every bone turned against its parent by up to `angle` radians and stretched unevenly by up to `stretch`, from the
-/// bind pose.
+/// Every bone rotated against its parent by up to `angle` radians and scaled unevenly by up to `stretch`, from the bind
+/// pose.
 [[nodiscard]] Pose randomPose(const Skeleton& skeleton, float angle, float stretch, std::uint64_t seed);
 
 /// One ellipsoid of the given radii (character units) on a bone, centered at a bind-pose point in the world.

@@ -1,4 +1,4 @@
-// tests/support/rigs/rig_copies.h: how often a rig is copied.
+// tests/support/rigs/rig_copies.h: counts copies of a rig.
 #pragma once
 
 #include "sinew/rig/rig.h"
@@ -6,7 +6,7 @@
 
 namespace sinew::test {
 
-/// Counts copies of rigs with as many primitives as this one, told by the memory that these take.
+/// Counts copies of rigs with as many primitives as this one, recognized by the size of their allocation.
 class RigCopies {
  public:
   explicit RigCopies(const Rig& rig) : primitives_(rig.primitives.size() * sizeof(Primitive)) {}

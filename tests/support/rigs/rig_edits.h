@@ -1,4 +1,4 @@
-// tests/support/rigs/rig_edits.h: one member of one primitive changed, by the edit that the inspector uses.
+// tests/support/rigs/rig_edits.h: changes one member of one primitive by the inspector's edit.
 #pragma once
 
 #include <array>

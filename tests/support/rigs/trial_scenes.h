@@ -1,4 +1,4 @@
-// tests/support/rigs/trial_scenes.h: the characters with rigs that whole-surface tests go through.
+// tests/support/rigs/trial_scenes.h: characters with rigs for tests of whole surfaces.
 #pragma once
 
 #include <memory>
@@ -21,7 +21,7 @@ struct TrialScene {
 /// at hand, each with 12 muscles set by rule (core/rig/trial_rig.h). Prints which are left out, once.
 [[nodiscard]] const std::vector<TrialScene>& trialScenes();
 
-/// The same with materials that have one side: what may be culled.
+/// The same with one-sided materials, which can be culled.
 [[nodiscard]] TrialScene oneSided(TrialScene scene);
 /// Least share of its triangles that culling should find, all around: on wrapped and tangle muscles move almost all.
 [[nodiscard]] double leastCulled(const TrialScene& scene);
@@ -34,7 +34,7 @@ struct TrialScene {
 
 [[nodiscard]] Rig withMode(Rig rig, SurfaceMode mode);
 
-/// The bind pose, then `count` moments spread over all clips.
+/// The bind pose, then `count` poses spread over all clips.
 [[nodiscard]] std::vector<Pose> spreadPoses(const Character& character, int count);
 
 }  // namespace sinew::test

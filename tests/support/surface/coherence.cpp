@@ -1,4 +1,4 @@
-// tests/support/surface/coherence.cpp: steps are measured against the patch, and far ones put to the oracle.
+// tests/support/surface/coherence.cpp: measures steps relative to the patch, and classifies large ones by the oracle.
 #include "tests/support/surface/coherence.h"
 
 #include <algorithm>
@@ -29,8 +29,8 @@ std::string boneOf(const Character& character, int controlVertex) {
   return character.skeleton.fileName(character.skeleton.bindings[static_cast<std::size_t>(strongest.binding)].bone);
 }
 
-/// phi rises and falls between the two places on the ray: a primitive stands over the skin, or behind another one, with
-/// air between, so that the first root lies on one or the other.
+/// phi is not monotone between the two places on the ray: a primitive overhangs the skin, or lies behind another one,
+/// with a gap in between, so that the first root lies on one or the other.
 bool overhangs(const oracle::Oracle& oracle, const oracle::Answer& answer, double from, double to) {
   constexpr int kSamples = 400;
   bool rises = false;
@@ -45,7 +45,7 @@ bool overhangs(const oracle::Oracle& oracle, const oracle::Answer& answer, doubl
   return rises && falls;
 }
 
-/// How far the nearest parts of muscles came in the frame that rides on the patch: the skin cannot be asked to step
+/// Motion of the nearest parts of muscles in the frame that moves with the patch: the skin cannot be expected to move
 /// less.
 class MuscleMotion {
  public:
@@ -59,7 +59,7 @@ class MuscleMotion {
     }
   }
 
-  /// Largest way of a pole of a muscle whose weight at the vertex is not 0, world units.
+  /// Largest motion of a pole of a muscle whose weight at the vertex is not 0, world units.
   [[nodiscard]] float of(const PatchFrame& was, const PatchFrame& is, const std::vector<double>& weights) const {
     float most = 0.0f;
     for (std::size_t i = 0; i < now_.size(); ++i) {
@@ -87,7 +87,7 @@ class MuscleMotion {
   std::vector<glm::mat4> now_;
 };
 
-/// How far the root's place on the ray went in the frame that rides on the patch, had it stayed at its distance.
+/// Motion of the root's place on the ray in the frame that moves with the patch, had it stayed at its distance.
 double rayMotion(const oracle::Answer& was, const PatchFrame& frameWas, const oracle::Answer& is,
                  const PatchFrame& frameIs) {
   const auto placed = [](const oracle::Answer& a, const PatchFrame& frame, double t) {
@@ -101,7 +101,7 @@ double rayMotion(const oracle::Answer& was, const PatchFrame& frameWas, const or
   return most;
 }
 
-/// What only `replace` can do. @param size of the step, world units.
+/// Causes specific to `replace`. @param size of the step, world units.
 std::optional<StepCause> causeInReplace(const oracle::Answer& was, const oracle::Answer& is, double iso, double size) {
   if ((was.field > iso) != (is.field > iso)) return StepCause::kCrossing;
   if (was.fellBack != is.fellBack) return StepCause::kAnchor;

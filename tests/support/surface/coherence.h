@@ -1,5 +1,4 @@
-// tests/support/surface/coherence.h: how far the skin steps from frame to frame over all clips, and what made it step
-// far.
+// tests/support/surface/coherence.h: steps of the skin between frames over all clips, and the causes of large ones.
 #pragma once
 
 #include <map>
@@ -11,13 +10,13 @@ namespace sinew::test {
 
 constexpr float kFarStep = 0.01f;  ///< Fraction of H in a frame of 1/60 s that counts as far.
 
-/// The first of those that apply.
+/// The first that applies.
 enum class StepCause {
-  kFolds,        ///< The removal of folds moved the vertex further than its projection did.
+  kFolds,        ///< Fold removal moved the vertex further than its projection did.
   kCrossing,     ///< `replace`: the skin passed the surface F = T.
   kAnchor,       ///< `replace`: the anchor came to be inside, or no longer is.
   kRoots,        ///< `replace`: a stretch of F > T appeared or vanished.
-  kShares,       ///< `replace`: more than half of it is the change of the stretches' shares.
+  kShares,       ///< `replace`: more than half of it is due to changed weights of intervals.
   kOverhang,     ///< phi is not monotone between the two places on the ray: air lies between them.
   kMuscle,       ///< No further than a muscle there moved against the skin, which moved further than the ray.
   kSwingingRay,  ///< No further than the ray moved at the root.
@@ -50,8 +49,8 @@ struct Coherence {
   [[nodiscard]] long long farSteps() const;
 };
 
-/// Smooths every clip at 60 frames a second with and without the rig's muscles. Brute force (oracle.h) says what made
-/// the far steps.
+/// Smooths every clip at 60 frames a second with and without the rig's muscles. Brute force (oracle.h) finds the causes
+/// of large steps.
 [[nodiscard]] Coherence walkClips(const TrialScene& scene, const Rig& rig);
 
 }  // namespace sinew::test

@@ -1,4 +1,4 @@
-// tests/support/surface/every_kind.h: every patch and every search, for tests that try them all.
+// tests/support/surface/every_kind.h: all patch kinds and projection methods, for tests that try them all.
 #pragma once
 
 #include <array>

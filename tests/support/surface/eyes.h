@@ -1,4 +1,4 @@
-// tests/support/surface/eyes.h: points to look from, all around.
+// tests/support/surface/eyes.h: viewpoints all around.
 #pragma once
 
 #include <cmath>
@@ -8,7 +8,7 @@
 
 namespace sinew::test {
 
-/// Unit, even over the sphere, by the golden angle.
+/// Unit vectors distributed evenly over the sphere by the golden angle.
 inline std::vector<glm::vec3> spreadDirections(int count) {
   std::vector<glm::vec3> directions;
   for (int i = 0; i < count; ++i) {
@@ -20,7 +20,7 @@ inline std::vector<glm::vec3> spreadDirections(int count) {
   return directions;
 }
 
-/// In every direction one eye near, one far and one as good as without perspective.
+/// For every direction one near eye, one far eye and one practically without perspective.
 inline std::vector<glm::vec3> eyesAround(const Bounds& bounds, int directions) {
   std::vector<glm::vec3> eyes;
   const float radius = 0.5f * glm::length(bounds.high - bounds.low);

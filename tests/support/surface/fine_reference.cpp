@@ -1,4 +1,4 @@
-// tests/support/surface/fine_reference.cpp: a uniform refinement that says of itself that it follows the heights.
+// tests/support/surface/fine_reference.cpp: a uniform refinement that is marked as following the heights.
 
 #include "tests/support/surface/fine_reference.h"
 

@@ -1,5 +1,4 @@
-// tests/support/surface/fine_reference.h: what refinement without end would give, or nearly: one depth everywhere,
-// deep.
+// tests/support/surface/fine_reference.h: approximate limit of refinement: uniform, at a large depth.
 #pragma once
 
 #include <memory>
@@ -11,8 +10,8 @@
 
 namespace sinew::test {
 
-/// The surface at one depth, by all stages but the filter of heights. At a kink that works at any depth, however fine:
-/// what it takes off is an edge or two wide.
+/// The surface at one depth with all stages except the height filter. At a kink the filter acts at any depth, on a
+/// strip one or two edges wide.
 class FineReference {
  public:
   /// @param rig  a valid one; its detail is not read

@@ -1,4 +1,4 @@
-// tests/support/surface/lifted_sheet.cpp: a flat patch under a bump whose sides lean together.
+// tests/support/surface/lifted_sheet.cpp: a flat patch under a bump whose sides lean towards each other.
 
 #include "tests/support/surface/lifted_sheet.h"
 

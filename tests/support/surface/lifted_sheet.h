@@ -1,4 +1,4 @@
-// tests/support/surface/lifted_sheet.h: a small patch and skin lifted off it, for the stages that take folds out.
+// tests/support/surface/lifted_sheet.h: a small patch with skin lifted off it, for the stages that remove folds.
 #pragma once
 
 #include <functional>
@@ -33,9 +33,9 @@ struct LiftedSheet {
 /// A bump of vertices lifted by up to `lift` along directions that lean towards x = 0 from both sides.
 [[nodiscard]] std::vector<glm::vec3> converging(const std::vector<glm::vec3>& patch, float lift);
 
-/// How far a vertex steps at most while the patch is lifted to `most` in that many steps, over the lift's own step. For
-/// what is continuous it does not grow with the number of steps. Prints it.
-/// @param finish  (lifted positions) -> positions
+/// Largest step of a vertex while the patch is lifted to `most` in this many steps, relative to the lift's step. For a
+/// continuous function it does not grow with the number of steps. Prints it. @param finish  (lifted positions) ->
+/// positions
 [[nodiscard]] float steepestStep(const std::vector<glm::vec3>& patch, float most, int steps,
                                  const std::function<std::vector<glm::vec3>(std::vector<glm::vec3>)>& finish);
 

@@ -1,4 +1,4 @@
-// tests/surface/finish/crease_lift_test.cpp: heights fall where a pose folds the control mesh, and nowhere else.
+// tests/surface/finish/crease_lift_test.cpp: heights are lowered where a pose folds the control mesh, and nowhere else.
 
 #include "core/surface/finish/crease_lift.h"
 
@@ -15,7 +15,7 @@
 namespace sinew::test {
 namespace {
 
-/// A flat sheet all of whose skin is lifted by 1, at some detail.
+/// A flat sheet with its skin lifted by 1, at some detail.
 struct CreasedSheet {
   ControlMesh mesh;
   Refinement refinement;
@@ -27,8 +27,8 @@ struct CreasedSheet {
     moved.isControl.assign(mesh.triangles.size(), 1);
   }
 
-  /// The middle columns turned over by the share: they run back from where they came, normals as in the bind pose. 0 is
-  /// flat, 1 folded back whole.
+  /// Folds the middle columns over by the fraction: they run back towards where they came from, normals as in the bind
+  /// pose. 0 is flat, 1 completely folded.
   std::vector<float> lowered(float share) {
     posed = mesh.positions;
     for (glm::vec3& p : posed) p.x -= 2.0f * share * std::clamp(p.x, -0.1f, 0.1f);
@@ -38,7 +38,7 @@ struct CreasedSheet {
     return heights;
   }
 
-  /// The definition, vertex by vertex and triangle by triangle, in double.
+  /// Definition, by vertex and triangle, in double precision.
   [[nodiscard]] std::vector<double> asDefined() const {
     std::vector<double> rho(mesh.positions.size(), 1.0);
     for (const ControlTriangle& t : mesh.triangles) {
@@ -83,7 +83,7 @@ struct CreasedSheet {
 
 Refinement coarse(const ControlMesh& mesh) { return refine(mesh, 1); }
 
-/// Any levels, edges and insides of their own.
+/// Arbitrary levels for edges and interiors.
 Refinement uneven(const ControlMesh& mesh) {
   RefinementLevels levels = uniformLevels(mesh, 1);
   std::mt19937 random(5);
@@ -92,7 +92,7 @@ Refinement uneven(const ControlMesh& mesh) {
   return refine(mesh, levels);
 }
 
-TEST(CreaseLift, TakesThreeFifthsWhereTheSkinIsTurnedOver) {
+TEST(CreaseLift, RemovesThreeFifthsWhereTheSkinFoldsOver) {
   CreasedSheet sheet(coarse);
   const std::vector<float> heights = sheet.lowered(1.0f);
   int creased = 0;
@@ -107,7 +107,7 @@ TEST(CreaseLift, TakesThreeFifthsWhereTheSkinIsTurnedOver) {
   EXPECT_GT(creased, 40);
 }
 
-TEST(CreaseLift, AgreesWithItsDefinitionAtAnyDetail) {
+TEST(CreaseLift, MatchesItsDefinitionAtAnyDetail) {
   for (const auto& refined : {std::function(coarse), std::function(uneven)}) {
     CreasedSheet sheet(refined);
     for (const float share : {0.35f, 0.5f, 0.7f, 1.0f}) {
@@ -120,7 +120,7 @@ TEST(CreaseLift, AgreesWithItsDefinitionAtAnyDetail) {
   }
 }
 
-TEST(CreaseLift, LeavesASheetThatIsHardlySqueezed) {
+TEST(CreaseLift, LeavesASlightlyCompressedSheetUnchanged) {
   CreasedSheet sheet(uneven);
   const std::vector<float> ones(static_cast<std::size_t>(sheet.refinement.vertexCount), 1.0f);
   EXPECT_EQ(sheet.lowered(0.0f), ones);
@@ -129,7 +129,7 @@ TEST(CreaseLift, LeavesASheetThatIsHardlySqueezed) {
   EXPECT_EQ(sheet.lowered(0.0f), ones) << "nothing is left from the call before";
 }
 
-TEST(CreaseLift, LeavesWhatMusclesHaveNotMoved) {
+TEST(CreaseLift, LeavesUnmovedSkinUnchanged) {
   CreasedSheet sheet(uneven);
   std::ranges::fill(sheet.moved.isControl, std::uint8_t{0});
   EXPECT_EQ(sheet.lowered(1.0f), std::vector<float>(static_cast<std::size_t>(sheet.refinement.vertexCount), 1.0f));
@@ -148,7 +148,7 @@ TEST(CreaseLift, IsContinuousWhereTheSkinFoldsOver) {
   EXPECT_LT(worst, 10.0f / kSteps);
 }
 
-TEST(CreaseLift, SliversOfTheBindPoseHaveNoSay) {
+TEST(CreaseLift, IgnoresSliversOfTheBindPose) {
   CreasedSheet sheet(coarse, 30.0f);
   EXPECT_EQ(sheet.lowered(1.0f), std::vector<float>(sheet.mesh.positions.size(), 1.0f));
 }

@@ -1,4 +1,4 @@
-// tests/surface/finish/fold_spread_test.cpp: corners of turned triangles move apart along the patch, continuously,
+// tests/surface/finish/fold_spread_test.cpp: corners of inverted triangles move apart along the patch, continuously,
 // and nothing else moves.
 
 #include "core/surface/finish/fold_spread.h"
@@ -20,7 +20,7 @@ namespace {
 
 constexpr float kCell = 0.1f;  ///< Side of a cell of flatSheet().
 
-TEST(FoldSpread, TurnsTrianglesBack) {
+TEST(FoldSpread, UnfoldsInvertedTriangles) {
   SpreadSheet scene(flatSheet());
   for (const float lift : {0.25f, 0.3f, 0.4f}) {
     const std::vector<glm::vec3> lifted = converging(scene.patch, lift);
@@ -31,7 +31,7 @@ TEST(FoldSpread, TurnsTrianglesBack) {
   }
 }
 
-// Along the patch, which is flat here: no pit opens where triangles were turned.
+// Along the patch, which is flat here: no pit opens where triangles were inverted.
 TEST(FoldSpread, KeepsHeights) {
   SpreadSheet scene(flatSheet());
   const std::vector<glm::vec3> lifted = converging(scene.patch, 0.3f);
@@ -40,7 +40,7 @@ TEST(FoldSpread, KeepsHeights) {
   for (std::size_t v = 0; v < lifted.size(); ++v) EXPECT_NEAR(spread[v].z, lifted[v].z, 1e-5f) << v;
 }
 
-TEST(FoldSpread, LeavesTheRestAloneBitForBit) {
+TEST(FoldSpread, LeavesTheRestUnchangedBitForBit) {
   SpreadSheet scene(flatSheet());
   const std::vector<glm::vec3> lifted = converging(scene.patch, 0.3f);
   const std::vector<glm::vec3> spread = scene.spread(lifted);
@@ -60,7 +60,7 @@ TEST(FoldSpread, LeavesTheRestAloneBitForBit) {
   EXPECT_GT(alone, 200);
 }
 
-TEST(FoldSpread, TouchesNothingWithoutAFold) {
+TEST(FoldSpread, ChangesNothingWithoutAFold) {
   SpreadSheet scene(flatSheet());
   const std::vector<glm::vec3> lifted = converging(scene.patch, 0.05f);
   ASSERT_GE(scene.leastArea(lifted), FoldSpread::kLeastArea);
@@ -88,8 +88,8 @@ TEST(FoldSpread, IsContinuousInTheLift) {
   EXPECT_LT(finer, 2.0f * slope) << "a jump stays as steps shrink";
 }
 
-// A vertex that has only just begun to move is not thrown about by the fold beside it.
-TEST(FoldSpread, IsContinuousWhereAVertexBeginsToMove) {
+// A vertex that has only begun to move is not displaced by the fold next to it.
+TEST(FoldSpread, IsContinuousAsAVertexStartsToMove) {
   SpreadSheet scene(flatSheet());
   std::vector<glm::vec3> lifted = converging(scene.patch, 0.3f);
   std::size_t nearest = 0;
@@ -102,8 +102,8 @@ TEST(FoldSpread, IsContinuousWhereAVertexBeginsToMove) {
   EXPECT_LT(largestStep(scene.spread(lifted), unmoved), 2e-3f);
 }
 
-/// A vertex of the patch goes by `way` across the edges opposite to it, in that many steps; the lift stays as it is,
-/// and leans over its neighbors. @return how far the skin steps at most, over the patch's own step
+/// Moves a patch vertex by `way` across the edges opposite to it, in that many steps, with a constant lift that leans
+/// over its neighbors. @return the skin's largest step, relative to the patch's step
 float steepestWhereThePatchTurns(float way, int steps) {
   SpreadSheet scene(flatSheet());
   const auto middle = static_cast<std::size_t>(
@@ -130,13 +130,13 @@ float steepestWhereThePatchTurns(float way, int steps) {
   return slope;
 }
 
-// A pose folds the patch itself: its triangles shrink to nothing and come out on the other side.
-TEST(FoldSpread, IsContinuousWherePatchTrianglesTurnOver) {
+// A pose folds the patch itself: its triangles shrink to nothing and reappear inverted.
+TEST(FoldSpread, IsContinuousAsPatchTrianglesInvert) {
   const float slope = steepestWhereThePatchTurns(0.2f, 1000);
   EXPECT_LT(steepestWhereThePatchTurns(0.2f, 8000), 2.0f * slope) << "a jump stays as steps shrink";
 }
 
-// A border that moved would open a crack to the skin that is drawn beside it.
+// A border that moved would open a crack to the skin drawn next to it.
 TEST(FoldSpread, KeepsBorders) {
   Sheet half = flatSheet();
   std::erase_if(half.triangles, [&](const auto& t) {
@@ -155,7 +155,7 @@ TEST(FoldSpread, KeepsBorders) {
   EXPECT_GT(border, 5);
 }
 
-/// Squeezes one column of cells to `share` of its width in the patch.
+/// Squeezes one column of cells to the fraction `share` of its width in the patch.
 void squeeze(std::vector<glm::vec3>& patch, float share) {
   for (glm::vec3& p : patch) {
     if (std::abs(p.x - kCell) < 0.1f * kCell) p.x = share * kCell;
@@ -172,9 +172,9 @@ std::vector<glm::vec3> narrowedTo(float q, const std::vector<glm::vec3>& patch, 
   return lifted;
 }
 
-// Slivers lie in the creases of a pose. Their q changes as much faster than the skin moves as they are narrower than
-// the cells beside them.
-TEST(FoldSpread, IsNoFasterAroundSlivers) {
+// Slivers occur in the creases of a pose. Their q changes faster than the skin moves, in proportion to how much
+// narrower they are than neighboring cells.
+TEST(FoldSpread, MovesNoFasterAroundSlivers) {
   for (const float share : {0.5f, 0.2f, 0.1f}) {
     SpreadSheet scene(flatSheet());
     squeeze(scene.patch, share);

@@ -1,4 +1,4 @@
-// tests/surface/finish/lift_filter_test.cpp: heights that edges cannot follow are evened out; all others stay.
+// tests/surface/finish/lift_filter_test.cpp: heights that edges cannot follow are smoothed; all others stay.
 
 #include "core/surface/finish/lifted_heights.h"
 
@@ -30,7 +30,7 @@ struct Heights {
 
   Heights() : mesh(flat()), refinement(refine(mesh, 1)), rings(vertexRings(refinement)) {}
 
-  /// @return weights, empty where the filter found nothing to do.
+  /// @return weights; empty where the filter found nothing to do
   std::vector<float> filtered(const std::vector<float>& raw) {
     heights = raw;
     positions = mesh.positions;
@@ -41,7 +41,7 @@ struct Heights {
     return {weights.begin(), weights.end()};
   }
 
-  /// A disc of one height about a point, whose rim is steeper than any edge.
+  /// A disc of constant height around a point, with a rim steeper than any edge.
   [[nodiscard]] std::vector<float> disc(float height, float radius) const {
     std::vector<float> out;
     for (const glm::vec3& p : mesh.positions) {
@@ -50,7 +50,7 @@ struct Heights {
     return out;
   }
 
-  /// Largest second difference of the heights along the rows, in edges: what the eye sees as teeth.
+  /// Largest second difference of the heights along the rows, in edges: visible as teeth.
   [[nodiscard]] float roughness() const {
     float most = 0.0f;
     for (std::size_t a = 0; a < heights.size(); ++a) {
@@ -76,7 +76,7 @@ struct Heights {
   }
 };
 
-TEST(LiftFilter, LeavesWhatEdgesCanFollowBitForBit) {
+TEST(LiftFilter, LeavesResolvedHeightsUnchangedBitForBit) {
   Heights sheet;
   std::vector<float> raw;
   for (const glm::vec3& p : sheet.mesh.positions) {
@@ -87,7 +87,7 @@ TEST(LiftFilter, LeavesWhatEdgesCanFollowBitForBit) {
   EXPECT_EQ(sheet.heights, raw);
 }
 
-TEST(LiftFilter, EvensOutARimThatIsNarrowerThanAnEdge) {
+TEST(LiftFilter, SmoothsARimNarrowerThanAnEdge) {
   Heights sheet;
   for (const float sign : {1.0f, -1.0f}) {
     const std::vector<float> raw = sheet.disc(sign * kEdge, 0.25f);
@@ -111,7 +111,7 @@ TEST(LiftFilter, EvensOutARimThatIsNarrowerThanAnEdge) {
   }
 }
 
-// A vertex that begins to move, between neighbors that stand high already, rises from 0.
+// A vertex that begins to move between high neighbors rises from 0.
 TEST(LiftFilter, IsContinuousInTheHeights) {
   Heights sheet;
   constexpr int kSteps = 400;
@@ -132,7 +132,7 @@ TEST(LiftFilter, IsContinuousInTheHeights) {
   EXPECT_LT(worst, 4.0f * kEdge / kSteps);
 }
 
-/// The definition, edge by edge of every triangle and in double precision; fills `weights`.
+/// Definition, by edge of every triangle and in double precision; fills `weights`.
 std::vector<double> asDefined(const Refinement& refinement, const std::vector<glm::vec3>& patch,
                               const std::vector<float>& heights, std::vector<double>& weights) {
   const std::size_t n = heights.size();
@@ -188,12 +188,12 @@ std::vector<double> asDefined(const Refinement& refinement, const std::vector<gl
   return now;
 }
 
-TEST(LiftFilter, AgreesWithItsDefinition) {
+TEST(LiftFilter, MatchesItsDefinition) {
   std::mt19937 random(7);
   std::uniform_real_distribution<float> unit(0.0f, 1.0f);
   for (int trial = 0; trial < 6; ++trial) {
     Heights bent;
-    // Uneven edges, some of no length; heights here and there, of both signs.
+    // Uneven edges, some of zero length; scattered heights of both signs.
     for (glm::vec3& p : bent.mesh.positions) p.z = 0.03f * unit(random);
     for (int i = 0; i < 5; ++i) {
       const auto& t = bent.refinement.triangles[static_cast<std::size_t>(97 * i + trial)];
@@ -216,7 +216,7 @@ TEST(LiftFilter, AgreesWithItsDefinition) {
   }
 }
 
-TEST(LiftFilter, GivesTheSameBitsByEveryInstructionSet) {
+TEST(LiftFilter, GivesTheSameBitsOnEveryInstructionSet) {
   Heights sheet;
   const std::vector<float> raw = sheet.disc(kEdge, 0.25f);
   sheet.filtered(raw);

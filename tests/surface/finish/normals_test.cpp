@@ -1,5 +1,4 @@
-// tests/surface/finish/normals_test.cpp: shading normals are off from the faces that are drawn no more than the
-// patch's are.
+// tests/surface/finish/normals_test.cpp: shading normals deviate from the drawn faces no more than the patch's do.
 
 #include <algorithm>
 #include <array>
@@ -27,10 +26,10 @@ double degreesBetween(const glm::vec3& a, const glm::vec3& b) {
   return std::acos(std::clamp(cosine, -1.0, 1.0)) * 180.0 / std::numbers::pi;
 }
 
-/// What the small triangles around each vertex say.
+/// Statistics of the small triangles around each vertex.
 struct Faceted {
   std::vector<glm::vec3> normals;  ///< [V'] weighted by the corners' angles.
-  std::vector<double> spread;      ///< [V'] degrees: widest angle of a face to that normal: large on a crease.
+  std::vector<double> spread;      ///< [V'] degrees: widest angle of a face to that normal: large at a crease.
 };
 
 Faceted facetedOf(const Surface& surface) {
@@ -56,16 +55,16 @@ Faceted facetedOf(const Surface& surface) {
 }
 
 struct Count {
-  int moved = 0;    ///< By the muscles; in `replace` those that lie on F = T with all their neighbors.
-  int creased = 0;  ///< A face leans away by more than 10 degrees (unlinked groups meet, the cage folds), or:
-  int folded = 0;   ///< Creased ones where the mesh lies over itself, inside out.
+  int moved = 0;    ///< Moved by muscles; in `replace` those that lie on F = T with all their neighbors.
+  int creased = 0;  ///< A face leans by more than 10 degrees (unlinked groups meet, the cage folds), or:
+  int folded = 0;   ///< Creased ones where the mesh overlaps itself, inside out.
   int judged = 0;   ///< The rest.
   int raw = 0;      ///< Judged ones beyond 10 degrees.
   int off = 0;      ///< Judged ones more than 10 degrees beyond the patch's own normal's deviation from the patch.
 };
 
-/// In `replace`: vertices with F = T, as have all around them, and under territories that hardly fade from one to the
-/// next: elsewhere the surface is a mix, and so are its normals.
+/// In `replace`: vertices with F = T, as have all around them, and whose territory weights hardly differ from their
+/// neighbors': elsewhere surface and normals are mixed.
 std::vector<bool> onTheImplicitSurface(const oracle::Oracle& oracle, const ControlMesh& mesh, const Surface& surface) {
   const double iso = oracle.field().iso();
   std::vector<std::vector<double>> weights;
@@ -137,7 +136,7 @@ Count countOf(const TrialScene& scene, SurfaceMode mode) {
   return out;
 }
 
-TEST(Normals, AreHeldToTheFaces) {
+TEST(SurfaceNormals, StayNearTheFaceNormals) {
   std::printf("  %-11s %-8s %8s %8s %8s %8s %10s %20s\n", "scene", "mode", "moved", "creased", "folded", "judged",
               "within 10", "beyond the patch's");
   for (const TrialScene& scene : trialScenes()) {
@@ -148,12 +147,12 @@ TEST(Normals, AreHeldToTheFaces) {
       std::printf("  %-11s %-8s %8d %8d %8d %8d %9.2f%% %19.2f%%\n", scene.name.c_str(), nameOf(mode), seen.moved,
                   seen.creased, seen.folded, seen.judged, 100.0 * (1.0 - seen.raw / judged), 100.0 * within);
       EXPECT_GE(within, 0.99) << scene.name << ", " << nameOf(mode);
-      // `replace` moves little of a body that muscles do not wrap.
+      // `replace` moves little of a body without wrapping muscles.
       const bool wrapped = scene.name == "wrapped" || scene.name == "tangle";
       if (mode == SurfaceMode::kSwell || wrapped) {
         EXPECT_GT(seen.judged, 100) << scene.name << ", " << nameOf(mode);
       }
-      // Normals that lean together over a hollow cross where the skin rises further than they are apart.
+      // Normals that converge over a hollow cross if the skin rises further than their distance.
       if (mode == SurfaceMode::kSwell) {
         EXPECT_LE(seen.folded, seen.moved / 10) << scene.name;
       }

@@ -1,4 +1,4 @@
-// tests/surface/finish/root_noise_test.cpp: roots that differ by what search methods differ by give one surface.
+// tests/surface/finish/root_noise_test.cpp: roots that differ by no more than search methods do give the same surface.
 
 #include <algorithm>
 #include <cstdio>
@@ -17,7 +17,7 @@ namespace {
 constexpr float kNoise = 1e-7f;  ///< Fractions of H.
 constexpr float kMostNoise = 1e-5f;
 
-/// A rig's stages from projection on, twice a pose: with the roots as they are and with each a little off.
+/// Runs a rig's stages after projection twice for each pose: with the roots as they are and with perturbed ones.
 class Noisy {
  public:
   Noisy(const TrialScene& scene, const Rig& rig) : character_(*scene.character) {
@@ -44,7 +44,7 @@ class Noisy {
   }
 
  private:
-  /// Each height is off by up to kNoise, but keeps its sign.
+  /// Each height is perturbed by up to kNoise, but keeps its sign.
   void disturb(Surface& surface) {
     const float noise = kNoise * character_.height;
     for (std::size_t v = 0; v < surface.positions.size(); ++v) {
@@ -73,7 +73,7 @@ float worstOf(const TrialScene& scene, const Rig& rig) {
   Noisy noisy(scene, rig);
   float worst = 0.0f;
   for (const Pose& pose : spreadPoses(*scene.character, 8)) worst = std::max(worst, noisy.amplified(pose));
-  for (std::uint64_t seed = 1; seed <= 6; ++seed) {  // Joints bent further than any clip bends them.
+  for (std::uint64_t seed = 1; seed <= 6; ++seed) {  // Joints bent further than in any clip.
     worst = std::max(worst, noisy.amplified(randomPose(scene.character->skeleton, 1.5f, 0.0f, seed)));
   }
   return worst;

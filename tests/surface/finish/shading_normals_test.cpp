@@ -1,5 +1,5 @@
-// tests/surface/finish/shading_normals_test.cpp: normals stay the field's where faces can show them, else follow the
-// faces.
+// tests/surface/finish/shading_normals_test.cpp: shading normals are the field's where faces can show them, otherwise
+// follow the faces.
 
 #include "core/surface/finish/shading_normals.h"
 
@@ -21,13 +21,13 @@ namespace {
 constexpr int kNormalsCells = 40;
 constexpr float kNormalsEdge = 2.0f / kNormalsCells;
 
-/// A flat patch, raised by a height with the normals of a field.
+/// A flat patch raised by a height, with a field's normals.
 class Raised {
  public:
   Raised()
       : mesh_(flat()), refinement_(refine(mesh_, 1)), rings_(vertexRings(refinement_)), patchNormals_(mesh_.normals) {}
 
-  /// @param height  of a place; 0: not moved.  @param normal  the field's, asked where it moved.
+  /// @param height  at a place; 0: not moved.  @param normal  of the field; called where it moved
   std::vector<glm::vec3> shaded(const std::function<float(const glm::vec3&)>& height,
                                 const std::function<glm::vec3(const glm::vec3&)>& normal) {
     positions = mesh_.positions;
@@ -45,7 +45,7 @@ class Raised {
     return out;
   }
 
-  /// The field's normals of what was last shaded, softened and no more.
+  /// The field's normals of the last shading, softened only.
   [[nodiscard]] std::vector<glm::vec3> softened(InstructionSet set) const {
     std::vector<glm::vec3> out = fieldNormals;
     std::vector<NormalsVertex> vertices(out.size());
@@ -88,7 +88,7 @@ class Raised {
   ShadingNormals shading_;
 };
 
-/// A bump about the origin that ends smoothly at a radius, and its normals.
+/// A bump around the origin that ends smoothly at a radius, and its normals.
 struct Bump {
   float height = 0.1f;
   float radius = 0.5f;
@@ -122,7 +122,7 @@ std::vector<glm::vec3> faceNormals(const Refinement& refinement, const std::vect
   return sums;
 }
 
-TEST(ShadingNormals, KeepTheirBitsWhereNothingMoved) {
+TEST(ShadingNormals, AreUnchangedWhereNothingMoved) {
   Raised sheet;
   const auto nowhere = [](const glm::vec3&) { return 0.0f; };
   EXPECT_TRUE(sameBytes(sheet.shaded(nowhere, [](const glm::vec3& p) { return p; }), sheet.patchNormals()));
@@ -146,7 +146,7 @@ TEST(ShadingNormals, KeepTheirBitsWhereNothingMoved) {
   EXPECT_GT(changed, 0) << "the faces beside the bump were not looked at";
 }
 
-TEST(ShadingNormals, OfABumpMuchWiderThanTheTrianglesAreTheFieldsBitForBit) {
+TEST(ShadingNormals, EqualTheFieldNormalsOnAWideBump) {
   Raised sheet;
   const Bump bump{0.1f, 0.8f};
   const auto shaded =
@@ -167,8 +167,8 @@ bool inSquare(const glm::vec3& p) { return std::abs(p.x) < 0.5f && std::abs(p.y)
 /// 60 degrees to both sides.
 glm::vec3 steepNormal(const glm::vec3& p) { return {p.x > 0.0f ? 1.7f : -1.7f, 0.0f, 1.0f}; }
 
-// The field says 60 degrees where the faces hardly lean.
-TEST(ShadingNormals, OfABumpNarrowerThanAnEdgeAreHeldToTheFaces) {
+// The field's normal leans 60 degrees where the faces hardly lean.
+TEST(ShadingNormals, StayNearTheFacesOnANarrowBump) {
   Raised sheet;
   const auto uneven = [](const glm::vec3& p) {
     return inSquare(p) ? 0.001f * (1.0f + 0.3f * std::sin(13.0f * p.x + 7.0f * p.y)) : 0.0f;
@@ -185,8 +185,8 @@ TEST(ShadingNormals, OfABumpNarrowerThanAnEdgeAreHeldToTheFaces) {
   EXPECT_LT(most, 9.0f);  // A difference of 0.145.
 }
 
-// Lifted by the same height everywhere, faces lie as the patch's do, to the last bit.
-TEST(ShadingNormals, AreHeldToFacesThatWereOnlyShifted) {
+// Lifted by the same height everywhere, the faces match the patch's exactly.
+TEST(ShadingNormals, StayNearFacesThatWereOnlyShifted) {
   Raised sheet;
   const auto even = [](const glm::vec3& p) { return inSquare(p) ? 0.001f : 0.0f; };
   const std::vector<glm::vec3> shaded = sheet.shaded(even, steepNormal);
@@ -196,8 +196,8 @@ TEST(ShadingNormals, AreHeldToFacesThatWereOnlyShifted) {
   EXPECT_LT(most, 9.0f);
 }
 
-// A step that runs askew over the mesh, narrower than an edge: its faces alternate.
-TEST(ShadingNormals, OfARimAcrossTheMeshLoseTheirTeeth) {
+// A step that runs diagonally over the mesh, narrower than an edge: its faces alternate.
+TEST(ShadingNormals, AreSmoothAlongADiagonalRim) {
   Raised sheet;
   const auto step = [](const glm::vec3& p) {
     return 0.6f * kNormalsEdge * std::clamp((p.x + 0.4f * p.y + 0.2f) / (0.5f * kNormalsEdge), 0.0f, 1.0f);
@@ -206,7 +206,7 @@ TEST(ShadingNormals, OfARimAcrossTheMeshLoseTheirTeeth) {
   const std::vector<glm::vec3> faces = faceNormals(sheet.refinement(), sheet.positions);
   std::size_t next = 0;
   const auto asTheFaces = [&](const glm::vec3&) {
-    while (sheet.positions[next].z == 0.0f) ++next;  // Asked in order, of what moved.
+    while (sheet.positions[next].z == 0.0f) ++next;  // Called in order, for moved vertices only.
     return faces[next++];
   };
   const std::vector<glm::vec3> shaded = sheet.shaded(step, asTheFaces);
@@ -227,7 +227,7 @@ struct Around {
   std::vector<double> most;            ///< The largest distance from a neighbor.
 };
 
-/// Each neighbor counts once for every triangle shared.
+/// Each neighbor counts once for every shared triangle.
 Around around(const Refinement& refinement, const std::vector<glm::dvec3>& of) {
   Around out{std::vector<glm::dvec3>(of.size(), glm::dvec3(0.0)), std::vector<double>(of.size(), 0.0)};
   std::vector<double> counts(of.size(), 0.0);
@@ -251,7 +251,7 @@ double step(double from, double to, double x) {
   return t * t * (3.0 - 2.0 * t);
 }
 
-/// As docs/design.md has it, in double precision.
+/// Definition of docs/design.md in double precision.
 std::vector<glm::dvec3> softenedByDefinition(const Refinement& refinement, const std::vector<glm::vec3>& patch,
                                              const std::vector<glm::vec3>& field) {
   const std::vector<glm::dvec3> normals(field.begin(), field.end());
@@ -269,7 +269,7 @@ std::vector<glm::dvec3> softenedByDefinition(const Refinement& refinement, const
   return out;
 }
 
-TEST(ShadingNormals, AreSoftenedAtRimsAsDefinedAndNowhereElse) {
+TEST(ShadingNormals, AreSoftenedOnlyAtRimsAndAsDefined) {
   Raised sheet;
   const Bump bump{0.1f, 0.6f};
   const auto turned = [&](const glm::vec3& p) {  // Smooth on one side, rough on the other.
@@ -322,8 +322,8 @@ TEST_P(ShadingNormalsContinuity, AreContinuousInTheHeight) {
   EXPECT_LT(slopes[1], 1.5f * slopes[0]) << "a jump stays as steps shrink";
 }
 
-// A second bump begins to rise beside a steep one: at its first stirring nothing may jump.
-TEST_P(ShadingNormalsContinuity, AreContinuousWhereAVertexBeginsToMove) {
+// A second bump begins to rise next to a steep one: nothing may jump as it starts.
+TEST_P(ShadingNormalsContinuity, AreContinuousAsAVertexStartsToMove) {
   Raised sheet;
   sheet.softensRims = GetParam();
   const Bump steep{0.3f, 0.2f};

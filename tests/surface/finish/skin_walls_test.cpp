@@ -1,4 +1,5 @@
-// tests/surface/finish/skin_walls_test.cpp: which skin a place is above and below, against signed distances of balls.
+// tests/surface/finish/skin_walls_test.cpp: nearest skin above and below a place, compared with signed distances of
+// balls.
 #include "core/surface/finish/skin_walls.h"
 
 #include <cmath>
@@ -13,7 +14,7 @@ namespace {
 
 constexpr float kRadius = 1.0f;
 
-/// Two balls side by side, as fine meshes, each of which faces outwards.
+/// Two balls side by side as fine meshes that face outwards.
 struct TwoBalls {
   Refinement refinement;
   std::vector<glm::vec3> positions;
@@ -59,12 +60,12 @@ struct TwoBalls {
   }
 };
 
-/// Above and below whatever the bind pose was like.
+/// Finds walls above and below whatever the bind pose was.
 constexpr WallsUnder kAllWalls{glm::vec3(0.0f), glm::vec3(0.0f, 1.0f, 0.0f)};
 
-class WallsOfTwoBalls : public ::testing::TestWithParam<float> {};
+class SkinWallsOfTwoBalls : public ::testing::TestWithParam<float> {};
 
-TEST_P(WallsOfTwoBalls, AreThoseOfTheirSignedDistances) {
+TEST_P(SkinWallsOfTwoBalls, MatchSignedDistances) {
   const float apart = GetParam();
   const TwoBalls balls(apart);
   WallTree tree = wallTree(balls.refinement, balls.triangles, balls.positions);
@@ -74,7 +75,7 @@ TEST_P(WallsOfTwoBalls, AreThoseOfTheirSignedDistances) {
   const SkinWalls walls(tree, balls.refinement, rings, balls.layers, balls.positions, 100.0f, nodes);
   std::mt19937 random(7);
   std::uniform_real_distribution<float> anywhere(-1.6f, 1.6f);
-  constexpr float kFlat = 0.01f;  // Triangles lie so far inside of the ball.
+  constexpr float kFlat = 0.01f;  // Distance of flat triangles to the ball's surface.
   int both = 0;
   for (int i = 0; i < 4'000; ++i) {
     const glm::vec3 p(anywhere(random), anywhere(random), anywhere(random));
@@ -100,7 +101,7 @@ TEST_P(WallsOfTwoBalls, AreThoseOfTheirSignedDistances) {
     expectIs(above, found.above);
     expectIs(below, found.below);
     both += std::isfinite(found.above) && std::isfinite(found.below) ? 1 : 0;
-    // The fast question has the same answer.
+    // The fast query gives the same answer.
     SkinWalls::NearNodes memory;
     Bounds box;
     box.add(p - glm::vec3(0.1f));
@@ -112,15 +113,15 @@ TEST_P(WallsOfTwoBalls, AreThoseOfTheirSignedDistances) {
   EXPECT_GT(both, 20) << "the balls do not cross where places were tried";
 }
 
-INSTANTIATE_TEST_SUITE_P(Apart, WallsOfTwoBalls, ::testing::Values(1.2f, 1.6f, 1.9f));
+INSTANTIATE_TEST_SUITE_P(Apart, SkinWallsOfTwoBalls, ::testing::Values(1.2f, 1.6f, 1.9f));
 
-TEST(SkinWalls, CountOnlySkinThatWasNearInTheBindPoseAndFacedAlike) {
+TEST(SkinWalls, IncludeOnlySkinNearAndAlikeInTheBindPose) {
   const TwoBalls balls(4.0f);
   const WallTree tree = wallTree(balls.refinement, balls.triangles, balls.positions);
   const VertexRings rings = vertexRings(balls.refinement);
   std::vector<WallNode> nodes;
   const SkinWalls walls(tree, balls.refinement, rings, balls.layers, balls.positions, 0.5f, nodes);
-  const glm::vec3 inside(2.0f, 0.9f, 0.0f);  // Of the right ball, under its top.
+  const glm::vec3 inside(2.0f, 0.9f, 0.0f);  // Inside the right ball, below its top.
   const glm::vec3 top(2.0f, 1.0f, 0.0f);
   const glm::vec3 up(0.0f, 1.0f, 0.0f);
   EXPECT_NEAR(walls.around(inside, {top, up}, 1.0f).below, 0.1f, 0.01f);
@@ -130,7 +131,7 @@ TEST(SkinWalls, CountOnlySkinThatWasNearInTheBindPoseAndFacedAlike) {
   EXPECT_GE(walls.nearest(top + 0.5f * up, 0.9f), 0);
 }
 
-TEST(SkinWalls, TheFastQuestionMissesNoWallAtTheBorderOfWhatCounts) {
+TEST(SkinWalls, FastQueryFindsEveryWallNearTheLimit) {
   TwoBalls balls(4.0f);
   for (glm::vec3& place : balls.positions) {  // Dented.
     place *= 1.0f + 0.08f * std::sin(9.0f * place.x) * std::sin(11.0f * place.y + 2.0f) * std::sin(10.0f * place.z);
@@ -144,13 +145,13 @@ TEST(SkinWalls, TheFastQuestionMissesNoWallAtTheBorderOfWhatCounts) {
   constexpr float kWithin = 0.3f;
   int below = 0;
   for (int i = 0; i < 300'000; ++i) {
-    // Braces: compilers order the arguments of a call as they like.
+    // Braces: the evaluation order of function arguments is unspecified.
     const auto any = [&] { return glm::normalize(glm::vec3{spread(random), spread(random), spread(random)}); };
     const glm::vec3 way = any();
     const glm::vec3 p = glm::vec3(2.0f, 0.0f, 0.0f) + (1.0f + 0.08f * spread(random)) * way;
     const WallsUnder under{p + 0.3f * any(), any()};
     const Walls found = walls.around(p, under, kWithin);
-    // Whether it meets walls behind a much nearer one depends on which it meets first.
+    // Whether walls behind a much nearer one are found depends on the order.
     if (!(found.below < std::min(kWithin, SkinWalls::kWallsApart * found.above))) continue;
     ++below;
     SkinWalls::NearNodes memory;

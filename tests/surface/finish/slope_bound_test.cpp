@@ -1,4 +1,4 @@
-// tests/surface/finish/slope_bound_test.cpp: heights fall to what the slope allows, and no further.
+// tests/surface/finish/slope_bound_test.cpp: heights are lowered to the bounded slope, and no further.
 
 #include "core/surface/finish/lifted_heights.h"
 
@@ -18,7 +18,7 @@ namespace {
 constexpr int kBoundCells = 20;
 constexpr float kBoundEdge = 2.0f / kBoundCells;
 
-/// An uneven sheet, with edges of any length, and heights over it.
+/// An uneven sheet with edges of any length, and heights over it.
 struct Slopes {
   std::vector<glm::vec3> patch;
   std::vector<std::array<int, 3>> triangles;
@@ -34,7 +34,7 @@ struct Slopes {
     std::mt19937 random(seed);
     std::uniform_real_distribution<float> unit(-0.4f, 0.4f);
     for (glm::vec3& p : patch) p += kBoundEdge * glm::vec3(unit(random), unit(random), unit(random));
-    for (int i = 0; i < 3; ++i) {  // And some of none.
+    for (int i = 0; i < 3; ++i) {  // And some of zero length.
       const auto& t = triangles[static_cast<std::size_t>(101 * i + 50)];
       patch[static_cast<std::size_t>(t[1])] = patch[static_cast<std::size_t>(t[0])];
     }
@@ -56,7 +56,7 @@ struct Slopes {
     return out;
   }
 
-  /// Edges, and from corner to corner across them: every two triangles that share two vertices.
+  /// Edges, and pairs of opposite corners across them: for any two triangles that share two vertices.
   [[nodiscard]] std::vector<std::array<int, 2>> steps() const {
     std::vector<std::array<int, 2>> out;
     for (const std::array<int, 3>& t : triangles) {
@@ -79,7 +79,7 @@ struct Slopes {
     return out;
   }
 
-  /// The definition: every step, in double, until nothing changes.
+  /// Definition: every step, in double precision, until nothing changes.
   [[nodiscard]] std::vector<double> asDefined(const std::vector<float>& heights) const {
     std::vector<double> out(heights.begin(), heights.end());
     const std::vector<std::array<int, 2>> all = steps();
@@ -105,7 +105,7 @@ struct Slopes {
   SlopeBound bound_;
 };
 
-/// Hills and pits with cliffs, some of it flat.
+/// Hills and pits with cliffs, partly flat.
 std::vector<float> cliffs(std::size_t count, std::uint32_t seed) {
   std::mt19937 random(seed);
   std::uniform_real_distribution<float> unit(0.0f, 1.0f);
@@ -117,11 +117,11 @@ std::vector<float> cliffs(std::size_t count, std::uint32_t seed) {
   return out;
 }
 
-TEST(SlopeBound, AgreesWithItsDefinition) {
+TEST(SlopeBound, MatchesItsDefinition) {
   Slopes sheet;
   for (const std::uint32_t seed : {1u, 2u, 3u, 4u}) {
     std::vector<float> raw = cliffs(sheet.patch.size(), seed);
-    if (seed > 2) {  // A wide plateau, which the bound eats into from its rim.
+    if (seed > 2) {  // A wide plateau that the bound erodes from its rim.
       for (std::size_t v = 0; v < raw.size(); ++v)
         raw[v] = glm::length(sheet.patch[v]) < 0.7f ? 10.0f * kBoundEdge : 0.0f;
       if (seed > 3) std::ranges::transform(raw, raw.begin(), std::negate<>());
@@ -143,7 +143,7 @@ TEST(SlopeBound, AgreesWithItsDefinition) {
   }
 }
 
-TEST(SlopeBound, LeavesWhatIsNotTooSteepBitForBit) {
+TEST(SlopeBound, LeavesGentleSlopesUnchangedBitForBit) {
   Slopes sheet;
   std::vector<float> raw;
   for (const glm::vec3& p : sheet.patch) raw.push_back(std::max(0.0f, 0.6f - 1.2f * std::hypot(p.x, p.y)));
@@ -151,7 +151,7 @@ TEST(SlopeBound, LeavesWhatIsNotTooSteepBitForBit) {
   EXPECT_TRUE(sheet.lowered.empty());
 }
 
-// A jump of one vertex may lower others, but none further than it has jumped itself.
+// A jump of one vertex may lower others, but by no more than its own height.
 TEST(SlopeBound, AmplifiesNothing) {
   Slopes sheet;
   std::mt19937 random(9);
@@ -170,8 +170,8 @@ TEST(SlopeBound, AmplifiesNothing) {
   }
 }
 
-// Along edges alone a cone's rim would be a polygon, up to 15 % too high between the edges' directions.
-TEST(SlopeBound, IsNearlyTheSameInEveryDirection) {
+// Along edges alone a cone's rim would be a polygon, up to 15 % too high between the edge directions.
+TEST(SlopeBound, IsNearlyIsotropic) {
   const Sheet flat = sheetOf(40, [](float, float) { return 0.0f; });
   Slopes sheet;
   const ControlMesh mesh = meshOf(flat.positions, flat.triangles);
@@ -190,8 +190,8 @@ TEST(SlopeBound, IsNearlyTheSameInEveryDirection) {
   }
 }
 
-// Vertices renumbered at random: the same bits, though everything is found in another order.
-TEST(SlopeBound, DoesNotDependOnAnyOrder) {
+// Randomly renumbered vertices: the same bits, though everything is found in another order.
+TEST(SlopeBound, DoesNotDependOnVertexOrder) {
   Slopes sheet;
   const std::vector<float> raw = cliffs(sheet.patch.size(), 6);
   const std::vector<float> first = sheet.bounded(raw);
@@ -217,7 +217,7 @@ TEST(SlopeBound, DoesNotDependOnAnyOrder) {
   for (std::size_t v = 0; v < raw.size(); ++v) EXPECT_EQ(at(second, to[v]), first[v]) << v;
 }
 
-TEST(SlopeBound, GivesTheSameBitsByEveryInstructionSet) {
+TEST(SlopeBound, GivesTheSameBitsOnEveryInstructionSet) {
   Slopes sheet;
   const std::vector<float> raw = cliffs(sheet.patch.size(), 7);
   const std::vector<float> first = sheet.bounded(raw);

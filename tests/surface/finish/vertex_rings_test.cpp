@@ -1,4 +1,4 @@
-// tests/surface/finish/vertex_rings_test.cpp: neighbors, each once for every triangle shared.
+// tests/surface/finish/vertex_rings_test.cpp: vertex neighbors, counted once for every shared triangle.
 #include "core/surface/finish/vertex_rings.h"
 
 #include <algorithm>
@@ -13,7 +13,7 @@
 namespace sinew::test {
 namespace {
 
-/// How much each neighbor of a vertex counts in the mean.
+/// Weight of each neighbor in a vertex's mean.
 using Shares = std::map<int, double>;
 
 std::vector<Shares> sharesByTriangles(const Refinement& refinement) {
@@ -27,7 +27,7 @@ std::vector<Shares> sharesByTriangles(const Refinement& refinement) {
   return out;
 }
 
-/// Who lies across an edge from whom, once for each two triangles that share one.
+/// Opposite corners across each edge, once for any two triangles that share one.
 std::vector<std::vector<int>> acrossByTriangles(const Refinement& refinement) {
   std::map<std::array<int, 2>, std::vector<int>> thirds;
   for (const auto& t : refinement.triangles) {
@@ -78,16 +78,16 @@ void expectSame(const Refinement& refinement) {
   }
 }
 
-TEST(VertexRings, OfASheetWithBorders) {
+TEST(VertexRings, MatchASearchOnASheetWithBorders) {
   const Sheet sheet = sheetOf(4, [](float, float) { return 0.0f; });
   const ControlMesh mesh = meshOf(sheet.positions, sheet.triangles);
   for (const int depth : {1, 2, 3, 5}) expectSame(refine(mesh, depth));
 }
 
-// Its edges have one triangle, two and three.
-TEST(VertexRings, OfABodyWithAnOpenNeckAndAFin) { expectSame(refine(makeBodyWithArms()->mesh, 3)); }
+// Edges with one, two and three triangles.
+TEST(VertexRings, MatchASearchOnABodyWithAnOpenNeckAndAFin) { expectSame(refine(makeBodyWithArms()->mesh, 3)); }
 
-TEST(VertexRings, InsideAPatchNoNeighborIsListedTwice) {
+TEST(VertexRings, ListEachNeighborOnceInsideAPatch) {
   const Refinement refinement = refine(makeBodyWithArms()->mesh, 5);
   const VertexRings rings = vertexRings(refinement);
   const int inside = refinement.insideBegin.front();

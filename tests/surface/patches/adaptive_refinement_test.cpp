@@ -1,5 +1,5 @@
 // tests/surface/patches/adaptive_refinement_test.cpp: levels by edge and triangle: closed, tiled, without slivers;
-// equal levels are the N-adic refinement to the bit.
+// equal levels give the N-adic refinement bit for bit.
 
 #include <gtest/gtest.h>
 
@@ -62,7 +62,7 @@ void expectSame(const Refinement& a, const Refinement& b) {
   EXPECT_TRUE(a.inside == b.inside);
 }
 
-TEST(AdaptiveRefinement, EqualLevelsAreTheUniformMesh) {
+TEST(AdaptiveRefinement, EqualLevelsGiveTheUniformMesh) {
   for (const CharacterPtr& character : {makeTube(), makeBodyWithArms()}) {
     const ControlMesh& mesh = character->mesh;
     for (int n = 1; n <= 12; ++n) {
@@ -76,8 +76,8 @@ TEST(AdaptiveRefinement, EqualLevelsAreTheUniformMesh) {
   }
 }
 
-// Each triangle's pieces have its area and its orientation, and every side of a piece belongs to two pieces or lies on
-// the mesh's border: no crack, no T-joint, no overlap. The Euler characteristic is the control mesh's.
+// Each triangle's pieces have its area and orientation, and every side of a piece belongs to two pieces or lies on the
+// mesh's border: no cracks, T-joints or overlaps. The Euler characteristic is the control mesh's.
 TEST(AdaptiveRefinement, AnyLevelsTileTheMesh) {
   std::mt19937 random(5);
   for (const CharacterPtr& character : {makeTube(), makeBodyWithArms()}) {
@@ -124,8 +124,8 @@ TEST(AdaptiveRefinement, DrawnAndRefinedTrianglesAgree) {
   }
 }
 
-// 10,000 triangles of all shapes with random levels, graded as the mesh would be. Thin ones have thin pieces.
-TEST(AdaptiveRefinement, GradedLevelsMakeNoSlivers) {
+// 10,000 triangles of all shapes with random levels, graded like a mesh's. Thin ones have thin pieces.
+TEST(AdaptiveRefinement, GradedLevelsAvoidSlivers) {
   std::mt19937 random(7);
   std::uniform_real_distribution<float> coordinate(-1.0f, 1.0f);
   double worst = 180.0;
@@ -156,7 +156,7 @@ TEST(AdaptiveRefinement, GradedLevelsMakeNoSlivers) {
   std::printf("least angle beyond the bound: %.2f degrees\n", worst);
 }
 
-TEST(AdaptiveRefinement, GradingIsTheLeastAndDoesNotDependOnOrder) {
+TEST(AdaptiveRefinement, GradingIsMinimalAndIndependentOfOrder) {
   std::mt19937 random(8);
   const CharacterPtr character = makeBodyWithArms();
   const LevelGrader grader(character->mesh);
@@ -173,7 +173,7 @@ TEST(AdaptiveRefinement, GradingIsTheLeastAndDoesNotDependOnOrder) {
 }
 
 // A circle's chord at level n is off by r (1 - cos(a / 2n)).
-TEST(LevelFit, AnArcIsSplitAsItsSagittaSays) {
+TEST(LevelFit, ArcLevelFollowsItsSagitta) {
   constexpr int kFine = 12;
   constexpr float kAngle = 1.2f;
   std::vector<glm::vec3> positions;
@@ -186,18 +186,18 @@ TEST(LevelFit, AnArcIsSplitAsItsSagittaSays) {
   for (const float tolerance : {0.2f, 0.05f, 0.02f, 0.01f, 0.004f, 0.002f, 1e-5f}) {
     int expected = kFine;
     for (const int n : {6, 4, 3, 2, 1}) {
-      // Samples lie in the middle of a chord where it spans an even number of them.
+      // Samples lie in the middle of a chord if it spans an even number of them.
       const float half = kAngle / static_cast<float>(2 * n);
       const float off = (kFine / n) % 2 == 0 ? 0.0f : kAngle / (2 * kFine);
       if (std::cos(off) - std::cos(half) <= tolerance) expected = n;
     }
     EXPECT_EQ(edgeLevel({positions, normals}, 1, {tolerance, -1.0f}), expected) << tolerance;
   }
-  // Normals: at level n they differ by almost nothing between, so a loose angle asks for nothing more.
+  // Normals: at level n they deviate very little, so a loose angle requires no more levels.
   EXPECT_EQ(edgeLevel({positions, normals}, 1, {10.0f, 0.5f}), 1);
 }
 
-TEST(LevelFit, AFlatTriangleIsNotSplitAndABumpIs) {
+TEST(LevelFit, SplitsABumpButNotAFlatTriangle) {
   constexpr int kFine = 12;
   std::vector<glm::vec3> positions;
   for (int j = 0; j <= kFine; ++j) {
@@ -214,7 +214,7 @@ TEST(LevelFit, AFlatTriangleIsNotSplitAndABumpIs) {
   EXPECT_LT(level, 12);
 }
 
-TEST(SamplePoints, AreThoseOfTheUniformSplits) {
+TEST(SamplePoints, MatchUniformSplits) {
   const CharacterPtr character = makeTube();
   const ControlMesh& mesh = character->mesh;
   const Levels levels{std::vector<std::uint8_t>(mesh.edges.size(), 6),

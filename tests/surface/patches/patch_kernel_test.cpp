@@ -1,5 +1,4 @@
-// tests/surface/patches/patch_kernel_test.cpp: patches and directions in lanes: bit for bit those of one vertex after
-// the other.
+// tests/surface/patches/patch_kernel_test.cpp: vectorized patches and directions match the scalar ones bit for bit.
 
 #include "core/surface/patches/patch.h"
 
@@ -27,10 +26,10 @@ namespace {
 
 constexpr PatchKind kKinds[] = {PatchKind::kPn, PatchKind::kPhong, PatchKind::kSpherigon, PatchKind::kFlat};
 constexpr int kDepths[] = {1, 2, 3, 4, 5, 6, 7, 12};
-constexpr std::size_t kBehind = 64;  ///< Vertices behind the last one, which nobody may touch.
+constexpr std::size_t kBehind = 64;  ///< Vertices after the last one, which must stay untouched.
 constexpr glm::vec3 kUntouched{-7.25f, 1e30f, std::numeric_limits<float>::lowest()};
 
-/// What the arrays that are filled hold afterwards, with kBehind more.
+/// Contents of the output arrays, with kBehind more elements.
 struct Filled {
   std::vector<glm::vec3> positions;
   std::vector<glm::vec3> normals;
@@ -51,7 +50,7 @@ Filled fillBy(const PatchKernels& kernels, PatchKind kind, const ControlMesh& me
   return out;
 }
 
-/// All sets give the bits of the reference, for all kinds at these depths.
+/// All instruction sets give the reference's bits, for all kinds at these depths.
 void expectSameBits(const ControlMesh& mesh, const SkinnedMesh& control, std::span<const int> depths,
                     const std::string& what) {
   for (const int depth : depths) {
@@ -93,7 +92,7 @@ TEST(PatchKernel, GivesTheScalarBitsOnCharacters) {
   for (const auto& [name, character, poses] : moments) {
     SkinnedMesh control;
     skin(*character, poses.back(), control);
-    // The large ones at fewer depths: what differs between depths is weights and strides.
+    // Large ones at fewer depths: depths only differ in weights and strides.
     const bool large = control.positions.size() > 1500;
     const std::vector<int> few{2, 3, 5};
     expectSameBits(character->mesh, control, large ? std::span<const int>(few) : std::span<const int>(kDepths), name);
@@ -105,8 +104,8 @@ glm::vec3 randomDirection(Random& random) {
   return normalizeOr(glm::vec3(number(), number(), number()), glm::vec3(0.0f, 1.0f, 0.0f));
 }
 
-/// Any three vertices make a triangle. Places coincide or lie on a line; normals are opposite, or all but opposite, so
-/// that sums of them are 0 or too short for a float's square.
+/// Triangles of any three vertices. Points coincide or are collinear; normals are opposite or nearly, so that sums of
+/// them are 0 or too short to be squared in float.
 SkinnedMesh degenerateControl(Random& random, std::size_t count, float scale) {
   SkinnedMesh control;
   for (std::size_t v = 0; v < count; ++v) {
@@ -174,7 +173,7 @@ std::vector<glm::vec3> shadeBy(const PatchKernels& kernels, PatchKind kind, cons
   return out;
 }
 
-/// Returns how many drawn vertices have another normal than the patch's.
+/// @return number of drawn vertices whose normal differs from the patch's
 int expectSameShading(const ControlMesh& creased, const SkinnedMesh& control,
                       const std::vector<glm::vec3>& wedgeNormals, const std::string& what) {
   int shaded = 0;
@@ -213,7 +212,7 @@ TEST(PatchKernel, GivesTheScalarBitsOfCreases) {
   }
 }
 
-// Any wedges are creased, so that any number of pieces is left for the last lanes; their normals may be opposite.
+// Random creased wedges, so that the last lanes hold any number of pieces; normals may be opposite.
 TEST(PatchKernel, GivesTheScalarBitsOfRandomCreases) {
   Random random(7);
   int shaded = 0;
@@ -230,7 +229,7 @@ TEST(PatchKernel, GivesTheScalarBitsOfRandomCreases) {
   EXPECT_GT(shaded, 1000);
 }
 
-// A zero sum has the heavier end's direction; of two equal ones the first's.
+// A zero sum has the direction with the larger weight; the first one's for equal weights.
 TEST(PatchKernel, OppositeNormalsFallBackInEveryLane) {
   Random random(3);
   const ControlMesh mesh = randomMesh(random, 21, 40);

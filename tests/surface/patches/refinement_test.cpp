@@ -21,8 +21,7 @@ using CharacterPtr = std::shared_ptr<const Character>;
 
 std::vector<CharacterPtr> refinedCharacters() { return {makeLimb(), makeTwoLegged(), makeStrip(), makeTube()}; }
 
-/// Barycentric coordinates of a refined vertex in a control triangle, times the depth, rounded; {-1,..} if it is not in
-/// it.
+/// Barycentric coordinates of a refined vertex in a control triangle, times the depth, rounded; {-1,..} if outside.
 std::array<int, 3> latticeIn(const ControlMesh& mesh, const Refinement& refinement, const ControlTriangle& parent,
                              int vertex) {
   const oracle::Site site = oracle::siteOf(mesh, refinement, vertex);
@@ -37,7 +36,7 @@ std::array<int, 3> latticeIn(const ControlMesh& mesh, const Refinement& refineme
   return out;
 }
 
-// It depends on neither rig nor pose: no muscle can open a closed mesh.
+// Independent of rig and pose: no muscle can open a closed mesh.
 TEST(Refinement, ClosedMeshesStayClosed) {
   for (const CharacterPtr& character : {makeLimb(), makeTwoLegged(), makeTube()}) {
     for (int n = 1; n <= kMaxDepth; ++n) EXPECT_TRUE(isClosed(refine(character->mesh, n).triangles)) << n;
@@ -45,7 +44,7 @@ TEST(Refinement, ClosedMeshesStayClosed) {
   EXPECT_FALSE(isClosed(refine(makeStrip()->mesh, 3).triangles));
 }
 
-TEST(Refinement, CountsAndNumbering) {
+TEST(Refinement, CountsAndNumberingAreConsistent) {
   for (const CharacterPtr& character : refinedCharacters()) {
     const ControlMesh& mesh = character->mesh;
     const int v = static_cast<int>(mesh.positions.size());
@@ -71,7 +70,7 @@ TEST(Refinement, CountsAndNumbering) {
   }
 }
 
-// n^2 small triangles, each with 1/n^2 of the parent's area and its orientation, no two the same: they tile it.
+// n^2 small triangles, each with 1/n^2 of the parent's area and its orientation, all different: they tile it.
 TEST(Refinement, SmallTrianglesTileTheirParent) {
   for (const CharacterPtr& character : refinedCharacters()) {
     const ControlMesh& mesh = character->mesh;
@@ -122,7 +121,7 @@ TEST(Refinement, DrawnVerticesCarryBarycentricTextureCoordinates) {
   }
 }
 
-// Drawn vertices split at seams and nowhere else: never more than one per refined vertex and texture coordinate.
+// Drawn vertices split at seams only: never more than one for each refined vertex and texture coordinate.
 TEST(Refinement, DrawnVerticesAreNotRepeated) {
   for (const CharacterPtr& character : refinedCharacters()) {
     for (const int n : {1, 3, 6}) {
@@ -140,7 +139,7 @@ TEST(Refinement, DrawnVerticesAreNotRepeated) {
   }
 }
 
-/// A color for every wedge, the extremes among them.
+/// Gives every wedge a color, including the extremes.
 ControlMesh painted(ControlMesh mesh) {
   std::mt19937 random(7);
   std::uniform_int_distribution<int> level(0, 8);
@@ -178,8 +177,8 @@ TEST(Refinement, DrawnVerticesCarryBarycentricColors) {
   }
 }
 
-// Colors change nothing but the colors: the mesh, its drawn vertices and texture coordinates stay, bit for bit.
-TEST(Refinement, ColorsLeaveTheRestAsItIs) {
+// Colors affect nothing else: mesh, drawn vertices and texture coordinates stay, bit for bit.
+TEST(Refinement, ColorsChangeNothingElse) {
   for (const CharacterPtr& character : refinedCharacters()) {
     const Refinement plain = refine(character->mesh, 4);
     const Refinement colored = refine(painted(character->mesh), 4);

@@ -14,7 +14,7 @@
 namespace sinew::test {
 namespace {
 
-/// The limb's skin over one muscle on its middle bone, half sunk, before its heights are filtered.
+/// The limb's skin over one muscle on its middle bone, half sunk in, before heights are filtered.
 Surface over(const Placement& placement, float skinBlend) {
   const auto character = makeLimb();
   Rig rig;
@@ -34,7 +34,7 @@ Surface over(const Placement& placement, float skinBlend) {
 const Placement kMuscle{glm::vec3(0.3f, 0.3f, 0.0f), glm::quat(1.0f, 0.0f, 0.0f, 0.0f), glm::vec3(0.1f, 0.24f, 0.15f)};
 const float kMeanRadius = std::cbrt(0.1f * 0.24f * 0.15f) / 2.0f;  // Fraction of H, which is 2.
 
-TEST(BlendWidth, SkinRisesNoLessUnderAWiderBlend) {
+TEST(BlendWidth, WiderBlendNeverLowersTheSkin) {
   Surface before = over(kMuscle, 0.002f);
   int higher = 0;
   for (const float blend : {0.005f, 0.01f, 0.02f, 0.04f, 0.06f}) {
@@ -48,7 +48,7 @@ TEST(BlendWidth, SkinRisesNoLessUnderAWiderBlend) {
   EXPECT_GT(higher, 50);
 }
 
-TEST(BlendWidth, BeyondTheMusclesOwnSizeItChangesNothing) {
+TEST(BlendWidth, SaturatesAtTheMusclesMeanRadius) {
   ASSERT_LT(kMeanRadius, 0.08f);
   const Surface full = over(kMuscle, 1.001f * kMeanRadius);
   for (const float blend : {0.1f, 0.3f, 2.0f}) {
@@ -58,8 +58,8 @@ TEST(BlendWidth, BeyondTheMusclesOwnSizeItChangesNothing) {
   EXPECT_FALSE(sameBytes(full.positions, narrower.positions)) << "the limit is the mean radius";
 }
 
-// What made every muscle a hard pillow: a rim as steep as a wall where the influence ends.
-TEST(BlendWidth, NoRimIsAWall) {
+// A rim as steep as a wall at the influence's border used to turn every muscle into a hard pillow.
+TEST(BlendWidth, KeepsRimsFromBecomingWalls) {
   for (const float blend : {0.04f, 0.15f, 0.5f}) {
     const Surface surface = over(kMuscle, blend);
     const Surface bare = over({glm::vec3(9.0f), kMuscle.rotation, kMuscle.radii}, blend);

@@ -1,4 +1,4 @@
-// tests/surface/projection/overhang_test.cpp: heights move no faster than psi changes, also where its root leaps.
+// tests/surface/projection/overhang_test.cpp: heights change no faster than psi, even where its root jumps.
 
 #include "core/surface/projection/swell.h"
 
@@ -17,7 +17,7 @@ struct Psi {
 
 constexpr double kPart = 0.1;
 
-/// (t - dip)^2 + least, times what falls to 0 at 1.
+/// (t - dip)^2 + least, times a factor that falls to 0 at 1.
 struct Dipped {
   double dip = 0.0;
   double least = 0.0;
@@ -31,14 +31,14 @@ struct Dipped {
   [[nodiscard]] double height(double sigma) const { return heightBelowOverhangs(root(), sigma, kPart, *this); }
 };
 
-TEST(Overhang, WherePsiFallsSteeplyTheRootStands) {
+TEST(Overhang, SteepPsiKeepsTheRoot) {
   for (const double root : {1e-6, 0.05, 0.3, 2.0}) {
     const auto falls = [&](double t) { return Psi{root * root - t * t + root - t, -2.0 * t - 1.0}; };
     EXPECT_EQ(heightBelowOverhangs(root, 1.0, kPart, falls), root);
   }
 }
 
-TEST(Overhang, WherePsiFallsSlowlyTheHeightIsTheLeastOfTheSum) {
+TEST(Overhang, ShallowPsiGivesTheMinimumOfTheSum) {
   for (const double sigma : {0.03, 0.1, 0.4}) {
     for (const double dip : {0.11, 0.25, 0.4, 0.63}) {
       for (const double least : {-1e-2, -1e-6, 1e-6, 0.02, 0.2}) {
@@ -51,8 +51,8 @@ TEST(Overhang, WherePsiFallsSlowlyTheHeightIsTheLeastOfTheSum) {
   }
 }
 
-// The root goes as a square root up to the dip and leaps from there to 1.
-TEST(Overhang, NoChangeOfPsiMovesTheHeightFurtherThanThroughSigma) {
+// The root behaves like a square root up to the dip and jumps from there to 1.
+TEST(Overhang, HeightIsLipschitzInPsiOverSigma) {
   constexpr double kChange = 1e-4;
   for (const double sigma : {0.1, 0.4}) {
     for (const double dip : {0.11, 0.25, 0.4, 0.63}) {
@@ -68,8 +68,8 @@ TEST(Overhang, NoChangeOfPsiMovesTheHeightFurtherThanThroughSigma) {
   }
 }
 
-/// What one muscle leaves steeply, and a second one lets fall on slowly before it rises: the higher of the two counts,
-/// as among muscles that are not linked.
+/// Falls steeply due to one muscle, then slowly due to a second one before it rises: the maximum counts, as for
+/// unlinked muscles.
 struct Kinked {
   double kink = 0.0;
   double curvature = 0.0;
@@ -90,8 +90,8 @@ struct Kinked {
   [[nodiscard]] double height(double sigma) const { return heightBelowOverhangs(root(), sigma, kPart, *this); }
 };
 
-// Where muscles are not linked psi has kinks, and its slopes on both sides may differ a hundredfold.
-TEST(Overhang, TheLeastIsFoundAtAKinkToo) {
+// For unlinked muscles psi has kinks, and the derivatives on both sides may differ a hundredfold.
+TEST(Overhang, MinimumIsFoundAtAKink) {
   for (const double sigma : {1.0, 2.0}) {
     for (const double kink : {0.11, 0.153, 0.17, 0.31}) {
       for (const double curvature : {1.0, 10.0, 60.0}) {
@@ -113,11 +113,11 @@ TEST(Overhang, TheLeastIsFoundAtAKinkToo) {
   }
 }
 
-/// Up to its peak a muscle's field flattens: steps that look at slopes alone do not get away from there.
+/// A muscle's field flattens towards its peak: steps based on derivatives alone get stuck there.
 struct Peaked {
   double kink = 0.0;
   double steep = 0.0;
-  double peak = 0.0;  ///< Half a wave long.
+  double peak = 0.0;  ///< Half a wavelength.
 
   Psi operator()(double t) const {
     const Psi falls{steep * (kink - t) + 0.02, -steep};
@@ -127,12 +127,12 @@ struct Peaked {
   }
 };
 
-TEST(Overhang, TheLeastIsFoundAtAKinkBelowAPeakToo) {
+TEST(Overhang, MinimumIsFoundAtAKinkBelowAPeak) {
   for (const double steep : {2.0, 6.0, 20.0}) {
     for (const double kink : {0.11, 0.12, 0.153, 0.17}) {
       for (const double peak : {0.09, 0.12, 0.3}) {
         const Peaked psi{kink, steep, peak};
-        const double root = kink + 2.0 * peak;  // About; only what lies before it counts.
+        const double root = kink + 2.0 * peak;  // Approximate; only what lies before it matters.
         EXPECT_NEAR(heightBelowOverhangs(root, 1.0, kPart, psi), kink + 0.02, 5e-3)
             << steep << ' ' << kink << ' ' << peak;
       }

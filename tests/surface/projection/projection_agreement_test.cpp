@@ -1,5 +1,5 @@
-// tests/surface/projection/projection_agreement_test.cpp: every mode and projection against brute force and each
-// other.
+// tests/surface/projection/projection_agreement_test.cpp: all modes and projection methods agree with brute force and
+// with each other.
 
 #include <array>
 #include <cstdio>
@@ -19,7 +19,7 @@ namespace {
 
 constexpr double kAgreement = 1e-4;  // Fraction of H.
 constexpr int kPoses = 3;
-constexpr int kAsked = 900;  ///< Vertices the oracle is asked about, a scene, mode and projection.
+constexpr int kAsked = 900;  ///< Vertices checked by the oracle for each scene, mode and projection.
 
 oracle::Tally tallyOf(const TrialScene& scene, const Rig& rig, ProjectionKind projection) {
   Smoother smoother(scene.character, projection);
@@ -66,19 +66,19 @@ void expectAgreement(SurfaceMode mode) {
   }
 }
 
-TEST(ProjectionAgreement, SwellIsWhatBruteForceFinds) { expectAgreement(SurfaceMode::kSwell); }
+TEST(ProjectionAgreement, SwellMatchesBruteForce) { expectAgreement(SurfaceMode::kSwell); }
 
-TEST(ProjectionAgreement, ReplaceIsWhatBruteForceFinds) { expectAgreement(SurfaceMode::kReplace); }
+TEST(ProjectionAgreement, ReplaceMatchesBruteForce) { expectAgreement(SurfaceMode::kReplace); }
 
 struct Difference {
   int compared = 0;
   int far = 0;        ///< Beyond 1e-4 H.
-  int farUnique = 0;  ///< Those whose ray has only one root.
+  int farUnique = 0;  ///< Those whose ray has a single root.
   double worstNear = 0.0;
 };
 
-/// All vertices of two projections of the same rays, before folds are taken out. Where they differ, the oracle is
-/// asked how many roots there are.
+/// Compares all vertices of two projections of the same rays, before folds are removed. Where they differ, the oracle
+/// counts the roots.
 Difference differenceOf(const TrialScene& scene, SurfaceMode mode, ProjectionKind other) {
   const Rig rig = withMode(scene.rig, mode);
   Projected newton(*scene.character, rig);
@@ -115,8 +115,8 @@ void expectSame(const TrialScene& scene, SurfaceMode mode, ProjectionKind other)
 }
 
 // In `swell` all three follow the patch normal; in `replace` newton and bisection follow the segment to the anchor,
-// while analytic follows the normal and has the oracle alone to answer to.
-TEST(ProjectionAgreement, SameRayGivesTheSameRoot) {
+// while analytic follows the normal and is compared with the oracle only.
+TEST(ProjectionAgreement, MethodsFindTheSameRootOnARay) {
   std::printf("  %-11s %-8s %-10s %8s %8s %8s   %s\n", "scene", "mode", "newton and", "vertices", "far", "unique",
               "worst of the rest");
   for (const TrialScene& scene : trialScenes()) {

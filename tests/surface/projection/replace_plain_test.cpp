@@ -1,4 +1,5 @@
-// tests/surface/projection/replace_plain_test.cpp: `replace` on a body that muscles do not wrap lifts what they hold.
+// tests/surface/projection/replace_plain_test.cpp: `replace` on a body without wrapping muscles lifts the skin within
+// their reach.
 
 #include <cmath>
 #include <cstdio>
@@ -46,7 +47,7 @@ Smoothed smoothed(const CharacterPtr& character, const Rig& rig) {
   return out;
 }
 
-TEST(ReplacePlain, PullsNothingIn) {
+TEST(ReplacePlain, NeverPullsSkinInwards) {
   const CharacterPtr limb = makeLimb();
   for (const PatchKind patch : {PatchKind::kPn, PatchKind::kPhong, PatchKind::kFlat}) {
     const auto [surface, bare] = smoothed(limb, halfInTheSkin(*limb, patch));
@@ -63,7 +64,7 @@ TEST(ReplacePlain, PullsNothingIn) {
   }
 }
 
-TEST(ReplacePlain, WhatTheMuscleHoldsLiesOnTheImplicitSurface) {
+TEST(ReplacePlain, HeldSkinLiesOnTheImplicitSurface) {
   const CharacterPtr limb = makeLimb();
   const Rig rig = halfInTheSkin(*limb, PatchKind::kPn);
   const auto [surface, bare] = smoothed(limb, rig);
@@ -75,7 +76,7 @@ TEST(ReplacePlain, WhatTheMuscleHoldsLiesOnTheImplicitSurface) {
   for (std::size_t v = 0; v < surface.positions.size(); ++v) {
     const oracle::Answer answer = oracle.evaluate(oracle::siteOf(limb->mesh, *surface.refinement, static_cast<int>(v)));
     const bool guarded = !sameBits(surface.positions[v], raw.positions[v]);
-    // Whole: all three control vertices are held, and the muscle stands out by enough to take the vertex alone.
+    // Full weight: all three control vertices are in reach, and the muscle protrudes enough to determine the vertex.
     if (answer.weight == 1.0 && answer.resolved && !answer.limited && !guarded) {
       ++held;
       const double field = oracle.field().value(oracle::vec(surface.positions[v]), answer.fieldWeights);
@@ -90,10 +91,10 @@ TEST(ReplacePlain, WhatTheMuscleHoldsLiesOnTheImplicitSurface) {
   EXPECT_GT(still, 500);
 }
 
-// The skin of one leg would follow a muscle that fills the gap to its far side, through the other leg's.
-TEST(ReplacePlain, SkinHardlyLeavesItsSideOfAGap) {
+// Without limits, one leg's skin would follow a muscle in the gap to its far side, through the other leg's skin.
+TEST(ReplacePlain, SkinStaysOnItsSideOfAGap) {
   const auto body = std::make_shared<Character>(*makeTwoLegged());
-  for (glm::vec3& p : body->mesh.positions) p.x *= 0.5f;  // Legs so close that limits count whole.
+  for (glm::vec3& p : body->mesh.positions) p.x *= 0.5f;  // Legs so close that limits fully apply.
   for (glm::vec3& n : body->mesh.normals) n = glm::normalize(n * glm::vec3(2.0f, 1.0f, 1.0f));
   Rig rig;
   rig.surface.mode = SurfaceMode::kReplace;
@@ -110,7 +111,7 @@ TEST(ReplacePlain, SkinHardlyLeavesItsSideOfAGap) {
   std::printf("  risen by %.3f H, over the middle by %.3f H\n", double{risen / body->height},
               double{-least / body->height});
   EXPECT_GT(risen, 0.04f * body->height);
-  // Limits are those of the rise directions; here skin goes along its normals. Without them it is 0.084 H.
+  // Limits apply along the rise directions, while the skin moves along its normals. Without limits it is 0.084 H.
   EXPECT_GT(least, -0.03f * body->height);
 }
 

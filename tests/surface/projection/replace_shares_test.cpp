@@ -1,5 +1,5 @@
-// tests/surface/projection/replace_shares_test.cpp: `replace` over one ball, where shares and roots have closed
-// forms.
+// tests/surface/projection/replace_shares_test.cpp: `replace` over a single ball, for which weights and roots have
+// closed forms.
 
 #include <algorithm>
 #include <cmath>
@@ -35,8 +35,8 @@ double fieldAt(double distance) {
   return kIso / g(1.0 / kReach) * g(distance / (kReach * kRadius));
 }
 
-/// The largest F - T at nine points spaced evenly in a stretch of a ray that runs `beside` the center of a ball `depth`
-/// below its start.
+/// Largest F - T at nine points evenly spaced on an interval of a ray that passes the center of a ball at distance
+/// `beside`, the ball `depth` below the ray's start.
 double prominence(double depth, double beside, double from, double to) {
   double most = 0.0;
   for (int i = 1; i <= 9; ++i) {
@@ -87,8 +87,8 @@ struct OverBall {
   }
 };
 
-// From outside. The stretch is the chord as far as the search goes, and its share fades towards L.
-TEST(ReplaceShares, AChordTakesWhatItsProminenceAndDistanceGive) {
+// From outside. The interval is the chord up to the search length, and its weight fades towards L.
+TEST(ReplaceWeight, ChordWeightFollowsProminenceAndDistance) {
   for (const double depth : {0.35, 0.45, 0.55, 0.65}) {
     const OverBall scene(depth);
     int partly = 0;

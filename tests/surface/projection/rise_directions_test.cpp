@@ -1,5 +1,5 @@
-// tests/surface/projection/rise_directions_test.cpp: directions spread where normals converge, and are the normals
-// elsewhere.
+// tests/surface/projection/rise_directions_test.cpp: rise directions spread where normals converge, and equal the
+// normals elsewhere.
 
 #include "core/surface/projection/rise.h"
 
@@ -24,7 +24,7 @@ ControlMesh groove(float slope) {
   return meshOf(sheet.positions, sheet.triangles);
 }
 
-/// Triangles that show their back once every vertex is lifted.
+/// Triangles that are inverted once every vertex is lifted.
 int turnedTriangles(const ControlMesh& mesh, const std::vector<glm::vec3>& directions, float lift) {
   int turned = 0;
   for (const ControlTriangle& triangle : mesh.triangles) {
@@ -51,12 +51,12 @@ float widest(const ControlMesh& mesh, const std::vector<glm::vec3>& directions) 
   return out;
 }
 
-TEST(RiseDirections, OfAConvexBodyAreItsNormalsBitForBit) {
+TEST(RiseDirections, EqualTheNormalsOfAConvexBody) {
   const ControlMesh mesh = sphere(12, 9);
   EXPECT_TRUE(sameBytes(riseDirections(mesh, kRise), mesh.normals));
 }
 
-TEST(RiseDirections, OfAGrooveLetTheSkinRise) {
+TEST(RiseDirections, LetTheSkinRiseInAGroove) {
   const ControlMesh mesh = groove(1.0f);
   const std::vector<glm::vec3> directions = riseDirections(mesh, kRise);
   EXPECT_LT(widest(mesh, directions), 0.5f * widest(mesh, mesh.normals));
@@ -65,7 +65,7 @@ TEST(RiseDirections, OfAGrooveLetTheSkinRise) {
   EXPECT_TRUE(allUnit(directions));
 }
 
-TEST(RiseDirections, FarFromTheGrooveAreTheNormals) {
+TEST(RiseDirections, EqualTheNormalsFarFromAGroove) {
   const ControlMesh mesh = groove(1.0f);
   const std::vector<glm::vec3> directions = riseDirections(mesh, kRise);
   int far = 0;
@@ -73,17 +73,17 @@ TEST(RiseDirections, FarFromTheGrooveAreTheNormals) {
   for (std::size_t v = 0; v < directions.size(); ++v) {
     const bool same = sameBits(directions[v], mesh.normals[v]);
     changed += same ? 0 : 1;
-    if (std::abs(mesh.positions[v].x) < 0.6f) continue;  // Each round reaches an edge of 0.02 further.
+    if (std::abs(mesh.positions[v].x) < 0.6f) continue;  // Each round extends one edge of 0.02 further.
     ++far;
-    // On the flank normals are parallel up to rounding, which must not count as convergence that grows.
+    // On the flank normals are parallel up to rounding, which must not count as growing convergence.
     EXPECT_LT(glm::distance(directions[v], mesh.normals[v]), 1e-5f) << v;
   }
   EXPECT_GT(far, 100);
   EXPECT_GT(changed, 20);
 }
 
-// Edges are a tenth of the rise: neighbors that pulled with their whole weight would throw directions to and fro.
-TEST(RiseDirections, OfADenseRoundValleyTurnEvenlyFromSideToSide) {
+// Edges are a tenth of the rise: neighbors pulling with their full weight would make directions oscillate.
+TEST(RiseDirections, VaryEvenlyAcrossADenseValley) {
   const Sheet sheet = sheetOf(200, [](float x, float) { return std::sqrt(x * x + 0.002f); });
   const ControlMesh mesh = meshOf(sheet.positions, sheet.triangles);
   const std::vector<glm::vec3> directions = riseDirections(mesh, kRise);
@@ -119,7 +119,7 @@ TEST(RiseDirections, StayWithin60DegreesOfTheNormal) {
   EXPECT_LT(least, 0.51f) << "no direction came near the limit";
 }
 
-TEST(RiseDirections, OfAMirroredMeshAreMirrored) {
+TEST(RiseDirections, AreMirroredOnAMirroredMesh) {
   const auto height = [](float x, float y) { return std::abs(x) + 0.3f * std::sin(7.0f * y) * x * x; };
   const Sheet sheet = sheetOf(20, height);
   const ControlMesh mesh = meshOf(sheet.positions, sheet.triangles);

@@ -1,4 +1,5 @@
-// tests/surface/projection/rise_limits_test.cpp: facing skin shares the gap between it, and nothing else is limited.
+// tests/surface/projection/rise_limits_test.cpp: skin surfaces that face each other divide the gap between them, and
+// nothing else is limited.
 
 #include "core/surface/projection/rise.h"
 
@@ -25,11 +26,11 @@ ControlMesh walls(int cells, float gap) {
   return meshOf(sheet.positions, sheet.triangles);
 }
 
-TEST(RiseLimits, OfFacingWallsAreHalfTheirGap) {
+TEST(RiseLimits, AreHalfTheGapOfFacingWalls) {
   const ControlMesh mesh = walls(20, 0.3f);
   constexpr float kMost = 0.5f;
   const std::vector<float> inverse = inverseRiseLimits(mesh, mesh.normals, kMost);
-  // What faces a vertex is at most a cell of 0.15 kMost off to the side, which counts squared.
+  // The facing point is at most a cell of 0.15 kMost to the side, which counts squared.
   const float aside = 0.15f * kMost / 0.3f;
   for (std::size_t v = 0; v < inverse.size(); ++v) {
     EXPECT_GE(1.0f / inverse[v], 0.15f - 1e-5f) << v;
@@ -37,8 +38,8 @@ TEST(RiseLimits, OfFacingWallsAreHalfTheirGap) {
   }
 }
 
-// Control triangles much larger than the gap: what faces a vertex is the inside of one.
-TEST(RiseLimits, SeeTheInsideOfLargeTriangles) {
+// Control triangles much larger than the gap: the facing point lies inside one.
+TEST(RiseLimits, AccountForTheInteriorOfLargeTriangles) {
   Sheet sheet = sheetOf(2, [](float, float) { return 0.0f; });
   const int count = static_cast<int>(sheet.positions.size());
   sheet.positions.insert(sheet.positions.end(), {{-6.0f, -5.0f, 0.2f}, {6.0f, -5.0f, 0.2f}, {0.0f, 7.0f, 0.2f}});
@@ -53,12 +54,12 @@ TEST(RiseLimits, SeeTheInsideOfLargeTriangles) {
   }
 }
 
-TEST(RiseLimits, OfAConvexBodyAreNone) {
+TEST(RiseLimits, DoNotExistOnAConvexBody) {
   const ControlMesh mesh = sphere(12, 9);
   for (const float inverse : inverseRiseLimits(mesh, mesh.normals, 1.0f)) EXPECT_EQ(inverse, 0.0f);
 }
 
-TEST(RiseLimits, FadeOutAboveTheMost) {
+TEST(RiseLimits, FadeOutAboveTheMaximum) {
   const auto inverseAt = [](float most) {
     const ControlMesh mesh = walls(4, 0.3f);
     return inverseRiseLimits(mesh, mesh.normals, most).front();
@@ -69,7 +70,7 @@ TEST(RiseLimits, FadeOutAboveTheMost) {
   EXPECT_EQ(inverseAt(0.09f), 0.0f);
 }
 
-// A groove with steep sides: no pair of lifted points may have passed through each other.
+// A groove with steep sides: no pair of lifted points may pass through each other.
 TEST(RiseLimits, KeepLiftedWallsApart) {
   const Sheet sheet = sheetOf(40, [](float x, float) { return 2.0f * std::abs(x); });
   const ControlMesh mesh = meshOf(sheet.positions, sheet.triangles);
@@ -78,14 +79,14 @@ TEST(RiseLimits, KeepLiftedWallsApart) {
   for (std::size_t v = 0; v < inverse.size(); ++v) {
     const glm::vec3 lifted = mesh.positions[v] + limitedRise(0.15f, inverse[v]) * mesh.normals[v];
     limited += inverse[v] > 0.0f ? 1 : 0;
-    // The other side stands on the other side of x = 0.
+    // The other side of the groove is beyond x = 0.
     EXPECT_GE(lifted.x * mesh.positions[v].x, -1e-6f) << v;
   }
   EXPECT_GT(limited, 100);
 }
 
-// Thinning a mesh to one point in many may not lose a wall.
-TEST(RiseLimits, OfADenseMeshAreThoseOfASparseOne) {
+// Thinning a mesh to one point in many must not lose a wall.
+TEST(RiseLimits, DoNotDependOnMeshDensity) {
   const auto middle = [](int cells) {
     const ControlMesh mesh = walls(cells, 0.3f);
     const std::vector<float> inverse = inverseRiseLimits(mesh, mesh.normals, 0.5f);
@@ -101,7 +102,7 @@ TEST(RiseLimits, DoNotDependOnTheOrderOfTriangles) {
   EXPECT_EQ(inverseRiseLimits(mesh, mesh.normals, 0.5f), inverseRiseLimits(reversed, mesh.normals, 0.5f));
 }
 
-TEST(RiseLimits, DrawHeightsInSmoothlyAndNeverReachTheLimit) {
+TEST(RiseLimits, CompressHeightsSmoothlyBelowTheLimit) {
   constexpr float kLimit = 0.2f;
   constexpr float kStep = 0.001f;
   float before = 0.0f;

@@ -1,5 +1,4 @@
-// tests/surface/projection/territory_test.cpp: a muscle moves the skin of its territory and no other, whatever the
-// pose.
+// tests/surface/projection/territory_test.cpp: a muscle moves only the skin of its territory, whatever the pose.
 
 #include <algorithm>
 
@@ -17,7 +16,7 @@ namespace {
 
 using CharacterPtr = std::shared_ptr<const Character>;
 
-/// Per control vertex: has any skin weight on one of the bones.
+/// For each control vertex: whether it has skin weight on one of the bones.
 std::vector<bool> touchedBy(const Character& character, const std::vector<std::string>& bones) {
   std::vector<bool> out;
   for (std::size_t v = 0; v < character.mesh.positions.size(); ++v) {
@@ -31,7 +30,7 @@ std::vector<bool> touchedBy(const Character& character, const std::vector<std::s
   return out;
 }
 
-/// Refined vertices that only belong to control triangles without a touched corner.
+/// Refined vertices that belong only to control triangles without such a corner.
 std::vector<bool> outsideOf(const Character& character, const Refinement& refinement,
                             const std::vector<bool>& touched) {
   std::vector<bool> outside(static_cast<std::size_t>(refinement.vertexCount), true);
@@ -45,12 +44,12 @@ std::vector<bool> outsideOf(const Character& character, const Refinement& refine
   return outside;
 }
 
-/// What a rig did against the bare character over some moments of a clip.
+/// Effect of a rig relative to the bare character over some sample times of a clip.
 struct Moved {
   int outside = 0;         ///< Vertices, times, outside the territory that changed a bit of their place, or of their
                            ///< normal with no moved neighbor (docs/design.md, Normals).
   int inside = 0;          ///< ... and within.
-  int watchedOutside = 0;  ///< Vertices outside, per moment.
+  int watchedOutside = 0;  ///< Vertices outside, for each sample time.
 };
 
 Moved countMoved(const CharacterPtr& character, const Rig& rig, const AnimationClip& clip, int moments,
@@ -89,7 +88,7 @@ Rig shinRig(const Character& character) {
   return rig;
 }
 
-TEST(Territory, MuscleOnOneLegLeavesTheOtherAlone) {
+TEST(Territory, MuscleOnOneLegDoesNotMoveTheOther) {
   const CharacterPtr character = makeTwoLegged();
   for (const SurfaceMode mode : {SurfaceMode::kSwell, SurfaceMode::kReplace}) {
     Rig rig = shinRig(*character);
@@ -101,8 +100,8 @@ TEST(Territory, MuscleOnOneLegLeavesTheOtherAlone) {
   }
 }
 
-// The same muscle allowed everywhere does move the other leg when they cross: the test above could fail.
-TEST(Territory, WithoutItTheCrossingLegIsMoved) {
+// The same muscle without territory does move the other leg when they cross: the test above can fail.
+TEST(Territory, MuscleAllowedEverywhereMovesTheCrossingLeg) {
   const CharacterPtr character = makeTwoLegged();
   Rig rig = shinRig(*character);
   rig.primitives[0].territory = std::vector<std::string>{"leg L", "shin L", "leg R", "shin R", "hips", "spine"};
@@ -127,7 +126,7 @@ TEST(Territory, EmptyTerritoryMovesNothing) {
   EXPECT_EQ(moved.outside + moved.inside, 0);
 }
 
-TEST(Territory, FoxForearmLeavesLegsBodyAndHeadAlone) {
+TEST(Territory, FoxForearmDoesNotMoveLegsBodyOrHead) {
   const CharacterPtr character = realCharacter("Fox.glb");
   if (!character) GTEST_SKIP() << "left out: real characters are not at hand";
   const std::string bone = "b_LeftForeArm_010";

@@ -29,7 +29,7 @@ namespace {
 using CharacterPtr = std::shared_ptr<const Character>;
 
 // humanoid-flex and horse-flex have bent muscles.
-TEST(VectorSwell, IsTheScalarOnCharacters) {
+TEST(VectorSwell, MatchesTheScalarOnCharacters) {
   std::vector<TrialScene> scenes = trialScenes();
   for (const char* name : {"humanoid", "horse", "demo", "humanoid-flex", "horse-flex"}) {
     scenes.push_back(bundledTrialScene(name));
@@ -45,7 +45,7 @@ TEST(VectorSwell, IsTheScalarOnCharacters) {
   }
 }
 
-TEST(VectorSwell, EverySetGivesTheSameBits) {
+TEST(VectorSwell, EveryInstructionSetGivesTheSameBits) {
   std::string sets;
   for (const InstructionSet set : availableInstructionSets()) sets += std::string(" ") + nameOf(set);
   std::printf("  this machine runs%s\n", sets.c_str());
@@ -65,8 +65,8 @@ TEST(VectorSwell, EverySetGivesTheSameBits) {
   }
 }
 
-// Where a ray's neighbors meet other muscles than it does, carves among them.
-TEST(VectorSwell, EverySetGivesTheSameBitsOnRandomRigs) {
+// Neighboring rays meet other muscles, some of them carves.
+TEST(VectorSwell, EveryInstructionSetGivesTheSameBitsOnRandomRigs) {
   const CharacterPtr character = makeTwoLegged();
   for (std::uint64_t seed = 0; seed < 16; ++seed) {
     RigRecipe recipe;
@@ -92,8 +92,8 @@ TEST(VectorSwell, EverySetGivesTheSameBitsOnRandomRigs) {
   }
 }
 
-// Patches, shading normals and `replace` too: the projection's are the same by the test above.
-TEST(VectorSwell, EverySetGivesTheSameBitsOfAWholeFrame) {
+// Also patches, shading normals and `replace`; the projection's bits are covered by the test above.
+TEST(VectorSwell, EveryInstructionSetGivesTheSameBitsForAWholeFrame) {
   constexpr PatchKind kKinds[] = {PatchKind::kPn, PatchKind::kPhong, PatchKind::kSpherigon};
   for (const TrialScene& scene : trialScenes()) {
     for (const int depth : {1, 3, 5}) {
@@ -121,13 +121,13 @@ TEST(VectorSwell, EverySetGivesTheSameBitsOfAWholeFrame) {
   }
 }
 
-TEST(VectorSwell, IsTheScalarOnRandomRigs) {
+TEST(VectorSwell, MatchesTheScalarOnRandomRigs) {
   struct Sizes {
     const char* name;
     float low;
     float high;
     int least;           ///< Projected.
-    double uncertified;  ///< Share; inside of muscles larger than the body several cross a ray at once.
+    double uncertified;  ///< Fraction; inside muscles larger than the body a ray crosses several at once.
   };
   for (const auto& [name, low, high, least, uncertified] : {Sizes{"usual", 0.03f, 0.1f, 10000, 0.02},
                                                             {"tiny", 0.002f, 0.01f, 50, 0.02},
@@ -149,15 +149,15 @@ TEST(VectorSwell, IsTheScalarOnRandomRigs) {
     }
     print(name, seen);
     EXPECT_GT(seen.projected, least) << name;
-    // Where two roots meet, rounding says which is there.
+    // Where two roots meet, rounding decides which one is found.
     EXPECT_LE(seen.far, seen.projected / 2000) << name;
     EXPECT_LE(seen.uncertifiedShare(), uncertified) << name;
   }
 }
 
-// A shell that the skin's own field just reaches, then just misses: roots meet and vanish along the way. And carves
-// that do the same inwards.
-TEST(VectorSwell, IsTheScalarAcrossTangencies) {
+// A shell that the skin's field just reaches, then just misses: roots meet and vanish along the path. And carves that
+// do the same inwards.
+TEST(VectorSwell, MatchesTheScalarAcrossTangencies) {
   const CharacterPtr character = makeStrip();
   const float height = character->height;
   for (const int sign : {1, -1}) {
@@ -191,7 +191,7 @@ std::vector<TrialScene> scenes() {
   return out;
 }
 
-TEST(VectorReplace, IsTheScalarOnCharacters) {
+TEST(VectorReplace, MatchesTheScalarOnCharacters) {
   for (const TrialScene& scene : scenes()) {
     Agreement seen;
     addAgreement(*scene.character, withMode(scene.rig, SurfaceMode::kReplace), spreadPoses(*scene.character, 4), seen);
@@ -202,7 +202,7 @@ TEST(VectorReplace, IsTheScalarOnCharacters) {
   }
 }
 
-TEST(VectorReplace, EverySetGivesTheSameBits) {
+TEST(VectorReplace, EveryInstructionSetGivesTheSameBits) {
   for (const TrialScene& scene : scenes()) {
     Projected projected(*scene.character, withMode(scene.rig, SurfaceMode::kReplace));
     for (const Pose& pose : spreadPoses(*scene.character, 2)) {

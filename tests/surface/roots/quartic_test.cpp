@@ -1,4 +1,5 @@
-// tests/surface/roots/quartic_test.cpp: first roots of random quartics against dense sampling.
+// tests/surface/roots/quartic_test.cpp: first roots of random quartics match dense sampling.
+
 #include "core/surface/roots/polynomial.h"
 
 #include <algorithm>
@@ -10,7 +11,7 @@
 namespace sinew {
 namespace {
 
-/// First change to <= 0 by 20,000 samples and bisection; near-touches are told apart by `clear`.
+/// First change to <= 0 by 20,000 samples and bisection; `clear` is false for near-tangencies.
 struct Reference {
   std::optional<double> root;
   bool clear = true;
@@ -35,7 +36,7 @@ Reference firstFallByMarching(const Quartic& q, double from) {
   return reference;
 }
 
-TEST(Quartic, BothMethodsFindTheFirstFall) {
+TEST(Quartic, BothMethodsFindTheFirstFallingRoot) {
   std::mt19937 random(23);
   std::uniform_real_distribution<double> unit(-1.0, 1.0);
   int withRoot = 0;
@@ -59,7 +60,7 @@ TEST(Quartic, BothMethodsFindTheFirstFall) {
   EXPECT_GT(withRoot, 1000);
 }
 
-TEST(Quartic, SquareOfQuadraticIsItsSquare) {
+TEST(Quartic, SquareOfAQuadraticIsExact) {
   const Quartic q = squareOfQuadratic(0.3, -0.7, 1.1);
   for (double u = 0.0; u <= 1.0; u += 0.1) {
     const double w = (1 - u) * (1 - u) * 0.3 + 2 * u * (1 - u) * -0.7 + u * u * 1.1;
@@ -67,7 +68,7 @@ TEST(Quartic, SquareOfQuadraticIsItsSquare) {
   }
 }
 
-TEST(Quartic, RealRootsOfKnownFactors) {
+TEST(Quartic, FindsRealRootsOfKnownFactors) {
   std::mt19937 random(29);
   std::uniform_real_distribution<double> unit(-2.0, 2.0);
   for (int round = 0; round < 2000; ++round) {

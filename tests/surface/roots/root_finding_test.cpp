@@ -1,4 +1,5 @@
-// tests/surface/roots/root_finding_test.cpp: the three methods on random rays, against dense marching.
+// tests/surface/roots/root_finding_test.cpp: all three root finding methods on random rays match dense marching.
+
 #include "core/surface/roots/ray_field.h"
 
 #include <cmath>
@@ -52,14 +53,14 @@ std::optional<double> march(const RayField& field, double end) {
   return std::nullopt;
 }
 
-TEST(ProjectionKinds, HaveNames) {
+TEST(ProjectionKinds, NamesRoundTrip) {
   for (const auto kind : {ProjectionKind::kNewton, ProjectionKind::kBisection, ProjectionKind::kAnalytic}) {
     EXPECT_EQ(projectionKindNamed(nameOf(kind)), kind);
   }
   EXPECT_EQ(projectionKindNamed("pn"), std::nullopt);
 }
 
-TEST(FirstRoot, AllMethodsAgreeWithMarching) {
+TEST(FirstRoot, AllMethodsMatchMarching) {
   std::mt19937 random(31);
   Scene scene;
   RayScratch scratch;
@@ -83,7 +84,7 @@ TEST(FirstRoot, AllMethodsAgreeWithMarching) {
   for (const int count : wrong) EXPECT_LE(count, 1) << "every root is isolated; a touch may differ";
 }
 
-TEST(RayField, SampleIsTheFieldAlongTheRayAndItsSlope) {
+TEST(RayField, SampleGivesTheFieldAndItsDerivative) {
   std::mt19937 random(37);
   Scene scene;
   RayScratch scratch;

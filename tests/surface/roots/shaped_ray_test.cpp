@@ -1,5 +1,5 @@
-// tests/surface/roots/shaped_ray_test.cpp: shaped primitives along rays: stretches, polynomials, smoothness, first
-// roots.
+// tests/surface/roots/shaped_ray_test.cpp: shaped muscles along rays: intervals, polynomials, smoothness, first roots.
+
 #include "core/surface/roots/shaped_ray.h"
 
 #include <cstdio>
@@ -19,7 +19,7 @@ namespace {
 
 using test::Random;
 
-/// SINEW_SHAPED_RAYS asks for more.
+/// SINEW_SHAPED_RAYS overrides the number.
 int raysWanted(int usual) {
   const char* asked = std::getenv("SINEW_SHAPED_RAYS");
   return asked ? std::atoi(asked) : usual;
@@ -53,7 +53,7 @@ ShapedRay anyRay(Random& random, const PosedPrimitive& primitive) {
   return {primitive.influence, origin, direction};
 }
 
-TEST(ShapedRay, StretchesAreWhereTheInfluenceHoldsIt) {
+TEST(ShapedRay, IntervalsAreInsideTheInfluence) {
   Random random(21);
   int twice = 0;
   int checked = 0;
@@ -83,7 +83,7 @@ TEST(ShapedRay, StretchesAreWhereTheInfluenceHoldsIt) {
   EXPECT_GT(twice, 0) << "a bent influence can be entered twice";
 }
 
-TEST(ShapedRay, PolynomialsAreRSquared) {
+TEST(ShapedRay, PolynomialsEqualRSquared) {
   Random random(22);
   for (int i = 0; i < raysWanted(2000); ++i) {
     const ShapedRay ray = anyRay(random, anyUnplain(random));
@@ -133,7 +133,7 @@ TEST(ShapedRay, FieldIsContinuouslyDifferentiableWherePartsMeet) {
   EXPECT_GT(meets, 100);
 }
 
-TEST(ShapedRay, SamplesAreTheFieldInSpace) {
+TEST(ShapedRay, SamplesMatchTheFieldInSpace) {
   Random random(24);
   RayScratch scratch;
   const CliqueLists oneSum;
@@ -160,7 +160,7 @@ TEST(ShapedRay, SamplesAreTheFieldInSpace) {
   }
 }
 
-TEST(ShapedRay, AllMethodsFindTheFirstRootThatMarchingFinds) {
+TEST(ShapedRay, AllMethodsMatchMarching) {
   Random random(25);
   RayScratch scratch;
   RayField field;
@@ -189,7 +189,7 @@ TEST(ShapedRay, AllMethodsFindTheFirstRootThatMarchingFinds) {
   for (const int count : wrong) EXPECT_LE(count, 1 + rays / 1000) << "a touch may differ";
 }
 
-TEST(Bernstein, ProductsSumsAndPartsAreThoseOfTheirValues) {
+TEST(Bernstein, ProductsSumsAndPartsMatchTheirValues) {
   Random random(26);
   const auto any = [&](std::size_t degree) {
     Bernstein q;
@@ -217,7 +217,7 @@ TEST(Bernstein, ProductsSumsAndPartsAreThoseOfTheirValues) {
   }
 }
 
-TEST(Bernstein, EveryChangeOfSignIsFound) {
+TEST(Bernstein, EverySignChangeIsFound) {
   Random random(27);
   for (int i = 0; i < 500; ++i) {
     Bernstein q;

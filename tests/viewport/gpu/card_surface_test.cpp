@@ -1,4 +1,4 @@
-// tests/viewport/gpu/card_surface_test.cpp: surfaces of the graphics card are the processor's.
+// tests/viewport/gpu/card_surface_test.cpp: surfaces computed on the GPU match the CPU's.
 #include "app/viewport/gpu/card_surface.h"
 
 #include <algorithm>
@@ -28,15 +28,15 @@ namespace {
 
 using app::CardSurface;
 
-/// SINEW_MOMENTS in the environment: how many, spread over the clips in turn.
+/// SINEW_SAMPLE_TIMES in the environment: number of sample times, spread over the clips.
 int moments(int few) {
-  const char* const more = std::getenv("SINEW_MOMENTS");
+  const char* const more = std::getenv("SINEW_SAMPLE_TIMES");
   return more != nullptr ? std::max(std::atoi(more), 1) : few;
 }
 
-class CardSurfaces : public OnCard {
+class GpuSurface : public OnCard {
  protected:
-  /// Compares the moments of a scene. @return what was seen of all
+  /// Compares a scene in all poses. @return the combined difference
   app::CardDifference compare(const TrialScene& scene, const std::vector<Pose>& poses) {
     const auto preparation = prepared(scene.character, scene.rig);
     CardSurface card = surfaceFor(preparation);
@@ -62,7 +62,7 @@ bool sameBytes(const std::vector<T>& a, const std::vector<T>& b) {
   return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(T)) == 0;
 }
 
-TEST_F(CardSurfaces, AreTheProcessorsOfTheBundledRigs) {
+TEST_F(GpuSurface, MatchesTheProcessorOnBundledRigs) {
   for (const char* name : {"humanoid", "horse", "demo", "tangle", "humanoid-flex", "horse-flex"}) {
     const TrialScene scene = bundledTrialScene(name);
     const app::CardDifference seen = compare(scene, spreadPoses(*scene.character, moments(2)));
@@ -70,7 +70,7 @@ TEST_F(CardSurfaces, AreTheProcessorsOfTheBundledRigs) {
   }
 }
 
-TEST_F(CardSurfaces, AreTheProcessorsOfTheBundledRigsThatReplace) {
+TEST_F(GpuSurface, MatchesTheProcessorOnBundledReplaceRigs) {
   for (const char* name : {"wrapped", "humanoid-wrapped", "horse-wrapped"}) {
     const TrialScene scene = bundledTrialScene(name);
     (void)compare(scene, spreadPoses(*scene.character, moments(2)));
@@ -82,8 +82,8 @@ TEST_F(CardSurfaces, AreTheProcessorsOfTheBundledRigsThatReplace) {
   (void)compare(horse, spreadPoses(*horse.character, 1));
 }
 
-// As the tool lays them: a group for each muscle, bellies that are no ellipsoids, lines.
-TEST_F(CardSurfaces, AreTheProcessorsOfSetsOfMuscles) {
+// As the tool lays them: a group for each muscle, shaped bellies, lines.
+TEST_F(GpuSurface, MatchesTheProcessorOnMuscleSets) {
   for (const auto& [name, set] : {std::pair{"humanoid", "athlete"}, std::pair{"horse", "animal"}}) {
     TrialScene scene = bundledTrialScene(name);
     const auto file = std::filesystem::path(SINEW_SOURCE_DIR) / "assets" / "presets" / (std::string(set) + ".json");
@@ -95,8 +95,8 @@ TEST_F(CardSurfaces, AreTheProcessorsOfSetsOfMuscles) {
   }
 }
 
-// Carves, groups that do not blend, steep rims, every patch, adaptive and uniform detail; and muscles of any shape.
-TEST_F(CardSurfaces, AreTheProcessorsOfRandomRigs) {
+// Carves, groups that do not blend, steep rims, every patch kind, adaptive and uniform detail, muscles of any shape.
+TEST_F(GpuSurface, MatchesTheProcessorOnRandomRigs) {
   const auto character = makeTwoLegged();
   for (const float shapedChance : {0.0f, 1.0f}) {
     int unsure = 0;
@@ -118,8 +118,8 @@ TEST_F(CardSurfaces, AreTheProcessorsOfRandomRigs) {
   }
 }
 
-// Numbers of muscles that follow the pose, and morph targets.
-TEST_F(CardSurfaces, AreTheProcessorsWhereThePoseChangesMore) {
+// Muscle parameters that follow the pose, and morph targets.
+TEST_F(GpuSurface, MatchesTheProcessorWithDriversAndMorphTargets) {
   const auto limb = makeLimb();
   const TrialScene driven{"keys and drivers", limb, withMode(animatedLimbRig(*limb, 3), SurfaceMode::kSwell)};
   (void)compare(driven, spreadPoses(*limb, 3));
@@ -134,7 +134,7 @@ TEST_F(CardSurfaces, AreTheProcessorsWhereThePoseChangesMore) {
   (void)compare(morphing, poses);
 }
 
-TEST_F(CardSurfaces, AreTheProcessorsOfRealCharacters) {
+TEST_F(GpuSurface, MatchesTheProcessorOnRealCharacters) {
   int tried = 0;
   for (const TrialScene& scene : trialScenes()) {
     if (scene.name == "wrapped" || scene.name == "tangle") continue;
@@ -147,7 +147,7 @@ TEST_F(CardSurfaces, AreTheProcessorsOfRealCharacters) {
   if (tried == 0) GTEST_SKIP() << "left out: no real character is at hand";
 }
 
-TEST_F(CardSurfaces, AreTheSameBytesWhateverTheGroupsAndTheCrowd) {
+TEST_F(GpuSurface, DoesNotDependOnWorkGroupsOrCrowd) {
   const TrialScene scene = bundledTrialScene("tangle");
   const auto preparation = prepared(scene.character, scene.rig);
   const std::vector<Pose> poses = spreadPoses(*scene.character, 2);
@@ -158,12 +158,12 @@ TEST_F(CardSurfaces, AreTheSameBytesWhateverTheGroupsAndTheCrowd) {
     one.make();
     alone.push_back(readDrawn(one));
   }
-  // What came before leaves nothing behind.
+  // Earlier poses leave nothing behind.
   ASSERT_FALSE(one.setPose(poses.front()).has_value());
   one.make();
   EXPECT_TRUE(sameBytes(readDrawn(one), alone.front()));
 
-  // Five groups along an axis, so that rows are many and the last one is not full.
+  // Five groups along an axis, for many rows and a partial last row.
   CardSurface narrow = surfaceFor(preparation, {1, 5});
   ASSERT_FALSE(narrow.setPose(poses.back()).has_value());
   narrow.make();
@@ -179,7 +179,7 @@ TEST_F(CardSurfaces, AreTheSameBytesWhateverTheGroupsAndTheCrowd) {
   EXPECT_TRUE(sameBytes(all, expected));
 }
 
-TEST_F(CardSurfaces, DrawWhatIsOnTheSurface) {
+TEST_F(GpuSurface, DrawnVerticesMatchTheSurface) {
   const TrialScene scene = bundledTrialScene("demo");
   const auto preparation = prepared(scene.character, scene.rig);
   CardSurface card = surfaceFor(preparation);

@@ -1,4 +1,5 @@
-// tests/viewport/gpu/coverage_test.cpp: what the card does not compute is left to the processor, with a reason.
+// tests/viewport/gpu/coverage_test.cpp: surfaces that the GPU cannot compute are left to the CPU, with a reason.
+
 #include "app/viewport/gpu/card_surface.h"
 
 #include <string>
@@ -26,14 +27,14 @@ std::string reasonOf(const TrialScene& scene, int bodies = 1) {
   return app::leftToProcessor(*prepared(scene.character, scene.rig), bodies).value_or("");
 }
 
-TEST(Coverage, HoldsTheBundledRigs) {
+TEST(GpuCoverage, IncludesTheBundledRigs) {
   for (const char* name : {"humanoid", "horse", "demo", "tangle", "wrapped", "humanoid-wrapped", "horse-wrapped"}) {
     EXPECT_EQ(reasonOf(bundledTrialScene(name)), "") << name;
     EXPECT_EQ(reasonOf(bundledTrialScene(name), 100), "") << name;
   }
 }
 
-TEST(Coverage, NamesWhatIsLeftToTheProcessor) {
+TEST(GpuCoverage, GivesTheReasonForTheProcessor) {
   TrialScene scene = bundledTrialScene("demo");
   scene.rig.smoothing.creaseAngle = 10.0f;
   EXPECT_EQ(reasonOf(scene), "the surface has creases");
@@ -49,8 +50,8 @@ TEST(Coverage, NamesWhatIsLeftToTheProcessor) {
   EXPECT_NE(many.find(" muscles reach one place of the skin, at most 96"), std::string::npos) << many;
 }
 
-// A line bends its muscle in some poses only, which `replace` has no code for.
-TEST(Coverage, IsAskedInEveryPose) {
+// A line bends its muscle only in some poses, which `replace` does not support.
+TEST(GpuCoverage, IsCheckedInEveryPose) {
   for (const SurfaceMode mode : {SurfaceMode::kSwell, SurfaceMode::kReplace}) {
     const TrialScene scene = bundledTrialScene("humanoid-flex");
     const auto preparation = prepared(scene.character, withMode(scene.rig, mode));
@@ -67,7 +68,7 @@ TEST(Coverage, IsAskedInEveryPose) {
   }
 }
 
-TEST(Groups, HoldEveryItemWithinTheLimit) {
+TEST(WorkGroups, HoldEveryItemWithinTheLimit) {
   for (const std::uint32_t most : {1u, 5u, 1000u, app::kMostGroupsAlong}) {
     for (const std::uint32_t items : {1u, 63u, 64u, 65u, 4'194'240u, 4'194'241u, 16'000'000u}) {
       const std::uint64_t groups = (items + app::kGroupSize - 1) / app::kGroupSize;

@@ -1,4 +1,5 @@
-// tests/viewport/gpu/drawn_on_card_test.cpp: pictures of the card's surface, and the verbs that ask for it.
+// tests/viewport/gpu/drawn_on_card_test.cpp: pictures of the GPU's surface, and the verbs that use it.
+
 #include "app/viewport/gpu/drawn_on_card.h"
 
 #include <algorithm>
@@ -17,7 +18,7 @@
 namespace sinew::test {
 namespace {
 
-/// Share of the pixels that differ by more than 2 of 255.
+/// Fraction of the pixels that differ by more than 2 of 255.
 double differing(const app::Image& a, const app::Image& b) {
   EXPECT_EQ(a.rgba.size(), b.rgba.size());
   std::size_t count = 0;
@@ -29,7 +30,7 @@ double differing(const app::Image& a, const app::Image& b) {
   return static_cast<double>(4 * count) / static_cast<double>(a.rgba.size());
 }
 
-TEST_F(Drawing, FromTheCardIsAsFromTheProcessor) {
+TEST_F(Drawing, GpuAndProcessorSurfacesLookAlike) {
   for (const char* name : {"demo", "wrapped"}) {
     const TrialScene scene = bundledTrialScene(name);
     Moment moment{spreadPoses(*scene.character, 2).back(), {}};
@@ -69,7 +70,7 @@ std::string textOf(const std::string& file) {
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 
-TEST_F(GpuVerbs, RenderOnTheCardOrSayWhyNot) {
+TEST_F(GpuVerbs, RenderUsesTheGpuOrGivesTheReason) {
   const std::string rig = app::dataFile("assets/demo.rig.json").string();
   const Outcome drawn = run({"render", rig, "--on", "gpu", "--size", "64x48", "-o", "a.png"});
   EXPECT_EQ(drawn.status, 0) << drawn.error;
@@ -85,7 +86,7 @@ TEST_F(GpuVerbs, RenderOnTheCardOrSayWhyNot) {
   EXPECT_TRUE(culled.oneErrorLine()) << culled.error;
 }
 
-TEST_F(GpuVerbs, BenchTellsBothAndTheDifference) {
+TEST_F(GpuVerbs, BenchReportsBothAndTheDifference) {
   const std::string rig = app::dataFile("assets/demo.rig.json").string();
   const Outcome told = run({"bench", "gpu", rig, "--frames", "2", "--crowd", "3"});
   ASSERT_EQ(told.status, 0) << told.error;
@@ -102,7 +103,7 @@ TEST_F(GpuVerbs, BenchTellsBothAndTheDifference) {
   EXPECT_EQ(scenes[0].at("bodies").number(0), 1.0);
   EXPECT_GT(scenes[0].at("card_seconds").at("total").number(0), 0.0);
   EXPECT_LE(scenes[0].at("difference").at("surface_of_height").number(1), 1e-4);
-  // A rig of which the card has no code.
+  // A rig that the GPU does not support.
   std::string text = textOf(rig);
   const std::string patch = "\"patch\": \"pn\"";
   ASSERT_NE(text.find(patch), std::string::npos);

@@ -1,4 +1,4 @@
-// tests/viewport/gpu/frame_calls_test.cpp: what a frame on the card asks of OpenGL: no memory, no wait, no complaint.
+// tests/viewport/gpu/frame_calls_test.cpp: OpenGL calls of a GPU frame: no allocation, no wait, no driver message.
 #include <string>
 #include <vector>
 
@@ -7,7 +7,7 @@
 namespace sinew::test {
 namespace {
 
-/// Calls while it lives of what makes memory on the card, or waits for it. Puts itself before the driver's functions.
+/// While alive, counts calls that allocate memory on the GPU or wait for it, by replacing the driver's functions.
 class CountedCalls {
  public:
   CountedCalls() {
@@ -73,7 +73,7 @@ class CountedCalls {
   Functions real_{};
 };
 
-/// What the driver says of errors and of what slows it down.
+/// Driver messages about errors and performance.
 struct Complaints {
   std::vector<std::string> texts;
   int heard = 0;  ///< Of any kind.
@@ -102,14 +102,14 @@ struct Complaints {
 
 class FrameCalls : public OnCard {};
 
-TEST_F(FrameCalls, AskForNoMemoryAndNeverWait) {
+TEST_F(FrameCalls, NeverAllocateOrWait) {
   for (const char* name : {"humanoid-flex", "wrapped"}) {
     const TrialScene scene = bundledTrialScene(name);
     app::CardSurface card = surfaceFor(prepared(scene.character, scene.rig));
     const std::vector<Pose> poses = spreadPoses(*scene.character, 12);
     ASSERT_FALSE(card.setPose(poses.front()).has_value());
     card.make();
-    (void)readDrawn(card);  // All functions have been called once: the driver's stand in their places.
+    (void)readDrawn(card);  // By now all functions have been called once and are resolved to the driver's.
     (void)card.seconds();
     glFinish();
     Complaints complaints;

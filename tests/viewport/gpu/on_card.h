@@ -1,4 +1,4 @@
-// tests/viewport/gpu/on_card.h: a context with the stages' shaders, and rigs prepared for it.
+// tests/viewport/gpu/on_card.h: an OpenGL context with the compute shaders, and rigs prepared for it.
 #pragma once
 
 #include <memory>
@@ -17,7 +17,7 @@
 
 namespace sinew::test {
 
-/// Tests that compute on the card: one context a test, or the test is left out.
+/// Tests that compute on the GPU: one context for each test; skipped without one.
 class OnCard : public ::testing::Test {
  protected:
   void SetUp() override {
@@ -45,7 +45,7 @@ class OnCard : public ::testing::Test {
     return preparation ? preparation.value() : nullptr;
   }
 
-  /// The card's surface; a failure if it is left to the processor.
+  /// Surface on the GPU; fails if it is left to the CPU.
   [[nodiscard]] app::CardSurface surfaceFor(const std::shared_ptr<const Preparation>& preparation,
                                             const app::CardSurface::Options& options = {}) const {
     auto made = app::CardSurface::create(programs(), preparation, options);
@@ -53,7 +53,7 @@ class OnCard : public ::testing::Test {
     return std::move(made).value();
   }
 
-  /// What is drawn, [bodies * D]. Waits for the card.
+  /// Drawn vertices, [bodies * D]. Waits for the GPU.
   static std::vector<app::card::Drawn> readDrawn(const app::CardSurface& card, std::size_t bodies = 1) {
     std::vector<app::card::Drawn> drawn(bodies * card.preparation().refinement().drawVertex.size());
     glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
@@ -62,7 +62,7 @@ class OnCard : public ::testing::Test {
     return drawn;
   }
 
-  /// What docs/performance.md promises of every moment.
+  /// The tolerances of docs/performance.md.
   static void expectClose(const app::CardDifference& difference, const std::string& what) {
     EXPECT_LE(difference.roots, 1e-5) << what;
     EXPECT_LE(difference.farVertices, difference.vertices / 1000) << what << ", worst " << difference.surface;

@@ -1,4 +1,4 @@
-// tests/viewport/gpu/surface_on_card_test.cpp: who computes the surface in the editor, and that it is the same one.
+// tests/viewport/gpu/surface_on_card_test.cpp: choice between GPU and CPU in the editor; both give the same surface.
 #include "app/window/surface_on_card.h"
 
 #include <cstdio>
@@ -15,7 +15,7 @@ namespace {
 
 using app::SurfaceBy;
 
-class SurfaceOnCardTest : public Drawing {
+class GpuSurfaceInEditor : public Drawing {
  protected:
   void SetUp() override {
     Drawing::SetUp();
@@ -24,13 +24,13 @@ class SurfaceOnCardTest : public Drawing {
     ASSERT_TRUE(app::openFile(state_, std::filesystem::path(SINEW_SOURCE_DIR) / "assets" / "demo.rig.json"));
     state_.open.transport.playing = false;
   }
-  /// What the window does of a frame.
+  /// The window's part of a frame.
   void frame() {
     state_.live->movePose(state_.open.transport);
     ASSERT_TRUE(state_.live->update(state_.document, app::surfaceView(state_)).ok());
     onCard_.follow(state_);
   }
-  /// Largest distance of the card's vertices from the processor's, fraction of the height.
+  /// Largest distance between vertices of GPU and CPU, fraction of the height.
   double apart() {
     const Surface& expected = state_.live->surface();
     const std::vector<int>& drawVertex = expected.refinement->drawVertex;
@@ -54,7 +54,7 @@ class SurfaceOnCardTest : public Drawing {
   app::SurfaceOnCard onCard_;
 };
 
-TEST_F(SurfaceOnCardTest, FollowsTimeAndEdits) {
+TEST_F(GpuSurfaceInEditor, FollowsTimeAndEdits) {
   frame();
   ASSERT_NE(onCard_.drawn(), nullptr) << maker().why;
   EXPECT_TRUE(maker().onCard);
@@ -76,7 +76,7 @@ TEST_F(SurfaceOnCardTest, FollowsTimeAndEdits) {
   EXPECT_TRUE(state_.session.messages.empty());
 }
 
-TEST_F(SurfaceOnCardTest, AnotherDocumentIsAnotherSurface) {
+TEST_F(GpuSurfaceInEditor, NewDocumentGetsItsOwnSurface) {
   frame();
   ASSERT_TRUE(app::openFile(state_, std::filesystem::path(SINEW_SOURCE_DIR) / "assets" / "wrapped.rig.json"));
   frame();
@@ -84,7 +84,7 @@ TEST_F(SurfaceOnCardTest, AnotherDocumentIsAnotherSurface) {
   EXPECT_LT(apart(), 1e-5);
 }
 
-TEST_F(SurfaceOnCardTest, IsLeftToTheProcessorWithOneMessage) {
+TEST_F(GpuSurfaceInEditor, FallsBackToTheProcessorWithOneMessage) {
   frame();
   SmoothingSettings settings = state_.document.rig().smoothing;
   settings.creaseAngle = 10.0f;
@@ -106,7 +106,7 @@ TEST_F(SurfaceOnCardTest, IsLeftToTheProcessorWithOneMessage) {
   EXPECT_NE(onCard_.drawn(), nullptr) << "the card goes on";
 }
 
-TEST_F(SurfaceOnCardTest, WhatIsShownMayNeedTheProcessor) {
+TEST_F(GpuSurfaceInEditor, CullingUsesTheProcessor) {
   frame();
   state_.view.display.cullBackFaces = true;
   frame();
@@ -117,7 +117,7 @@ TEST_F(SurfaceOnCardTest, WhatIsShownMayNeedTheProcessor) {
   EXPECT_NE(onCard_.drawn(), nullptr);
 }
 
-TEST_F(SurfaceOnCardTest, ThePreferencesDecide) {
+TEST_F(GpuSurfaceInEditor, FollowsThePreferences) {
   state_.session.preferences.surfaceBy = SurfaceBy::kProcessor;
   frame();
   EXPECT_EQ(onCard_.drawn(), nullptr);
@@ -132,11 +132,11 @@ TEST_F(SurfaceOnCardTest, ThePreferencesDecide) {
   EXPECT_TRUE(state_.session.messages.empty());
 }
 
-/// The driver under another name, so that it is measured as a card is.
+/// The driver under another name, so that it is timed like a hardware GPU.
 class NamedCard {
  public:
   NamedCard() {
-    (void)glGetString(GL_RENDERER);  // From now on the driver's own function stands there.
+    (void)glGetString(GL_RENDERER);  // From now on the driver's own function is in use.
     real_ = epoxy_glGetString;
     epoxy_glGetString = [](GLenum name) {
       return name == GL_RENDERER ? reinterpret_cast<const GLubyte*>("a card") : real_(name);
@@ -150,7 +150,7 @@ class NamedCard {
   static inline decltype(epoxy_glGetString) real_ = nullptr;
 };
 
-TEST_F(SurfaceOnCardTest, AutomaticKeepsTheFasterAsMeasured) {
+TEST_F(GpuSurfaceInEditor, AutomaticKeepsTheFasterOne) {
   const NamedCard named;
   state_.session.preferences.surfaceBy = SurfaceBy::kAutomatic;
   SmoothingSettings settings = state_.document.rig().smoothing;
@@ -169,7 +169,7 @@ TEST_F(SurfaceOnCardTest, AutomaticKeepsTheFasterAsMeasured) {
   if (card != processor) {
     EXPECT_EQ(onCard_.drawn() != nullptr, card < processor) << first;
   }
-  // Once a document, whatever is shown meanwhile.
+  // Timed once for each document, whatever is shown.
   state_.view.display.cullBackFaces = true;
   frame();
   EXPECT_NE(maker().why, first);

@@ -1,4 +1,4 @@
-// tests/viewport/render/anatomy_test.cpp: flesh is red, tendons pale, the skin is glass that keeps its outline.
+// tests/viewport/render/anatomy_test.cpp: muscle bellies are red, tendons pale, and the skin is glass with an outline.
 #include "app/viewport/render/muscle_drawer.h"
 
 #include <cmath>
@@ -21,7 +21,7 @@ using app::View;
 constexpr int kSize = 160;
 constexpr int kMiddle = kSize / 2;
 
-/// Muscles behind a white square seen from the front, without perspective: one unit is 40 pixels.
+/// Muscles behind a white square seen from the front, orthographic: one unit is 40 pixels.
 class Anatomy : public Drawing {
  protected:
   void SetUp() override {
@@ -62,7 +62,7 @@ class Anatomy : public Drawing {
     viewport_->draw(scene, view_, settings_);
     return viewport_->readPixels();
   }
-  /// At a place in the plane of the picture, the mean of 5 x 5 pixels, linear light.
+  /// Mean of 5 x 5 pixels around a point of the picture plane, linear light.
   static glm::vec3 colorAt(const Image& image, float x, float y) {
     const int column = kMiddle + static_cast<int>(std::lround(40.0f * x)),
               row = kMiddle - static_cast<int>(std::lround(40.0f * y));
@@ -84,7 +84,7 @@ class Anatomy : public Drawing {
   DisplaySettings settings_;
 };
 
-TEST_F(Anatomy, FleshIsRedAndItsEndsArePale) {
+TEST_F(Anatomy, FleshIsRedWithPaleEnds) {
   for (const bool lying : {false, true}) {  // The fibres run along the longest radius, whichever that is.
     const Image image = draw({muscle(lying ? glm::vec3(0.9f, 0.3f, 0.3f) : glm::vec3(0.3f, 0.9f, 0.3f))});
     const auto at = [&](float along) { return lying ? colorAt(image, along, 0.0f) : colorAt(image, 0.0f, along); };
@@ -117,7 +117,7 @@ TEST_F(Anatomy, TendonsRunFromTheBellyToTheAnchors) {
   EXPECT_EQ(pixelAt(with, kMiddle, kMiddle - 68)[3], 0) << "beyond the anchor";
 }
 
-TEST_F(Anatomy, ATendonBendsThroughTheViaPoint) {
+TEST_F(Anatomy, TendonBendsThroughTheViaPoint) {
   PrimitiveShape shape = onLine(0.0f);
   shape.line->path.via = glm::vec3(0.35f, 1.1f, -1.0f);
   const Image bent = draw({shape}), straight = draw({onLine(0.0f)});
@@ -127,7 +127,7 @@ TEST_F(Anatomy, ATendonBendsThroughTheViaPoint) {
   EXPECT_EQ(pixelAt(bent, kMiddle, y)[3], 0);
 }
 
-TEST_F(Anatomy, ShapesAreDrawnAsTheyAre) {
+TEST_F(Anatomy, ShapesAreDrawnExactly) {
   PrimitiveShape shape = muscle({0.4f, 0.9f, 0.3f});
   const Image plain = draw({shape});
   shape.shape.core = 0.6f;
@@ -146,7 +146,7 @@ TEST_F(Anatomy, ShapesAreDrawnAsTheyAre) {
   EXPECT_GT(redness(colorAt(bent, 0.36f, 0.0f)), 2.5f);
 }
 
-TEST_F(Anatomy, CarvesAreDarkAndSeenThrough) {
+TEST_F(Anatomy, CarvesAreDarkAndTranslucent) {
   PrimitiveShape carve = muscle({0.5f, 0.5f, 0.5f}, {0, 0, -0.5f});
   carve.sign = -1;
   const PrimitiveShape flesh = muscle({0.6f, 0.9f, 0.3f}, {0, 0, -1.5f});
@@ -183,9 +183,9 @@ TEST_F(Anatomy, FibresMoveAndStretchWithTheMuscle) {
   EXPECT_GT(difference(still, row(draw({turned}), kMiddle)), 4.0f) << "there are fibres to be seen";
 }
 
-TEST_F(Anatomy, FromFarFibresFadeIntoTheirMean) {
+TEST_F(Anatomy, DistantFibresFadeIntoTheirMean) {
   const glm::vec3 radii(0.8f, 1.2f, 0.8f);
-  // How much neighbors differ beyond a smooth shade: the mean second difference along the middle row.
+  // Deviation of neighboring pixels from smooth shading: mean second difference along the middle row.
   const auto roughness = [&](int size) {
     view_ = viewOf(size);
     const Image image = draw({muscle(radii)});
@@ -201,7 +201,7 @@ TEST_F(Anatomy, FromFarFibresFadeIntoTheirMean) {
   EXPECT_LT(roughness(40), 3.0f);
 }
 
-TEST_F(Anatomy, GlassGoesFromSkinToClear) {
+TEST_F(Anatomy, GlassRangesFromSkinToClear) {
   settings_.surface = true;
   int before = 256;
   for (const float glass : {0.0f, 0.3f, 0.6f, 1.0f}) {
@@ -216,7 +216,7 @@ TEST_F(Anatomy, GlassGoesFromSkinToClear) {
   EXPECT_LT(redness(colorAt(draw({muscle({0.5f, 0.9f, 0.3f})}), 0, 0)), 1.3f) << "skin hides what lies under it";
 }
 
-TEST_F(Drawing, TheSkinsOutlineStays) {
+TEST_F(Drawing, GlassKeepsTheSkinOutline) {
   const auto limb = makeLimb();
   const Moment moment = bindMoment(limb, 4);
   const View view = app::framedView(boundsOf(moment.surface.positions), 0.6f, 0.2f, {240, 180}, false);
@@ -250,7 +250,7 @@ TEST_F(Drawing, TheSkinsOutlineStays) {
   EXPECT_GT(clear, inside / 2);
 }
 
-TEST_F(Drawing, OtherPicturesAreTheSameAfterwards) {
+TEST_F(Drawing, AnatomyDoesNotAffectOtherPictures) {
   const auto limb = makeLimb();
   const Moment moment = bindMoment(limb, 3);
   const View view = app::framedView(boundsOf(moment.surface.positions), 0.6f, 0.2f, {120, 90}, false);
@@ -267,7 +267,7 @@ TEST_F(Drawing, OtherPicturesAreTheSameAfterwards) {
   usual.skeleton = usual.primitives = usual.influence = usual.wire = usual.controlMesh = true;
   const auto picture = [&](const DisplaySettings& settings) {
     viewport->draw(scene, view, settings);
-    while (viewport->samplesTaken() < 4) viewport->refine(scene, view, settings);  // The first mean that is shown.
+    while (viewport->samplesTaken() < 4) viewport->refine(scene, view, settings);  // The first averaged picture.
     return viewport->readPixels().rgba;
   };
   const std::vector<std::uint8_t> before = picture(usual);

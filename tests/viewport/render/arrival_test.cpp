@@ -13,7 +13,7 @@ using app::View;
 /// The body is in the middle of the picture, its shadow below it.
 struct Arrival {
   Image whole;  ///< With ground, as the editor shows it.
-  Image floor;  ///< Without the surface: the floor and the shadow.
+  Image floor;  ///< Floor and shadow only.
 };
 
 View viewOf(const Surface& surface) {
@@ -34,14 +34,14 @@ Arrival arrivalOf(const std::shared_ptr<const Character>& character, app::Viewpo
   return result;
 }
 
-/// Sum over the picture of how much darker it is than another.
+/// Sum over the picture of how much darker it is than another one.
 double darkerBy(const Image& image, const Image& than) {
   double sum = 0.0;
   for (std::size_t i = 0; i < image.rgba.size(); ++i) sum += std::max(than.rgba[i] - image.rgba[i], 0);
   return sum;
 }
 
-/// Alike but for the rounding of a blend with nothing.
+/// Equal except for rounding.
 void expectAlike(const Image& a, const Image& b, const char* what) {
   ASSERT_EQ(a.rgba.size(), b.rgba.size());
   int most = 0;
@@ -56,7 +56,7 @@ std::shared_ptr<Character> limbWith(AlphaMode mode, float alpha) {
   return limb;
 }
 
-class Arriving : public Drawing {
+class AlphaAndVertexColors : public Drawing {
  protected:
   static Arrival arrival(const std::shared_ptr<const Character>& character, int depth,
                          Shading shading = Shading::kTextured) {
@@ -64,8 +64,8 @@ class Arriving : public Drawing {
   }
 };
 
-// Depth 1 and 3: where the processor draws, the shadow of the second is cast by control triangles.
-TEST_F(Arriving, AHiddenCharacterShownOpaqueLooksAsIfItWereOpaque) {
+// Depth 1 and 3: on the CPU, the second's shadow is cast by control triangles.
+TEST_F(AlphaAndVertexColors, HiddenCharacterShownOpaqueLooksOpaque) {
   for (const int depth : {1, 3}) {
     const Arrival opaque = arrival(limbWith(AlphaMode::kOpaque, 0.0f), depth);
     for (const AlphaMode mode : {AlphaMode::kMask, AlphaMode::kBlend}) {
@@ -82,7 +82,7 @@ TEST_F(Arriving, AHiddenCharacterShownOpaqueLooksAsIfItWereOpaque) {
   }
 }
 
-TEST_F(Arriving, TheShadowIsAsStrongAsTheSurfaceIsSeen) {
+TEST_F(AlphaAndVertexColors, ShadowFollowsTheOpacity) {
   for (const int depth : {1, 3}) {
     const Arrival none = arrival(limbWith(AlphaMode::kBlend, 0.0f), depth);
     double last = 0.0;
@@ -91,7 +91,7 @@ TEST_F(Arriving, TheShadowIsAsStrongAsTheSurfaceIsSeen) {
       EXPECT_GT(dark, 1.2 * last) << alpha;
       last = dark;
     }
-    // A full alpha is opaque; a cutoff takes all or nothing.
+    // Full alpha is opaque; a cutoff is all or nothing.
     const Arrival opaque = arrival(limbWith(AlphaMode::kOpaque, 1.0f), depth);
     expectAlike(arrival(limbWith(AlphaMode::kBlend, 1.0f), depth).floor, opaque.floor, "blend, alpha 1");
     expectAlike(arrival(limbWith(AlphaMode::kMask, 0.5f), depth).floor, opaque.floor, "mask at its cutoff");
@@ -99,8 +99,8 @@ TEST_F(Arriving, TheShadowIsAsStrongAsTheSurfaceIsSeen) {
   }
 }
 
-// A texture that cuts holes: the picture has them, so the shadow has them. Clay shows no texture, and no holes.
-TEST_F(Arriving, CutOutsAreCutOutOfTheShadowToo) {
+// A texture with holes: they appear in picture and shadow. Clay shows no texture, and no holes.
+TEST_F(AlphaAndVertexColors, CutOutsAppearInTheShadow) {
   auto limb = limbWith(AlphaMode::kMask, 1.0f);
   Texture half;
   half.width = half.height = 1;
@@ -122,7 +122,7 @@ TEST_F(Arriving, CutOutsAreCutOutOfTheShadowToo) {
   }
 }
 
-TEST_F(Arriving, VertexAlphaCountsInPictureAndShadow) {
+TEST_F(AlphaAndVertexColors, VertexAlphaAffectsPictureAndShadow) {
   for (const AlphaMode mode : {AlphaMode::kMask, AlphaMode::kBlend}) {
     const auto limb = limbWith(mode, 1.0f);
     for (Wedge& wedge : limb->mesh.wedges) wedge.color.a = 0.0f;
@@ -133,8 +133,8 @@ TEST_F(Arriving, VertexAlphaCountsInPictureAndShadow) {
   }
 }
 
-// Unlit, the picture is the product of the three, in linear light.
-TEST_F(Arriving, VertexColorsMultiplyTheBaseColor) {
+// Unlit, the picture is the product of the three in linear light.
+TEST_F(AlphaAndVertexColors, VertexColorsMultiplyTheBaseColor) {
   for (const bool wire : {false, true}) {
     const auto quad = makeQuad();
     quad->materials[0].baseColor = {0.5f, 1.0f, 0.25f, 1.0f};
@@ -157,7 +157,7 @@ TEST_F(Arriving, VertexColorsMultiplyTheBaseColor) {
   }
 }
 
-TEST_F(Arriving, VertexColorsRunFromCornerToCorner) {
+TEST_F(AlphaAndVertexColors, VertexColorsAreInterpolated) {
   const auto quad = makeQuad();
   for (Wedge& wedge : quad->mesh.wedges) wedge.color.r = wedge.uv.x;  // 0 at the left, 1 at the right.
   for (const int depth : {1, 4}) {
@@ -178,8 +178,8 @@ TEST_F(Arriving, VertexColorsRunFromCornerToCorner) {
   }
 }
 
-// A mesh without colors, one with, one without: nothing is left over from the one before.
-TEST_F(Arriving, AnotherCharacterHasItsOwnColors) {
+// Meshes without colors, with colors, without: nothing is kept from the previous one.
+TEST_F(AlphaAndVertexColors, NewCharacterHasItsOwnColors) {
   const auto plain = makeQuad(), painted = makeQuad();
   for (Wedge& wedge : painted->mesh.wedges) wedge.color = {1.0f, 0.0f, 0.0f, 1.0f};
   const auto viewport = viewportFor(*plain);

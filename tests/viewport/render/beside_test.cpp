@@ -1,4 +1,4 @@
-// tests/viewport/render/beside_test.cpp: a second surface beside the first is drawn as it would be alone.
+// tests/viewport/render/beside_test.cpp: a second surface beside the first is drawn as if it were alone.
 #include "tests/viewport/render/pictures.h"
 
 namespace sinew::test {
@@ -8,7 +8,7 @@ using app::Image;
 
 constexpr int kSide = 96;
 
-/// The quad and one beside it, displaced otherwise.
+/// The quad and another one beside it with a different displacement.
 struct Pair {
   std::shared_ptr<Character> quad = makeQuad();
   Moment first = bindMoment(quad, 2, PatchKind::kFlat);
@@ -31,7 +31,7 @@ struct Pair {
   }
 };
 
-TEST_F(Drawing, WhatStandsBesideIsDrawnAsIfItWereAlone) {
+TEST_F(Drawing, SecondSurfaceIsDrawnAsIfAlone) {
   const Pair pair;
   const auto viewport = viewportFor(*pair.quad);
   for (const app::Shading shading : {app::Shading::kTextured, app::Shading::kClay, app::Shading::kHeat}) {
@@ -59,7 +59,7 @@ TEST_F(Drawing, WhatStandsBesideIsDrawnAsIfItWereAlone) {
   }
 }
 
-TEST_F(Drawing, WhatStoodBesideIsGoneWithIt) {
+TEST_F(Drawing, RemovedSecondSurfaceLeavesNoTrace) {
   const Pair pair;
   const auto viewport = viewportFor(*pair.quad);
   const app::DisplaySettings settings = bareColors();
@@ -68,12 +68,12 @@ TEST_F(Drawing, WhatStoodBesideIsGoneWithIt) {
   EXPECT_EQ(pair.picture(*viewport, pair.first.surface, nullptr, settings).rgba, alone.rgba);
 }
 
-TEST_F(Drawing, BothCastTheirShadow) {
+TEST_F(Drawing, BothSurfacesCastShadows) {
   const Pair pair;
   const auto viewport = viewportFor(*pair.quad);
   app::DisplaySettings settings;
   settings.shading = app::Shading::kClay;
-  settings.surface = false;  // The floor alone: shadows are cast all the same.
+  settings.surface = false;  // Floor only: shadows are cast anyway.
   const Image none = pair.picture(*viewport, pair.first.surface, nullptr, settings);
   const Image both = pair.picture(*viewport, pair.first.surface, &pair.second, settings);
   int darker = 0;

@@ -1,4 +1,4 @@
-// tests/viewport/render/brdf_oracle.h: glTF 2.0, appendix B, written down from the specification, for one directional
+// tests/viewport/render/brdf_oracle.h: glTF 2.0, appendix B, implemented from the specification for one directional
 // light.
 #pragma once
 
@@ -17,7 +17,7 @@ struct OracleMaterial {
   double roughness = 1.0;
 };
 
-/// Radiance towards v of light that makes a white Lambert surface which faces it exactly white. All vectors unit.
+/// Radiance towards v under a light that makes a white Lambert surface facing it exactly white. All vectors are unit.
 inline glm::dvec3 appendixB(const OracleMaterial& material, const glm::dvec3& n, const glm::dvec3& v,
                             const glm::dvec3& l) {
   const double nl = glm::dot(n, l), nv = glm::dot(n, v);

@@ -1,4 +1,5 @@
-// tests/viewport/render/color_scales_test.cpp: equal displacements look equally far apart; classes are told apart.
+// tests/viewport/render/color_scales_test.cpp: displacement colors are perceptually even; class colors are
+// distinguishable.
 #include "app/viewport/render/color_scales.h"
 
 #include <algorithm>
@@ -10,14 +11,14 @@
 namespace sinew::test {
 namespace {
 
-/// CIE lightness 0..100, a measure of its own.
+/// CIE lightness 0..100, computed independently.
 float lightness(const glm::vec3& srgb) {
   const glm::vec3 linear = app::linearFromSrgb(srgb);
   const float y = 0.2126f * linear.r + 0.7152f * linear.g + 0.0722f * linear.b;
   return y > 0.008856f ? 116.0f * std::cbrt(y) - 16.0f : 903.3f * y;
 }
 
-TEST(HeatScale, RunsThroughItsStopsWithoutJumps) {
+TEST(HeatScale, PassesThroughItsStopsContinuously) {
   const auto& stops = app::heatStops();
   for (std::size_t i = 0; i < stops.size(); ++i) {
     const float x = 2.0f * static_cast<float>(i) / static_cast<float>(stops.size() - 1) - 1.0f;
@@ -29,7 +30,7 @@ TEST(HeatScale, RunsThroughItsStopsWithoutJumps) {
     EXPECT_LT(glm::distance(app::heatColor(x), app::heatColor(x + 0.001f)), 0.005f);
 }
 
-TEST(HeatScale, DarkensEvenlyFromANeutralMiddleToBothEnds) {
+TEST(HeatScale, DarkensEvenlyFromANeutralMiddle) {
   const glm::vec3 middle = app::heatColor(0.0f);
   EXPECT_LT(std::max({middle.r, middle.g, middle.b}) - std::min({middle.r, middle.g, middle.b}), 0.04f);
   for (const float side : {-1.0f, 1.0f}) {
@@ -42,7 +43,7 @@ TEST(HeatScale, DarkensEvenlyFromANeutralMiddleToBothEnds) {
       EXPECT_LT(step, 2.0f * whole / 8.0f) << x;
     }
   }
-  // Equally far displacements in and out are equally light, and warm or cold.
+  // Equal displacements outwards and inwards are equally light, and warm or cold.
   for (const float x : {0.25f, 0.5f, 1.0f}) {
     EXPECT_NEAR(lightness(app::heatColor(x)), lightness(app::heatColor(-x)), 6.0f);
     EXPECT_GT(app::heatColor(x).r, app::heatColor(x).b + 0.05f);
@@ -58,7 +59,7 @@ TEST(Srgb, DecodingAndEncodingAreInverse) {
   EXPECT_NEAR(app::linearFromSrgb(glm::vec3(0.5f)).r, 0.21404f, 1e-4f);
 }
 
-TEST(ClassColors, StandInTheOrderOfTheClassesAndAreToldApart) {
+TEST(ClassColors, FollowTheOrderOfClassesAndAreDistinct) {
   const auto& colors = app::classColors();
   for (std::size_t i = 0; i < colors.size(); ++i) {
     EXPECT_EQ(static_cast<std::size_t>(colors[i].kind), i);
@@ -66,7 +67,7 @@ TEST(ClassColors, StandInTheOrderOfTheClassesAndAreToldApart) {
   }
 }
 
-TEST(ZoneColors, TellClassesAndLayersApart) {
+TEST(ZoneColors, DistinguishClassesAndLayers) {
   for (std::size_t i = 0; i < app::kZones; ++i) {
     for (std::size_t j = 0; j < i; ++j) EXPECT_GT(glm::distance(app::zoneColor(i), app::zoneColor(j)), 0.2f) << i << j;
   }

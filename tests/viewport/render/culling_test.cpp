@@ -1,4 +1,4 @@
-// tests/viewport/render/culling_test.cpp: pictures without hidden triangles are those with them, pixel for pixel.
+// tests/viewport/render/culling_test.cpp: pictures with and without culled triangles are equal, pixel for pixel.
 #include <cstdio>
 
 #include "tests/support/rigs/trial_scenes.h"
@@ -22,7 +22,7 @@ struct Counts {
   long long triangles = 0;
 };
 
-/// Near, far and without perspective, from all around.
+/// Near, far and orthographic views from all sides.
 std::vector<app::View> viewsOf(const Bounds& bounds) {
   std::vector<app::View> views;
   const float reach = 0.5f * glm::length(bounds.high - bounds.low);
@@ -77,7 +77,7 @@ TrialScene demoScene() {
   return {"demo", character.value(), rig.value()};
 }
 
-TEST_F(Drawing, HiddenTrianglesLeftOutChangeNoPixel) {
+TEST_F(Drawing, CullingChangesNoPixel) {
   std::vector<TrialScene> scenes = trialScenes();
   scenes.push_back(demoScene());
   std::printf("  %-11s %-8s %9s %8s %10s %8s\n", "scene", "mode", "pictures", "culled", "differing", "pixels");
@@ -97,7 +97,7 @@ TEST_F(Drawing, HiddenTrianglesLeftOutChangeNoPixel) {
   }
 }
 
-TEST_F(Drawing, TheShadowOfACulledSurfaceHasNoHoles) {
+TEST_F(Drawing, CulledSurfaceCastsAWholeShadow) {
   const TrialScene scene = demoScene();
   const auto viewport = viewportFor(*scene.character);
   Smoother smoother(scene.character);

@@ -1,4 +1,5 @@
-// tests/viewport/render/marks_test.cpp: outlines, territory and segments show where they should and nowhere else.
+// tests/viewport/render/marks_test.cpp: outlines, territory and segments appear where they should and nowhere else.
+
 #include <random>
 
 #include <glm/gtc/matrix_transform.hpp>
@@ -20,7 +21,7 @@ using app::View;
 
 constexpr glm::ivec2 kMarkSize{120, 100};
 
-/// Nothing but what a scene marks.
+/// Shows only the scene's marks.
 DisplaySettings marksAlone() {
   DisplaySettings settings = bareColors();
   settings.surface = false;
@@ -39,13 +40,13 @@ PrimitiveShape anyEllipsoid(std::mt19937& random) {
   return shape;
 }
 
-/// Whether the sight through a pixel meets the ellipsoid.
+/// Whether the ray through a pixel hits the ellipsoid.
 bool covers(const PrimitiveShape& shape, const View& view, int x, int y) {
   const auto sight = view.rayThrough({static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f});
   return app::crossShell(sight, shape.unitBallInWorld).has_value();
 }
 
-/// Both what is covered and what is not lie within `reach` pixels.
+/// Covered and uncovered pixels lie within `reach` pixels.
 bool nearTheEdge(const PrimitiveShape& shape, const View& view, int x, int y, int reach) {
   const bool here = covers(shape, view, x, y);
   for (int dy = -reach; dy <= reach; ++dy) {
@@ -56,7 +57,7 @@ bool nearTheEdge(const PrimitiveShape& shape, const View& view, int x, int y, in
   return false;
 }
 
-TEST_F(Drawing, TheOutlineIsWhereSightsBeginToMiss) {
+TEST_F(Drawing, OutlineFollowsTheSilhouette) {
   const auto quad = makeQuad();
   const Moment moment = bindMoment(quad, 1, PatchKind::kFlat);
   const auto viewport = viewportFor(*quad);
@@ -87,7 +88,7 @@ TEST_F(Drawing, TheOutlineIsWhereSightsBeginToMiss) {
   }
 }
 
-TEST_F(Drawing, OnlyTheSelectedAreOutlinedAndTheHoveredFainter) {
+TEST_F(Drawing, SelectedAreOutlinedAndHoveredOnesFainter) {
   const auto quad = makeQuad();
   const Moment moment = bindMoment(quad, 1, PatchKind::kFlat);
   const auto viewport = viewportFor(*quad);
@@ -120,14 +121,14 @@ TEST_F(Drawing, OnlyTheSelectedAreOutlinedAndTheHoveredFainter) {
   EXPECT_LT(strength(true), selected);
 }
 
-TEST_F(Drawing, TheBulgeIsOutlinedOnTheSkinWhereInfluenceEnds) {
+TEST_F(Drawing, InfluenceIsOutlinedOnTheSkin) {
   const auto quad = makeQuad();
   const Moment moment = bindMoment(quad, 1, PatchKind::kFlat);
   const auto viewport = viewportFor(*quad);
   Scene scene = sceneOf(*quad, moment);
   scene.primitives.emplace_back();
   scene.primitives[0].unitBallInWorld = glm::scale(glm::mat4(1), glm::vec3(0.4f));
-  scene.primitives[0].reach = 1.5f;  // Meets the quad in a circle of radius 0.6.
+  scene.primitives[0].reach = 1.5f;  // Intersects the quad in a circle of radius 0.6.
   const View view = viewOfQuad(0.0f, 128);
   DisplaySettings settings = bareColors();
   viewport->draw(scene, view, settings);
@@ -153,7 +154,7 @@ TEST_F(Drawing, TheBulgeIsOutlinedOnTheSkinWhereInfluenceEnds) {
   EXPECT_GT(onRing, 40);
 }
 
-TEST_F(Drawing, TerritoryTintsItsOwnSkinAloneAndFadesOut) {
+TEST_F(Drawing, TerritoryTintStaysOnItsSkinAndFadesOut) {
   const auto quad = makeQuad();
   const Moment moment = bindMoment(quad, 3, PatchKind::kFlat);
   const auto viewport = viewportFor(*quad);
@@ -189,7 +190,7 @@ TEST_F(Drawing, TerritoryTintsItsOwnSkinAloneAndFadesOut) {
   }
 }
 
-TEST_F(Drawing, SegmentsAreDrawnFromPixelToPixelWithDotsAtTheirEnds) {
+TEST_F(Drawing, SegmentsConnectTheirEndsWithOptionalDots) {
   const auto quad = makeQuad();
   const Moment moment = bindMoment(quad, 1, PatchKind::kFlat);
   const auto viewport = viewportFor(*quad);
@@ -232,7 +233,7 @@ TEST_F(Drawing, SegmentsAreDrawnFromPixelToPixelWithDotsAtTheirEnds) {
   const Pixel faint = colored(hidden, 0.5f * (behind.from + behind.to));
   EXPECT_LT(faint[2], 250);
   EXPECT_GT(faint[2], colored(on, 0.5f * (segment.from + segment.to))[2] + 20);
-  // Every class has a color of its own.
+  // Every class has its own color.
   const std::array kinds{SegmentClass::kPlain, SegmentClass::kFound, SegmentClass::kFallback, SegmentClass::kLost};
   for (const SegmentClass a : kinds) {
     for (const SegmentClass b : kinds) {
@@ -242,7 +243,7 @@ TEST_F(Drawing, SegmentsAreDrawnFromPixelToPixelWithDotsAtTheirEnds) {
   }
 }
 
-TEST_F(Drawing, TerritoryBonesAreHighlightedThoughTheSkeletonIsHidden) {
+TEST_F(Drawing, TerritoryBonesAreHighlightedWithAHiddenSkeleton) {
   const auto quad = makeQuad();
   const Moment moment = bindMoment(quad, 1, PatchKind::kFlat);
   const auto viewport = viewportFor(*quad);
@@ -257,7 +258,7 @@ TEST_F(Drawing, TerritoryBonesAreHighlightedThoughTheSkeletonIsHidden) {
   EXPECT_NE(hidden, shown);
   scene.territoryBones = {0};
   EXPECT_NE(picture(true), shown);
-  EXPECT_EQ(picture(false), picture(true));  // The only bone is one of the territory.
+  EXPECT_EQ(picture(false), picture(true));  // The only bone belongs to the territory.
 }
 
 TEST_F(Drawing, UnlitBaseColorsAreExact) {
@@ -268,7 +269,7 @@ TEST_F(Drawing, UnlitBaseColorsAreExact) {
   }
 }
 
-TEST_F(Drawing, TheSameSurfaceIsNotUploadedAgainAndANewOneIs) {
+TEST_F(Drawing, SurfaceIsUploadedOnlyWhenItsRevisionChanges) {
   const auto quad = makeQuad();
   Moment moment = bindMoment(quad, 1, PatchKind::kFlat);
   const auto viewport = viewportFor(*quad);
@@ -280,13 +281,13 @@ TEST_F(Drawing, TheSameSurfaceIsNotUploadedAgainAndANewOneIs) {
   };
   const auto first = picture();
   for (glm::vec3& p : moment.surface.positions) p.x += 0.4f;
-  EXPECT_EQ(picture(), first);  // The number says that nothing is new.
+  EXPECT_EQ(picture(), first);  // An equal version number means unchanged.
   scene.surfaceRevision = 2;
   const auto moved = picture();
   EXPECT_NE(moved, first);
   viewport->setCharacter(*quad);
   for (glm::vec3& p : moment.surface.positions) p.x -= 0.4f;
-  EXPECT_EQ(picture(), first);  // A number says nothing about another character.
+  EXPECT_EQ(picture(), first);  // The version number does not apply to another character.
 }
 
 }  // namespace

@@ -1,4 +1,5 @@
-// tests/viewport/render/materials_test.cpp: materials in pictures, against the specification written down once more.
+// tests/viewport/render/materials_test.cpp: pictures of materials match an independent implementation of the
+// specification.
 #include <functional>
 
 #include "tests/viewport/render/brdf_oracle.h"
@@ -53,7 +54,7 @@ Image drawQuad(const std::shared_ptr<Character>& quad, const DisplaySettings& se
   return made.value()->readPixels();
 }
 
-/// What the oracle says a pixel of the quad shows.
+/// Color of a pixel of the quad according to the oracle.
 glm::dvec3 expectedAt(const OracleMaterial& material, const View& view, int x, int y, const glm::dvec3& n) {
   const app::Ray ray = view.rayThrough(glm::vec2(static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f));
   const glm::dvec3 color = appendixB(material, n, -glm::normalize(glm::dvec3(ray.direction)), kWhiteLight);
@@ -73,10 +74,10 @@ double meanOff(const Image& a, const Image& b) {
   return sum / static_cast<double>(std::max<std::size_t>(a.rgba.size(), 1));
 }
 
-/// The middle of the light's mirror image: a quad from where the lamp's light is thrown.
+/// Center of the light's reflection: view angles at which the quad mirrors the lamp.
 constexpr float kMirrorYaw = 0.5586f, kMirrorPitch = -0.5663f;
 
-TEST_F(Drawing, WhiteLightIsAppendixB) {
+TEST_F(Drawing, WhiteLightMatchesGltfAppendixB) {
   const auto quad = makeQuad();
   const glm::dvec3 n(0.0, 0.0, 1.0);
   int bright = 0;
@@ -104,7 +105,7 @@ TEST_F(Drawing, WhiteLightIsAppendixB) {
   EXPECT_GT(bright, 10) << "the highlight was seen";
 }
 
-TEST_F(Drawing, BlackShowsItsHighlightAlone) {
+TEST_F(Drawing, BlackShowsOnlyItsHighlight) {
   const auto quad = makeQuad();
   Material& black = quad->materials[0];
   black.baseColor = {0, 0, 0, 1};
@@ -120,7 +121,7 @@ TEST_F(Drawing, BlackShowsItsHighlightAlone) {
   expectNear(metal, expectedAt({glm::dvec3(0.0), 1.0, 0.5}, mirror, 32, 32, {0.0, 0.0, 1.0}), 1.0, "black metal");
 }
 
-TEST_F(Drawing, AMapOfFactorsIsTheFactors) {
+TEST_F(Drawing, ConstantMapEqualsItsFactors) {
   const auto mapped = makeQuad(), plain = makeQuad();
   mapped->textures = {evenTexture(7, 128, 64)};
   mapped->materials[0].metallicRoughnessMap.texture = 0;
@@ -133,8 +134,8 @@ TEST_F(Drawing, AMapOfFactorsIsTheFactors) {
   }
 }
 
-/// One image as color and as numbers: decoded from sRGB for the one, not for the other.
-TEST_F(Drawing, OneImageMayBeColorAndNumbers) {
+/// One image as color and as data: decoded from sRGB only as color.
+TEST_F(Drawing, OneImageCanHoldColorAndData) {
   const auto quad = makeQuad(), apart = makeQuad();
   quad->textures = {evenTexture(90, 140, 200)};
   apart->textures = {evenTexture(90, 140, 200), evenTexture(90, 140, 200), evenTexture(90, 140, 200)};
@@ -151,7 +152,7 @@ TEST_F(Drawing, OneImageMayBeColorAndNumbers) {
   }
 }
 
-TEST_F(Drawing, AFlatNormalMapChangesNothing) {
+TEST_F(Drawing, FlatNormalMapChangesNothing) {
   const auto quad = makeQuad();
   const Image without = drawQuad(quad, lit(LightPreset::kWhite));
   quad->textures = {evenTexture(128, 128, 255)};
@@ -159,7 +160,7 @@ TEST_F(Drawing, AFlatNormalMapChangesNothing) {
   EXPECT_LE(meanOff(drawQuad(quad, lit(LightPreset::kWhite)), without), 0.6) << "128 is not quite the middle";
 }
 
-TEST_F(Drawing, NormalMapsTurnAlongUAndAgainstV) {
+TEST_F(Drawing, NormalMapsFollowTheTextureAxes) {
   const glm::dvec3 texel(170.0 / 127.5 - 1.0, 160.0 / 127.5 - 1.0, 220.0 / 127.5 - 1.0);
   const OracleMaterial material{{0.6, 0.6, 0.6}, 0.0, 0.6};
   const auto expectTurned = [&](const std::shared_ptr<Character>& quad, const glm::dvec3& n, const std::string& what,
@@ -171,7 +172,7 @@ TEST_F(Drawing, NormalMapsTurnAlongUAndAgainstV) {
     const Image image = drawQuad(quad, lit(LightPreset::kWhite), view);
     expectNear(pixelAt(image, 32, 32), expectedAt(material, view, 32, 32, glm::normalize(n)), 1.0, what);
   };
-  // The quad's u goes along x, its v down.
+  // The quad's u runs along x, its v down.
   expectTurned(makeQuad(), texel, "upright");
   auto quad = makeQuad();
   quad->materials[0].normalScale = 0.4f;
@@ -196,14 +197,14 @@ TEST_F(Drawing, NormalMapsTurnAlongUAndAgainstV) {
   quad = makeQuad();
   quad->materials[0].doubleSided = true;
   const double size = glm::length(texel);
-  // From behind it is the mould of what is seen from the front. The lamp is in front: turn the quad instead.
+  // Seen from behind, relief is inverted. The lamp is in front: rotate the quad instead.
   for (glm::vec3& position : quad->mesh.positions) position *= glm::vec3(-1.0f, 1.0f, -1.0f);
   for (glm::vec3& normal : quad->mesh.normals) normal = -normal;
   for (Wedge& wedge : quad->mesh.wedges) wedge.normal = -wedge.normal;
   expectTurned(quad, glm::dvec3(texel.x, -texel.y, texel.z) / size, "from behind");
 }
 
-TEST_F(Drawing, ClayHasReliefOnlyIfAsked) {
+TEST_F(Drawing, ClayHasReliefOnlyIfEnabled) {
   const auto quad = makeQuad();
   DisplaySettings clay = lit(LightPreset::kStudio);
   clay.shading = Shading::kClay;
@@ -220,7 +221,7 @@ TEST_F(Drawing, ClayHasReliefOnlyIfAsked) {
   EXPECT_LE(meanOff(drawQuad(quad, clay), plain), 0.6);
 }
 
-TEST_F(Drawing, OcclusionDimsWhatComesFromAllAroundAlone) {
+TEST_F(Drawing, OcclusionMapDimsOnlyAmbientLight) {
   const auto quad = makeQuad();
   const Image white = drawQuad(quad, lit(LightPreset::kWhite)), studio = drawQuad(quad, lit(LightPreset::kStudio));
   quad->textures = {evenTexture(51, 255, 255)};
@@ -251,7 +252,7 @@ TEST_F(Drawing, EmissionIsAdded) {
   }
 }
 
-TEST_F(Drawing, UnlitIsTheBaseColorInAnyLight) {
+TEST_F(Drawing, UnlitShowsTheBaseColorInAnyLight) {
   const auto quad = makeQuad();
   quad->textures = {evenTexture(200, 90, 31)};
   quad->materials[0].baseColorTexture = 0;
@@ -263,7 +264,7 @@ TEST_F(Drawing, UnlitIsTheBaseColorInAnyLight) {
   }
 }
 
-TEST_F(Drawing, APlacedMapIsOneWithOtherCoordinates) {
+TEST_F(Drawing, TextureTransformEqualsTransformedCoordinates) {
   const auto spots = [](double u, double v) {
     return std::array{static_cast<int>(255 * u), static_cast<int>(255 * v), u > 0.5 ? 255 : 0};
   };
@@ -290,7 +291,7 @@ TEST_F(Drawing, APlacedMapIsOneWithOtherCoordinates) {
 }
 
 /// Alpha comes from the base color alone, whatever other maps a masked or blended material has.
-TEST_F(Drawing, MapsLeaveTheAlphaModesAlone) {
+TEST_F(Drawing, MapsDoNotAffectAlphaModes) {
   const auto quad = makeQuad();
   Texture holes = paintedTexture(64, [](double, double) { return std::array{255, 255, 255}; });
   for (std::size_t i = 0; i < 64 * 64; ++i) holes.rgba[4 * i + 3] = i % 64 < 32 ? 102 : 255;

@@ -1,5 +1,4 @@
-// tests/viewport/render/moving_picture_test.cpp: a picture of a movement takes shortcuts that are not seen, or only as
-// softness.
+// tests/viewport/render/moving_picture_test.cpp: a moving picture takes shortcuts that are invisible or only soften it.
 #include <cstdlib>
 #include <random>
 
@@ -22,14 +21,14 @@ int worstDifference(const Image& a, const Image& b) {
   return worst;
 }
 
-/// The surface elsewhere, as an animation would move it.
+/// The surface moved, as by an animation.
 Moment movedBy(const Moment& moment, const glm::vec3& by) {
   Moment moved = moment;
   for (glm::vec3& position : moved.surface.positions) position += by;
   return moved;
 }
 
-/// About its middle, so that the light on the floor stays where it is. Enlarged, it reaches below the floor.
+/// Scaled about its middle, so that the light on the floor stays. Enlarged, it reaches below the floor.
 Moment scaledBy(const Moment& moment, float factor) {
   Moment scaled = moment;
   const glm::vec3 center = boundsOf(moment.surface.positions).center();
@@ -37,12 +36,12 @@ Moment scaledBy(const Moment& moment, float factor) {
   return scaled;
 }
 
-TEST_F(Drawing, WhatIsKeptOfTheBackgroundIsTheSameToThePixel) {
+TEST_F(Drawing, CachedBackgroundIsPixelIdentical) {
   const auto limb = makeLimb();
   const Moment moment = bindMoment(limb, 3);
   const Bounds bounds = boundsOf(moment.surface.positions);
   for (const bool orthographic : {false, true}) {
-    for (const float pitch : {0.5f, 0.05f, -0.4f}) {  // From above, along the floor and from below it.
+    for (const float pitch : {0.5f, 0.05f, -0.4f}) {  // From above, along the floor and from below.
       const View view = app::framedView(bounds, 0.6f, pitch, {150, 110}, orthographic);
       for (const app::Backdrop backdrop : {app::Backdrop::kStudio, app::Backdrop::kChecker}) {
         DisplaySettings settings;
@@ -55,14 +54,14 @@ TEST_F(Drawing, WhatIsKeptOfTheBackgroundIsTheSameToThePixel) {
           keeping->draw(sceneOf(*limb, moved), view, settings, 1.0f);
           EXPECT_EQ(worstDifference(keeping->readPixels(), plain->readPixels()), 0)
               << orthographic << " " << pitch << " " << factor;
-          if (factor == 0.7f) keeping->draw(sceneOf(*limb, moved), view, settings);  // A resting one between.
+          if (factor == 0.7f) keeping->draw(sceneOf(*limb, moved), view, settings);  // A resting picture in between.
         }
       }
     }
   }
 }
 
-TEST_F(Drawing, WhileTheCharacterSwaysTheLightOnTheFloorIsHeldUnseen) {
+TEST_F(Drawing, HeldFloorLightIsUnnoticeableWhileTheCharacterSways) {
   const auto limb = makeLimb();
   const Moment moment = bindMoment(limb, 3);
   const View view = app::framedView(boundsOf(moment.surface.positions), 0.6f, 0.4f, {150, 110}, false);
@@ -76,8 +75,8 @@ TEST_F(Drawing, WhileTheCharacterSwaysTheLightOnTheFloorIsHeldUnseen) {
   }
 }
 
-/// What the picture before has left, outside of where the character is now, is taken away.
-TEST_F(Drawing, NothingStaysBehindWhereTheCharacterWas) {
+/// Remains of the previous picture outside the character are erased.
+TEST_F(Drawing, MovedCharacterLeavesNoTrace) {
   const auto limb = makeLimb();
   const Moment moment = bindMoment(limb, 2);
   const View view = app::framedView(boundsOf(moment.surface.positions), 0.6f, 0.4f, {161, 117}, false, 0.3f);
@@ -85,7 +84,7 @@ TEST_F(Drawing, NothingStaysBehindWhereTheCharacterWas) {
   std::mt19937 random(3);
   std::uniform_real_distribution<float> size(0.4f, 1.4f);
   for (int i = 0; i < 12; ++i) {
-    const Moment moved = scaledBy(moment, size(random));  // The background that is kept stays the same one.
+    const Moment moved = scaledBy(moment, size(random));  // The cached background does not change.
     keeping->draw(sceneOf(*limb, moved), view, {}, 1.0f);
     const auto fresh = viewportFor(*limb);
     fresh->draw(sceneOf(*limb, moved), view, {});
@@ -93,7 +92,7 @@ TEST_F(Drawing, NothingStaysBehindWhereTheCharacterWas) {
   }
 }
 
-TEST_F(Drawing, ARestingPictureAfterAMovementIsTheSameToThePixel) {
+TEST_F(Drawing, RestingPictureAfterMovementIsPixelIdentical) {
   const auto limb = makeLimb();
   const Moment moment = bindMoment(limb, 3);
   const Moment other = movedBy(moment, {0.02f * limb->height, 0.0f, 0.0f});
@@ -119,7 +118,7 @@ TEST_F(Drawing, ARestingPictureAfterAMovementIsTheSameToThePixel) {
   }
 }
 
-TEST_F(Drawing, ASmallerPictureShowsTheSameWithLinesOfTheSameWidth) {
+TEST_F(Drawing, ReducedResolutionKeepsTheLineWidth) {
   const auto quad = makeQuad();
   const Moment moment = bindMoment(quad, 1, PatchKind::kFlat);
   Scene scene = sceneOf(*quad, moment);

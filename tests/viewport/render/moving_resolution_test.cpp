@@ -1,5 +1,6 @@
-// tests/viewport/render/moving_resolution_test.cpp: the resolution of a moving picture follows given times, and
+// tests/viewport/render/moving_resolution_test.cpp: resolution of a moving picture adapts to given frame times, and
 // settles.
+
 #include "app/window/picture.h"
 
 #include <gtest/gtest.h>
@@ -16,12 +17,12 @@ using app::MovingResolution;
 
 constexpr double kGoal = MovingResolution::kFrameGoal;
 
-/// A machine: what a frame costs there at a scale.
+/// Simulated machine: cost of a frame at a scale.
 struct Machine {
-  double fixed = 0.0;     ///< Drawing that no resolution changes.
-  double perPixel = 0.0;  ///< Drawing of a whole picture.
+  double fixed = 0.0;     ///< Drawing that is independent of the resolution.
+  double perPixel = 0.0;  ///< Drawing of a full-size picture.
   double other = 0.0;
-  double noise = 0.0;  ///< Share by which a frame may take longer.
+  double noise = 0.0;  ///< Fraction by which a frame may take longer.
 
   [[nodiscard]] FrameCost cost(float scale, double chance = 0.0) const {
     const auto s = static_cast<double>(scale);
@@ -47,7 +48,7 @@ int changes(const std::vector<float>& scales) {
   return count;
 }
 
-TEST(MovingResolutions, AFastMachineIsNeverMadeCoarse) {
+TEST(MovingResolutions, FastMachineKeepsFullResolution) {
   for (const double share : {0.01, 0.3, 0.7, 1.0}) {
     MovingResolution resolution;
     const std::vector<float> scales = played(resolution, {0.5 * share * kGoal, 0.5 * share * kGoal, 0.0, 0.05}, 1000);
@@ -55,7 +56,7 @@ TEST(MovingResolutions, AFastMachineIsNeverMadeCoarse) {
   }
 }
 
-TEST(MovingResolutions, HoldsTheGoalWhereASmallerPictureCan) {
+TEST(MovingResolutions, MeetsTheFrameTimeGoalIfPossible) {
   std::mt19937 random(7);
   std::uniform_real_distribution<double> part(0.0, 1.0);
   const float least = MovingResolution::kScales.back();
@@ -75,14 +76,14 @@ TEST(MovingResolutions, HoldsTheGoalWhereASmallerPictureCan) {
   EXPECT_GT(lowered, 100);
 }
 
-TEST(MovingResolutions, IsNoCoarserThanItMustBe) {
+TEST(MovingResolutions, IsNoCoarserThanNecessary) {
   std::mt19937 random(8);
   std::uniform_real_distribution<double> part(0.0, 1.0);
   const auto& scales = MovingResolution::kScales;
   for (int i = 0; i < 500; ++i) {
     const Machine machine{0.0, 5.0 * kGoal * part(random), 0.4 * kGoal * part(random)};
     MovingResolution resolution;
-    played(resolution, {0.0, 100.0 * kGoal, 0.0}, 100);  // From the coarsest.
+    played(resolution, {0.0, 100.0 * kGoal, 0.0}, 100);  // Starting at the coarsest.
     ASSERT_EQ(resolution.scale(), scales.back());
     played(resolution, machine, 400);
     const auto* const at = std::ranges::find(scales, resolution.scale());
@@ -103,13 +104,13 @@ TEST(MovingResolutions, SettlesAndStays) {
   }
 }
 
-/// Drawing of `machine` but for `fixed` goes on while the surface is made.
+/// Drawing of `machine` except for `fixed` overlaps with the surface's computation.
 FrameCost overlapped(const Machine& machine, float scale) {
   const double pixels = machine.perPixel * static_cast<double>(scale) * static_cast<double>(scale);
   return {machine.fixed + std::max(pixels - machine.other, 0.0), machine.other, machine.other};
 }
 
-TEST(MovingResolutions, SettlesWhereDrawingIsHidden) {
+TEST(MovingResolutions, SettlesIfDrawingTimeIsHidden) {
   std::mt19937 random(11);
   std::uniform_real_distribution<double> part(0.0, 1.0);
   int coarse = 0;
@@ -135,13 +136,13 @@ TEST(MovingResolutions, OneSlowFrameChangesNothing) {
   }
 }
 
-TEST(MovingResolutions, ASlowSurfaceIsNoReason) {
+TEST(MovingResolutions, SlowSurfaceDoesNotReduceIt) {
   MovingResolution resolution;
   played(resolution, {0.1 * kGoal, 0.3 * kGoal, 8.0 * kGoal}, 300);
   EXPECT_EQ(resolution.scale(), 1.0f);
 }
 
-TEST(MovingResolutions, GoesDownWithinAFewFramesAndComesBack) {
+TEST(MovingResolutions, DropsWithinAFewFramesAndRecovers) {
   MovingResolution resolution;
   const std::vector<float> down = played(resolution, {0.0, 4.0 * kGoal, 0.0}, 9);
   EXPECT_LE(resolution.scale(), 0.55f);
@@ -151,7 +152,7 @@ TEST(MovingResolutions, GoesDownWithinAFewFramesAndComesBack) {
   EXPECT_TRUE(std::ranges::is_sorted(up));
 }
 
-TEST(MovingResolutions, AnyTimesLeaveItOnOneOfItsSteps) {
+TEST(MovingResolutions, RandomTimesKeepItOnAStep) {
   std::mt19937 random(10);
   std::exponential_distribution<double> seconds(1.0 / kGoal);
   MovingResolution resolution;

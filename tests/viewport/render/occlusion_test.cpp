@@ -1,4 +1,4 @@
-// tests/viewport/render/occlusion_test.cpp: convex bodies are open, gaps are not; spread values follow the
+// tests/viewport/render/occlusion_test.cpp: convex bodies are unoccluded, gaps are not; interpolated values follow the
 // barycentrics.
 #include "app/viewport/render/occlusion.h"
 
@@ -45,14 +45,14 @@ ControlMesh meshOf(TriangleSoup soup) {
   return weld(soup, 1e-6f);
 }
 
-TEST(Openness, ABallSeesEverything) {
+TEST(Openness, ConvexBallIsFullyOpen) {
   TriangleSoup soup;
   addBall(soup, {3, 4, 5}, 2.0f);
   const ControlMesh mesh = meshOf(std::move(soup));
   for (const float open : app::bakeOpenness(mesh)) EXPECT_GT(open, 0.97f);
 }
 
-TEST(Openness, TwoBallsSideBySideShadeEachOtherWhereTheyFace) {
+TEST(Openness, AdjacentBallsShadeEachOther) {
   for (const float scale : {0.01f, 1.0f, 150.0f}) {
     TriangleSoup soup;
     addBall(soup, scale * glm::vec3(-1.08f, 0, 0), scale);
@@ -71,9 +71,9 @@ TEST(Openness, TwoBallsSideBySideShadeEachOtherWhereTheyFace) {
   }
 }
 
-TEST(Openness, NothingIsWhollyOpen) { EXPECT_TRUE(app::bakeOpenness(ControlMesh{}).empty()); }
+TEST(Openness, EmptyMeshGivesNoValues) { EXPECT_TRUE(app::bakeOpenness(ControlMesh{}).empty()); }
 
-TEST(SpreadOverRefinement, ALinearFunctionOfThePlaceStaysOne) {
+TEST(SpreadOverRefinement, LinearFunctionIsPreserved) {
   const auto limb = makeLimb();
   const auto height = [](const glm::vec3& p) { return 0.3f * p.x - 0.7f * p.y + 0.2f * p.z + 0.1f; };
   std::vector<float> values;

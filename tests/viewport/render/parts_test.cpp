@@ -1,4 +1,4 @@
-// tests/viewport/render/parts_test.cpp: a part that is lit up is tinted where it is, seen or hidden, and nothing else
+// tests/viewport/render/parts_test.cpp: a highlighted part is tinted where it is, visible or hidden, and nothing else
 // is.
 #include "app/viewport/render/color_scales.h"
 #include "tests/viewport/render/pictures.h"
@@ -11,7 +11,7 @@ using app::LitPart;
 
 constexpr int kPictureSize = 64;
 
-/// The quad's triangle below its diagonal, and the one above it as a part of its own.
+/// The quad's triangle below its diagonal, and the one above it as a separate part.
 std::shared_ptr<Character> quadOfTwoParts() {
   auto quad = makeQuad();
   quad->parts = {{"below", 0}, {"above", 0}};
@@ -20,7 +20,7 @@ std::shared_ptr<Character> quadOfTwoParts() {
   return quad;
 }
 
-/// A large quad, and a small one before it (z > 0) or behind it as a part of its own. @param tilt  its right edge is
+/// A large quad, and a small one in front of it (z > 0) or behind it as a separate part. @param tilt  its right edge is
 /// that much nearer
 std::shared_ptr<Character> quadAndSmallOne(float z, const glm::vec2& middle, float tilt = 0.0f) {
   TriangleSoup soup;
@@ -60,7 +60,7 @@ int sideOf(int x, int y) {
   return 1.0f - v < u ? 1 : 2;
 }
 
-TEST_F(Drawing, ALitPartIsTintedInTheColorOfItsLayerAndNothingElse) {
+TEST_F(Drawing, HighlightedPartIsTintedInItsLayerColor) {
   const auto quad = quadOfTwoParts();
   const auto viewport = viewportFor(*quad);
   const Image plain = picture(quad, *viewport, {});
@@ -75,7 +75,7 @@ TEST_F(Drawing, ALitPartIsTintedInTheColorOfItsLayerAndNothingElse) {
         }
         if (sideOf(x, y) != 2) continue;
         const Pixel pixel = pixelAt(lit, x, y);
-        for (int channel = 0; channel < 3; ++channel) {  // All channels have gone the same share of the way.
+        for (int channel = 0; channel < 3; ++channel) {  // All channels have moved by the same fraction.
           const float from = linearOf(pixelAt(plain, x, y)[static_cast<std::size_t>(channel)]);
           const float way = tint[channel] - from;
           if (std::abs(way) < 0.25f) continue;  // Too few steps of 8 bits.
@@ -92,7 +92,7 @@ TEST_F(Drawing, ALitPartIsTintedInTheColorOfItsLayerAndNothingElse) {
   EXPECT_EQ(picture(quad, *viewport, {}).rgba, plain.rgba);
 }
 
-TEST_F(Drawing, AHoveredPartIsTintedMoreThanAChosenOne) {
+TEST_F(Drawing, HoveredPartIsTintedMoreThanASelectedOne) {
   const auto quad = quadOfTwoParts();
   const auto viewport = viewportFor(*quad);
   const auto blueAt = [&](bool hovered) {
@@ -101,19 +101,19 @@ TEST_F(Drawing, AHoveredPartIsTintedMoreThanAChosenOne) {
   EXPECT_GT(blueAt(true), blueAt(false) + 10);
 }
 
-TEST_F(Drawing, APartOfWhichNothingIsSeenShowsThroughAndOneThatIsSeenDoesNot) {
+TEST_F(Drawing, HighlightShowsThroughOnlyForFullyHiddenParts) {
   const auto behind = quadAndSmallOne(-0.5f, {0.0f, 0.0f});
   const auto viewport = viewportFor(*behind);
   const Image plain = picture(behind, *viewport, {});
   const Image lit = picture(behind, *viewport, {{1, SkinLayer::kRigid, true}});
   EXPECT_NE(pixelAt(lit, 32, 32), pixelAt(plain, 32, 32));
   EXPECT_EQ(pixelAt(lit, 18, 18), pixelAt(plain, 18, 18));
-  // So it is however steeply it stands, and however near.
+  // However steep and however near.
   const auto steep = quadAndSmallOne(-0.02f, {0.0f, 0.0f}, 1.6f);
   viewport->setCharacter(*steep);
   const Image through = picture(steep, *viewport, {{1, SkinLayer::kRigid, true}});
   EXPECT_EQ(pixelAt(through, 36, 32), pixelAt(lit, 32, 32));
-  // Half of it looks out beside the large one: that half alone is tinted.
+  // Half of it is visible beside the large one: only that half is tinted.
   const auto beside = quadAndSmallOne(-0.5f, {1.05f, 0.0f});
   viewport->setCharacter(*beside);
   const Image out = picture(beside, *viewport, {});
@@ -122,7 +122,7 @@ TEST_F(Drawing, APartOfWhichNothingIsSeenShowsThroughAndOneThatIsSeenDoesNot) {
   EXPECT_EQ(pixelAt(half, 45, 32), pixelAt(out, 45, 32));
 }
 
-TEST_F(Drawing, TheTintFollowsThePartWhereTrianglesAreLeftOutOrFine) {
+TEST_F(Drawing, PartTintFollowsCullingAndRefinement) {
   const auto quad = quadOfTwoParts();
   const auto viewport = viewportFor(*quad);
   for (const int depth : {1, 3}) {
@@ -143,7 +143,7 @@ TEST_F(Drawing, TheTintFollowsThePartWhereTrianglesAreLeftOutOrFine) {
   }
 }
 
-TEST_F(Drawing, ZonesTellClothAndRigidPartsFromSkin) {
+TEST_F(Drawing, ZonesDistinguishClothAndRigidPartsFromSkin) {
   const auto quad = quadOfTwoParts();
   const auto viewport = viewportFor(*quad);
   app::DisplaySettings settings = bareColors();
@@ -162,7 +162,7 @@ TEST_F(Drawing, ZonesTellClothAndRigidPartsFromSkin) {
   EXPECT_NE(pixelAt(cloth, 22, 24), pixelAt(rigid, 22, 24));
 }
 
-TEST_F(Drawing, ZonesFollowTheLayersThoughTheSurfaceIsTheSame) {
+TEST_F(Drawing, ZonesFollowLayersOnAnUnchangedSurface) {
   const auto quad = quadOfTwoParts();
   const auto viewport = viewportFor(*quad);
   const Moment moment = bindMoment(quad, 1, PatchKind::kFlat);

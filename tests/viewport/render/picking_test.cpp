@@ -1,4 +1,4 @@
-// tests/viewport/render/picking_test.cpp: what is picked is what is drawn, and what geometry says.
+// tests/viewport/render/picking_test.cpp: picking agrees with the picture and with geometry.
 #include "app/viewport/render/picking.h"
 
 #include <optional>
@@ -20,7 +20,7 @@ using app::PrimitiveShape;
 using app::Ray;
 using app::View;
 
-/// A copy in which every control triangle has a color of its own: triangle t is drawn as t + 1 in base 40.
+/// A copy in which every control triangle has its own color: triangle t is drawn as t + 1 in base 40.
 std::shared_ptr<Character> numbered(const Character& original) {
   auto character = std::make_shared<Character>(original);
   character->materials.clear();
@@ -35,7 +35,7 @@ std::shared_ptr<Character> numbered(const Character& original) {
   return character;
 }
 
-/// Control triangle a pixel shows, or -1.
+/// Control triangle at a pixel, or -1.
 int triangleShown(const Image& image, int x, int y) {
   const Pixel pixel = pixelAt(image, x, y);
   const auto digit = [](int value) { return (value + 3) / 6; };
@@ -72,7 +72,7 @@ TEST_F(Drawing, PickingAgreesWithThePictureAtEveryPixel) {
   }
 }
 
-TEST(PickSurface, BarycentricsLeadToTheHit) {
+TEST(PickSurface, BarycentricsReproduceTheHit) {
   const auto character = makeTwoLegged();
   const Moment moment = bindMoment(character, 4, PatchKind::kFlat);
   const View view = app::framedView(boundsOf(moment.surface.positions), 0.5f, 0.2f, {200, 200}, false);
@@ -131,7 +131,7 @@ TEST(CrossShell, MatchesASearchAlongTheRay) {
     }
     const auto span = app::crossShell(ray, shell);
     if (!enter) {
-      EXPECT_TRUE(!span || span->leave - span->enter < kStep);  // At most a graze between two steps of the search.
+      EXPECT_TRUE(!span || span->leave - span->enter < kStep);  // At most a touch between two steps of the search.
       continue;
     }
     ++hits;
@@ -171,7 +171,7 @@ TEST(CrossShell, MatchesASearchAlongTheRayThroughShapes) {
   EXPECT_GT(hits, 50);
 }
 
-TEST(Silhouette, LiesOnTheShapeAndNothingOfItIsOutside) {
+TEST(Silhouette, LiesOnTheShapeAndEnclosesIt) {
   Random random(7);
   app::View view;
   view.eyeInWorld = {0.3f, 0.5f, 6.0f};
@@ -196,14 +196,14 @@ TEST(Silhouette, LiesOnTheShapeAndNothingOfItIsOutside) {
   EXPECT_GT(checked, 1000);
 }
 
-TEST(CrossShell, FlatAndDistantOnesAndThoseBehind) {
+TEST(CrossShell, HandlesFlatDistantAndBehindShapes) {
   const glm::mat4 ball(1);
   EXPECT_FALSE(app::crossShell({{0, 5, 0}, {0, -1, 0}}, glm::scale(ball, glm::vec3(1, 0, 1))));
   EXPECT_FALSE(app::crossShell({{0, 5, 0}, {0, 1, 0}}, ball));
   const auto inside = app::crossShell({{0, 0.5f, 0}, {0, 1, 0}}, ball);
   ASSERT_TRUE(inside);
   EXPECT_EQ(inside->enter, 0.0f);
-  const Ray fromAfar{{0.9f, 0, 1e5f}, {0, 0, -1}};  // Far origins must not cost the hit.
+  const Ray fromAfar{{0.9f, 0, 1e5f}, {0, 0, -1}};  // Distant origins must not miss.
   const auto far = app::crossShell(fromAfar, ball);
   ASSERT_TRUE(far);
   EXPECT_NEAR((fromAfar.origin + far->enter * fromAfar.direction).z, std::sqrt(1.0f - 0.81f), 0.02f);
@@ -221,7 +221,7 @@ TEST(PickBone, FindsTheBoneUnderThePixel) {
               body->skeleton.bones[static_cast<std::size_t>(segment.bone)].name);
     EXPECT_LE(hit->pixels, 1.5f);
   }
-  for (std::size_t i = 0; i < body->skeleton.bones.size(); ++i) {  // On a joint: the bone that starts there.
+  for (std::size_t i = 0; i < body->skeleton.bones.size(); ++i) {  // At a joint: the bone that starts there.
     const auto hit =
         app::pickBone(glm::vec2(view.toPixel(glm::vec3(pose.boneInWorld[i][3]))), view, body->skeleton, pose, 4.0f);
     ASSERT_TRUE(hit);

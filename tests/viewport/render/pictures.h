@@ -1,4 +1,4 @@
-// tests/viewport/render/pictures.h: a context, small characters to draw, and what the pixels say.
+// tests/viewport/render/pictures.h: an OpenGL context, small characters to draw, and pixel statistics.
 #pragma once
 
 #include <algorithm>
@@ -22,7 +22,7 @@
 
 namespace sinew::test {
 
-/// Tests that draw: one context a test, or the test is left out.
+/// Tests that draw: one context for each test; skipped without one.
 class Drawing : public ::testing::Test {
  protected:
   void SetUp() override {
@@ -78,7 +78,7 @@ inline app::Scene sceneOf(const Character& character, const Moment& moment) {
   return scene;
 }
 
-/// Bare colors on nothing: what a test can predict.
+/// Plain colors on an empty background, so that tests can predict them.
 inline app::DisplaySettings bareColors() {
   app::DisplaySettings settings;
   settings.ground = false;

@@ -1,4 +1,5 @@
-// tests/viewport/render/png_test.cpp: what is written reads back.
+// tests/viewport/render/png_test.cpp: written images read back.
+
 #include "app/viewport/render/picture_files.h"
 
 #include <cstring>
@@ -18,7 +19,7 @@ app::Image gradient(int alpha) {
   return image;
 }
 
-TEST(Png, ReadsBackAsItWas) {
+TEST(Png, RoundTrips) {
   for (const int alpha : {255, 90}) {
     const app::Image image = gradient(alpha);
     const auto bytes = app::pngBytes(image);

@@ -1,4 +1,4 @@
-// tests/viewport/render/reference_test.cpp: pictures to work after stand where they should, and hide no more than they
+// tests/viewport/render/reference_test.cpp: reference pictures stand where they should, and hide no more than they
 // should.
 
 #include "app/viewport/render/reference_picture.h"
@@ -61,8 +61,8 @@ constexpr std::array<Look, 5> kLooks{{{ReferenceSide::kFront, 0.0f, 0.0f},
                                       {ReferenceSide::kRight, -kQuarter, 0.0f},
                                       {ReferenceSide::kTop, 0.0f, kQuarter}}};
 
-// Seen from its side without perspective, the body's rectangle in the picture says where it has to be.
-TEST(ReferencePicture, CoversTheBodyAsItIsSeenFromThatSide) {
+// Orthographic, from its side, the body's rectangle in the picture gives the expected place.
+TEST(ReferencePicture, MatchesTheBodySeenFromItsSide) {
   Random random(5);
   for (int round = 0; round < 50; ++round) {
     const Bounds body{glm::vec3(-random.uniform(0.2f, 1.0f), random.uniform(-0.5f, 0.5f), -random.uniform(0.2f, 1.0f)),
@@ -99,7 +99,7 @@ TEST(ReferencePicture, CoversTheBodyAsItIsSeenFromThatSide) {
       }
       const glm::vec3 normal(plane.squareInWorld[2]);
       EXPECT_NEAR(glm::dot(normal, -view.forwardInWorld()), 1.0f, 1e-5f);
-      // Behind: no corner of the body lies beyond it. Through: as many do as not.
+      // Behind: no corner of the body is beyond it. Through the middle: half of them are.
       int beyond = 0;
       for (int corner = 0; corner < 8; ++corner) {
         const glm::vec3 point((corner & 1) ? body.low.x : body.high.x, (corner & 2) ? body.low.y : body.high.y,
@@ -121,7 +121,7 @@ app::Scene sceneWith(const Character& character, const Moment& moment, Reference
   return scene;
 }
 
-TEST_F(Drawing, AReferenceStandsUprightBehindTheBodyWithItsOwnColors) {
+TEST_F(Drawing, ReferenceStandsUprightBehindTheBodyWithExactColors) {
   const auto quad = makeQuad();
   const auto viewport = viewportFor(*quad);
   const Moment moment = bindMoment(quad, 1, PatchKind::kFlat);
@@ -138,7 +138,7 @@ TEST_F(Drawing, AReferenceStandsUprightBehindTheBodyWithItsOwnColors) {
   EXPECT_EQ(pixelAt(without, 8, 8)[3], 0) << "and leaves nothing behind";
 }
 
-TEST_F(Drawing, AReferenceIsSeenFromItsFrontAndThroughByItsOpacity) {
+TEST_F(Drawing, ReferenceIsVisibleFromTheFrontWithItsOpacity) {
   const auto quad = makeQuad();
   const auto viewport = viewportFor(*quad);
   const Moment moment = bindMoment(quad, 1, PatchKind::kFlat);
@@ -153,7 +153,7 @@ TEST_F(Drawing, AReferenceIsSeenFromItsFrontAndThroughByItsOpacity) {
   EXPECT_NEAR(pixelAt(viewport->readPixels(), 8, 8)[0], 255, 1);
 }
 
-TEST_F(Drawing, AReferenceThroughTheBodyHidesItsFarHalfAlone) {
+TEST_F(Drawing, ReferenceThroughTheBodyHidesOnlyTheFarHalf) {
   const auto quad = makeQuad();
   const auto viewport = viewportFor(*quad);
   Moment moment = bindMoment(quad, 1, PatchKind::kFlat);
@@ -198,7 +198,7 @@ TEST(ReferencePicture, IsReadWithinLimits) {
   EXPECT_FALSE(app::readReference(folder.path()));
 }
 
-TEST(ReferencePicture, ComesBackFromWhatIsRememberedOfIt) {
+TEST(ReferencePicture, RoundTripsThroughTheViewFile) {
   const TemporaryFolder folder;
   const auto file = folder.path() / "side.png";
   ASSERT_TRUE(writeFileAtomically(file, app::pngBytes(*corners()).value()));
@@ -225,7 +225,7 @@ TEST(ReferencePicture, ComesBackFromWhatIsRememberedOfIt) {
   EXPECT_TRUE(back[0].file.empty());
 }
 
-TEST(ReferencePicture, WhatIsRememberedWronglyIsTheDefault) {
+TEST(ReferencePicture, InvalidValuesBecomeDefaults) {
   for (const char* text :
        {"null", "7", "[7, null, {}]", "[{\"side\": \"inside\", \"file\": \"/x.png\"}]",
         "[{\"side\": \"front\", \"file\": \"x.png\"}]", "[{\"side\": \"front\", \"file\": 7, \"offset\": [1]}]"}) {

@@ -1,4 +1,5 @@
-// tests/viewport/render/refine_test.cpp: a resting picture becomes smooth, stays where it was, and looks as chosen.
+// tests/viewport/render/refine_test.cpp: a resting picture becomes smooth, stays in place, and follows its settings.
+
 #include <cmath>
 #include <set>
 
@@ -48,7 +49,7 @@ int partlyCovered(const Image& image) {
   return count;
 }
 
-TEST(SampleOffsets, SpreadEvenlyOverThePixel) {
+TEST(SampleOffsets, CoverThePixelEvenly) {
   for (const int count : {4, 16}) {
     const int side = count == 4 ? 2 : 4;
     std::set<std::pair<int, int>> cells;
@@ -65,7 +66,7 @@ TEST(SampleOffsets, SpreadEvenlyOverThePixel) {
   }
 }
 
-TEST_F(Drawing, ARestingPictureHasSmoothEdgesAndStaysWhereItWas) {
+TEST_F(Drawing, RefinedPictureHasSmoothEdgesInPlace) {
   const auto quad = makeQuad();
   const Moment moment = bindMoment(quad, 1, PatchKind::kFlat);
   const Scene scene = sceneOf(*quad, moment);
@@ -81,7 +82,7 @@ TEST_F(Drawing, ARestingPictureHasSmoothEdgesAndStaysWhereItWas) {
     const Image smooth = viewport->readPixels();
     EXPECT_GT(partlyCovered(smooth), 40);
     EXPECT_FALSE(viewport->refine(scene, view, bareColors())) << "it is done";
-    // An independent way to the same: the picture nine times as large, each 3x3 pixels averaged.
+    // Independent reference: a picture nine times as large, each 3x3 pixels averaged.
     View large = view;
     large.size = {576, 576};
     viewport->draw(scene, large, bareColors());
@@ -98,17 +99,17 @@ TEST_F(Drawing, ARestingPictureHasSmoothEdgesAndStaysWhereItWas) {
         sum += off;
       }
     }
-    EXPECT_LT(worst, 255.0 * 0.13);  // Sixteen samples see a straight edge to within two of them.
+    EXPECT_LT(worst, 255.0 * 0.13);  // Sixteen samples resolve a straight edge to within two of them.
     EXPECT_LT(sum / (64.0 * 64.0), 0.6);
   }
 }
 
-TEST_F(Drawing, ARefinedPictureIsNearToOneOfManySamples) {
+TEST_F(Drawing, RefinedPictureApproachesManySamples) {
   const auto limb = makeLimb();
   const Moment moment = bindMoment(limb, 4);
   const Scene scene = sceneOf(*limb, moment);
   DisplaySettings settings;
-  settings.ground = false;  // Its lines are smooth by themselves, and become softer by samples.
+  settings.ground = false;  // Its lines are antialiased on their own, and samples soften them.
   const auto many = viewportFor(*limb, 4), one = viewportFor(*limb, 1);
   many->draw(scene, viewOf(moment), settings);
   one->draw(scene, viewOf(moment), settings);
@@ -119,7 +120,7 @@ TEST_F(Drawing, ARefinedPictureIsNearToOneOfManySamples) {
   EXPECT_LT(after, before);
 }
 
-TEST_F(Drawing, RefiningIsTheSameBytesAndBeginsAnewWithEachDraw) {
+TEST_F(Drawing, RefinementIsRepeatableAndRestartsWithEachDraw) {
   const auto limb = makeLimb();
   const Moment moment = bindMoment(limb, 3);
   const Scene scene = sceneOf(*limb, moment);
@@ -200,7 +201,7 @@ TEST_F(Drawing, OcclusionIsStrongestInTheCorner) {
   EXPECT_GT(lost({0.06f, 0.0f, 0.0f}), lost({0.12f, 0.0f, 0.0f}) - 1);
 }
 
-TEST_F(Drawing, EveryLightAndBackgroundLooksDifferent) {
+TEST_F(Drawing, LightsAndBackgroundsAreDistinct) {
   const auto limb = makeLimb();
   const Moment moment = bindMoment(limb, 3);
   const Scene scene = sceneOf(*limb, moment);
@@ -258,7 +259,7 @@ TEST_F(Drawing, FlatBackgroundsAreOneColor) {
   }
 }
 
-TEST(PictureLooks, NamesComeBack) {
+TEST(PictureLooks, NamesRoundTrip) {
   for (const char* name : app::kLightNames) EXPECT_STREQ(nameOf(*app::lightNamed(name)), name);
   for (const char* name : app::kBackdropNames) EXPECT_STREQ(nameOf(*app::backdropNamed(name)), name);
   EXPECT_FALSE(app::lightNamed("moon").has_value());

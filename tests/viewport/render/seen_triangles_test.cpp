@@ -1,4 +1,6 @@
-// tests/viewport/render/seen_triangles_test.cpp: nothing that covers a pixel's center is left out, and most else is.
+// tests/viewport/render/seen_triangles_test.cpp: no triangle that covers a pixel's center is culled, and most others
+// are.
+
 #include "app/viewport/render/fewer_triangles.h"
 
 #include <algorithm>
@@ -20,7 +22,7 @@ using app::SeenTriangles;
 using app::View;
 using Corners = SeenTriangles::Corners;
 
-/// Small triangles anywhere before, around and behind a camera. Drawn vertices are numbered backwards.
+/// Small triangles in front of, around and behind a camera. Drawn vertices are numbered backwards.
 struct Soup {
   Refinement refinement;
   std::vector<glm::vec3> positions;
@@ -47,7 +49,7 @@ Soup makeSoup(std::mt19937& random, int triangles, float size) {
   return soup;
 }
 
-/// Corners in pixels in double precision, y up as OpenGL turns triangles; none where one is not before the eye.
+/// Corners in pixels in double precision, y up as for OpenGL's winding; none if one is not in front of the eye.
 std::optional<std::array<glm::dvec2, 3>> pixelsOf(const Soup& soup, const View& view, int triangle) {
   const glm::dmat4 clipFromWorld = glm::dmat4(view.clipFromView) * glm::dmat4(view.viewFromWorld);
   std::array<glm::dvec2, 3> pixels;
@@ -83,7 +85,7 @@ struct Counts {
   int covering = 0;
 };
 
-/// Of the first third of the triangles both sides are drawn.
+/// The first third of the triangles is two-sided.
 void compare(const Soup& soup, const View& view, SeenTriangles& seen, Counts& counts) {
   const auto count = static_cast<int>(soup.order.size());
   const int bothSides = count / 3;
@@ -101,7 +103,7 @@ void compare(const Soup& soup, const View& view, SeenTriangles& seen, Counts& co
                       seen.triangles()[next] == soup.refinement.drawTriangles[static_cast<std::size_t>(triangle)];
     next += kept ? 1 : 0;
     const auto pixels = pixelsOf(soup, view, triangle);
-    bool covers = !pixels;  // What is behind the eye, or partly, is left to OpenGL.
+    bool covers = !pixels;  // Triangles behind the eye, or partly, are left to OpenGL.
     if (pixels) {
       const std::array turned{(*pixels)[0], (*pixels)[2], (*pixels)[1]};
       covers = coversCenter(*pixels, view.size) || (i < bothSides && coversCenter(turned, view.size));
@@ -116,14 +118,14 @@ void compare(const Soup& soup, const View& view, SeenTriangles& seen, Counts& co
   counts.kept += static_cast<int>(seen.triangles().size());
 }
 
-TEST(SeenTriangles, HoldAllThatCoverAPixelsCenterAndLittleElse) {
+TEST(SeenTriangles, ContainEveryTriangleThatCoversAPixelCenter) {
   std::mt19937 random(20010315);
   SeenTriangles seen;
   Counts counts;
   for (const float size : {0.004f, 0.03f}) {
     const Soup soup = makeSoup(random, 30'000, size);
     for (const bool orthographic : {false, true}) {
-      for (const float reach : {1.0f, 0.1f}) {  // The second camera stands among them.
+      for (const float reach : {1.0f, 0.1f}) {  // The second camera is inside the soup.
         const Bounds framed{glm::vec3(-reach), glm::vec3(reach)};
         compare(soup, app::framedView(framed, 0.7f, 0.3f, {131, 97}, orthographic), seen, counts);
       }
@@ -154,9 +156,9 @@ std::array<glm::vec3, 3> inPixels(const glm::vec2& a, const glm::vec2& b, const 
   return {device(a), device(b), device(c)};
 }
 
-TEST(SeenTriangles, WhatRoundingCouldMoveOverACenterIsKept) {
+TEST(SeenTriangles, KeepTrianglesWithinRoundingOfAPixelCenter) {
   const glm::mat4 flat(1.0f);
-  for (const float sign : {-1.0f, 1.0f}) {  // Beside the center at 3.5, on either side, across and upright.
+  for (const float sign : {-1.0f, 1.0f}) {  // Next to the center at 3.5, on either side, horizontal and vertical.
     const auto beside = [&](float off, bool upright) {
       const float near = 3.5f + sign * off;
       const float far = 3.5f + sign * (off + 0.3f);
@@ -171,12 +173,12 @@ TEST(SeenTriangles, WhatRoundingCouldMoveOverACenterIsKept) {
       EXPECT_FALSE(beside(1.0f / 8.0f, upright)) << sign;
     }
   }
-  // Turned away: nearly along the sight, and clearly so.
+  // Back-facing: nearly edge-on, and clearly.
   EXPECT_TRUE(isKept(inPixels({1.0f, 2.4f}, {6.0f, 2.6f}, {6.0f, 2.55f}), flat));
   EXPECT_FALSE(isKept(inPixels({1.0f, 2.0f}, {6.0f, 3.6f}, {6.0f, 1.0f}), flat));
 }
 
-TEST(SeenTriangles, WhatTheNearPlaneCutsAndWhatFloatsCannotPlaceIsLeftToOpenGL) {
+TEST(SeenTriangles, KeepTrianglesAtTheNearPlaneAndBeyondFloatPrecision) {
   Bounds bounds;
   bounds.add(glm::vec3(-1.0f));
   bounds.add(glm::vec3(1.0f));
@@ -194,7 +196,7 @@ TEST(SeenTriangles, WhatTheNearPlaneCutsAndWhatFloatsCannotPlaceIsLeftToOpenGL) 
   EXPECT_TRUE(isKept(far, moved));
 }
 
-TEST_F(Drawing, AMovingPictureWithoutUnseenTrianglesIsTheSameToThePixel) {
+TEST_F(Drawing, SkippingUnseenTrianglesIsPixelIdentical) {
   const auto character = fineHumanoid();
   const Moment moment = bindMoment(character, 1);
   const Bounds bounds = boundsOf(moment.surface.positions);

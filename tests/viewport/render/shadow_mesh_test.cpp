@@ -1,4 +1,5 @@
-// tests/viewport/render/shadow_mesh_test.cpp: what fewer triangles cover lies where all of them do.
+// tests/viewport/render/shadow_mesh_test.cpp: the reduced mesh covers the same region as all triangles.
+
 #include "app/viewport/render/fewer_triangles.h"
 
 #include <gtest/gtest.h>
@@ -39,7 +40,7 @@ app::ShadowMesh meshOf(const Character& character, const Surface& surface) {
   return app::makeShadowMesh(character, app::shadowClusters(character), *surface.refinement, byMaterial(character));
 }
 
-/// Cells of a plane, along two axes, whose middles triangles cover; a cell is 1 / kFine of the height.
+/// Cells of a plane along two axes whose middles are covered by triangles; a cell is 1 / kFine of the height.
 class Cover {
  public:
   static constexpr float kFine = 250.0f;
@@ -57,7 +58,7 @@ class Cover {
     }
   }
   [[nodiscard]] std::size_t size() const { return cells_.size(); }
-  /// Cells of this with none of the other's within `reach` cells.
+  /// Number of these cells without any of the other's within `reach` cells.
   [[nodiscard]] std::size_t farFrom(const Cover& other, int reach) const {
     return static_cast<std::size_t>(std::ranges::count_if(cells_, [&](const std::pair<int, int>& at) {
       for (int x = -reach; x <= reach; ++x) {
@@ -97,7 +98,7 @@ std::vector<std::uint32_t> allOf(const Surface& surface) {
   return indices;
 }
 
-TEST(ShadowMeshes, FewTrianglesAreTheControlTriangles) {
+TEST(ShadowMeshes, SmallMeshUsesItsControlTriangles) {
   const auto limb = makeLimb();
   ASSERT_TRUE(app::shadowClusters(*limb).empty());
   for (const int depth : {1, 4}) {
@@ -112,7 +113,7 @@ TEST(ShadowMeshes, FewTrianglesAreTheControlTriangles) {
   }
 }
 
-TEST(ShadowMeshes, AClusterIsOneCellOfOneBone) {
+TEST(ShadowMeshes, ClusterLiesInOneCellOfOneBone) {
   const auto body = fineHumanoid();
   const std::vector<int> stands = app::shadowClusters(*body);
   ASSERT_EQ(stands.size(), body->mesh.positions.size());
@@ -125,7 +126,7 @@ TEST(ShadowMeshes, AClusterIsOneCellOfOneBone) {
   }
 }
 
-TEST(ShadowMeshes, MovesAsAllTrianglesDo) {
+TEST(ShadowMeshes, MatchesTheFullShadow) {
   const auto body = fineHumanoid();
   const int reach = static_cast<int>(std::ceil(app::kShadowCell * std::sqrt(3.0f) * Cover::kFine));
   const std::vector<Pose> poses = posesOfClips(*body, 2);
@@ -145,7 +146,7 @@ TEST(ShadowMeshes, MovesAsAllTrianglesDo) {
   }
 }
 
-TEST(ShadowMeshes, WhatTheCutoffTakesAwayKeepsItsTriangles) {
+TEST(ShadowMeshes, MaskedTrianglesAreKept) {
   auto body = std::make_shared<Character>(*fineHumanoid());
   std::size_t masked = 0;
   for (std::size_t t = 0; t < body->mesh.triangles.size(); t += 2) {

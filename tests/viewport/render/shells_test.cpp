@@ -1,4 +1,5 @@
-// tests/viewport/render/shells_test.cpp: shells say where they are and what they are.
+// tests/viewport/render/shells_test.cpp: muscle shells show their position, kind and state.
+
 #include "app/viewport/render/color_scales.h"
 
 #include <cmath>
@@ -73,7 +74,7 @@ class Shells : public Drawing {
   DisplaySettings settings_;
 };
 
-TEST_F(Shells, UnderTheSkinTheyAreFainterTheDeeperTheyLie) {
+TEST_F(Shells, ShellsFadeWithDepthUnderTheSkin) {
   const Image without = draw({});
   const float inFront = fillOf(draw({ballAt(0.6f, 0.4f)}), without);
   const float under = fillOf(draw({ballAt(-0.42f, 0.4f)}), without);
@@ -83,7 +84,7 @@ TEST_F(Shells, UnderTheSkinTheyAreFainterTheDeeperTheyLie) {
   EXPECT_GT(deep, 2.0f) << "and are seen all the same";
 }
 
-TEST_F(Shells, ALineShowsWhereTheyMeetTheSkin) {
+TEST_F(Shells, LineMarksTheIntersectionWithTheSkin) {
   const float radius = 0.6f, depth = 0.35f;
   const Image image = draw({ballAt(-depth, radius)});
   const float circle = std::sqrt(radius * radius - depth * depth) / view_.unitsPerPixelAt(glm::vec3(0));
@@ -105,7 +106,7 @@ TEST_F(Shells, ALineShowsWhereTheyMeetTheSkin) {
   EXPECT_GE(lined, 9 * places / 10) << "of " << places;
 }
 
-TEST_F(Shells, NoLineWhereTheSkinLiesAlongThem) {
+TEST_F(Shells, TangentSkinHasNoIntersectionLine) {
   // So large that it passes through the square at less than four degrees, on a circle in the middle of the picture.
   const Image image = draw({ballAt(-4.99f, 5.0f)});
   for (int y = -20; y <= 20; ++y) {
@@ -129,7 +130,7 @@ TEST_F(Shells, CarvesAreStriped) {
   EXPECT_GT(spread(-1), 2 * spread(1));
 }
 
-TEST_F(Shells, EveryStateHasAnOutlineOfItsOwn) {
+TEST_F(Shells, EveryStateHasADistinctOutline) {
   std::vector<PrimitiveShape> states(5, ballAt(0.6f, 0.5f));
   states[1].hovered = true;
   states[2].twin = true;
@@ -148,13 +149,13 @@ TEST_F(Shells, EveryStateHasAnOutlineOfItsOwn) {
   }
 }
 
-TEST_F(Shells, OnlyTheTwinsOutlineIsBroken) {
+TEST_F(Shells, OnlyTheTwinHasADashedOutline) {
   settings_.primitives = settings_.surface = false;
   const auto gaps = [&](bool twin) {
     PrimitiveShape ball = ballAt(0.0f, 0.9f);
     (twin ? ball.twin : ball.selected) = true;
     const Image image = draw({ball});
-    // The outline's radius: where most of the way round something is drawn.
+    // Radius of the outline: where something is drawn along most of the circle.
     int best = 0, runs = 0;
     for (float radius = 20.0f; radius < 60.0f; radius += 0.5f) {
       int drawn = 0, starts = 0;

@@ -1,5 +1,5 @@
-// tests/viewport/render/thumbnails_test.cpp: thumbnails belong to a document as it is on the disk; what is damaged is
-// none.
+// tests/viewport/render/thumbnails_test.cpp: thumbnails belong to a document as stored on disk; a damaged one is
+// ignored.
 
 #include "app/viewport/render/thumbnails.h"
 
@@ -30,7 +30,7 @@ Image pictureOf(int width, int height) {
   return image;
 }
 
-TEST(Thumbnails, AreTheMiddleOfThePictureMadeSmall) {
+TEST(Thumbnails, AreScaledFromTheMiddleOfThePicture) {
   for (const auto& [width, height] : {std::pair(800, 600), {1920, 700}, {300, 900}, {144, 108}}) {
     const Image small = app::thumbnailOf(pictureOf(width, height));
     EXPECT_EQ(glm::ivec2(small.width, small.height), app::kThumbnailSize);
@@ -42,7 +42,7 @@ TEST(Thumbnails, AreTheMiddleOfThePictureMadeSmall) {
   }
 }
 
-TEST(Thumbnails, ComeBackFromTheirBytesAndGarbageIsNone) {
+TEST(Thumbnails, RoundTripAndRefuseInvalidBytes) {
   const Image small = app::thumbnailOf(pictureOf(800, 600));
   const auto png = app::pngBytes(small);
   ASSERT_TRUE(png.ok());
@@ -55,7 +55,7 @@ TEST(Thumbnails, ComeBackFromTheirBytesAndGarbageIsNone) {
   EXPECT_FALSE(app::readThumbnail(app::pngBytes(pictureOf(64, 64)).value()).has_value()) << "another size";
 }
 
-TEST(Thumbnails, BelongToTheDocumentAsItIs) {
+TEST(Thumbnails, BelongToTheCurrentVersionOfTheDocument) {
   const TemporaryFolder own;
   const fs::path cache = own.path() / "cache";
   const fs::path document = own.write("a.rig.json", "one");
@@ -70,7 +70,7 @@ TEST(Thumbnails, BelongToTheDocumentAsItIs) {
   EXPECT_NE(app::thumbnailFile(cache, document), file) << "changed elsewhere";
 }
 
-TEST(Thumbnails, TheCacheIsBounded) {
+TEST(Thumbnails, CacheIsBounded) {
   const TemporaryFolder own;
   const fs::path cache = own.path() / "cache";
   fs::create_directories(cache);
@@ -89,7 +89,7 @@ TEST(Thumbnails, TheCacheIsBounded) {
   EXPECT_FALSE(app::keepThumbnail(own.write("file", "") / "below", document, "new").ok());
 }
 
-TEST_F(Drawing, ThumbnailsAreTexturesOfWhatWasKept) {
+TEST_F(Drawing, ThumbnailTexturesComeFromTheCache) {
   const TemporaryFolder own;
   const fs::path document = own.write("a.glb", "one");
   app::Thumbnails thumbnails(own.path() / "cache");

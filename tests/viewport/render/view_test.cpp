@@ -1,4 +1,5 @@
-// tests/viewport/render/view_test.cpp: pixels and rays are inverse; views hold what they frame.
+// tests/viewport/render/view_test.cpp: pixel and ray conversions are inverse; views contain their target.
+
 #include "app/viewport/render/view.h"
 
 #include <cmath>
@@ -14,7 +15,7 @@ namespace {
 using app::Ray;
 using app::View;
 
-class Views : public ::testing::TestWithParam<bool> {
+class ViewProjection : public ::testing::TestWithParam<bool> {
  protected:
   float between(float low, float high) { return std::uniform_real_distribution<float>(low, high)(random_); }
   glm::vec3 point(float size) { return {between(-size, size), between(-size, size), between(-size, size)}; }
@@ -31,7 +32,7 @@ class Views : public ::testing::TestWithParam<bool> {
   std::mt19937 random_{20};
 };
 
-TEST_P(Views, PixelsAndRaysAreInverse) {
+TEST_P(ViewProjection, PixelsAndRaysAreInverse) {
   for (int trial = 0; trial < 500; ++trial) {
     const float size = std::pow(10.0f, between(-2, 3));
     const auto points = cloud(size);
@@ -50,7 +51,7 @@ TEST_P(Views, PixelsAndRaysAreInverse) {
   }
 }
 
-TEST_P(Views, UnitsPerPixelIsWhatASmallStepShows) {
+TEST_P(ViewProjection, UnitsPerPixelMatchesASmallStep) {
   for (int trial = 0; trial < 200; ++trial) {
     const auto points = cloud(3.0f);
     const View view = app::framedView(points, between(-4, 4), between(-1.5f, 1.5f), pictureSize(), GetParam());
@@ -63,7 +64,7 @@ TEST_P(Views, UnitsPerPixelIsWhatASmallStepShows) {
   }
 }
 
-TEST_P(Views, FramingHoldsEverythingAndNoMore) {
+TEST_P(ViewProjection, FramingIsTight) {
   for (int trial = 0; trial < 300; ++trial) {
     const auto points = cloud(std::pow(10.0f, between(-2, 3)));
     const glm::ivec2 size = pictureSize();
@@ -77,13 +78,13 @@ TEST_P(Views, FramingHoldsEverythingAndNoMore) {
     }
     EXPECT_GE(std::min(low.x, low.y), margin - 2e-3f);
     EXPECT_LE(std::max(high.x, high.y), 1.0f - margin + 2e-3f);
-    // One axis touches its margins on both sides.
+    // One axis fills its range up to the margins.
     const glm::vec2 free = glm::max(low - margin, 1.0f - margin - high);
     EXPECT_LT(std::min(free.x, free.y), 4e-3f);
   }
 }
 
-TEST_P(Views, FrontLeftAndTopAreWhereTheyShouldBe) {
+TEST_P(ViewProjection, FrontLeftAndTopLookAlongTheirAxes) {
   const Bounds box{glm::vec3(-1), glm::vec3(1)};
   const auto forward = [&](float yaw, float pitch) {
     return app::framedView(box, yaw, pitch, {100, 80}, GetParam()).forwardInWorld();
@@ -93,7 +94,7 @@ TEST_P(Views, FrontLeftAndTopAreWhereTheyShouldBe) {
   EXPECT_LT(glm::distance(forward(0, 1.5707963f), glm::vec3(0, -1, 0)), 1e-5f);
 }
 
-TEST_P(Views, APointOrNothingCanBeFramed) {
+TEST_P(ViewProjection, FramesAPointOrNothing) {
   const std::vector<glm::vec3> one{{3, 4, 5}};
   const View point = app::framedView(one, 0.3f, 0.2f, {200, 100}, GetParam());
   EXPECT_NEAR(point.toPixel(one[0]).x, 100.0f, 0.5f);
@@ -102,7 +103,7 @@ TEST_P(Views, APointOrNothingCanBeFramed) {
   EXPECT_LT(std::abs(nothing.toPixel(glm::vec3(0)).z), 1.0f);
 }
 
-TEST_P(Views, OrthographicShowsTheTargetAtTheSizePerspectiveDoes) {
+TEST_P(ViewProjection, OrthographicMatchesPerspectiveScaleAtTheTarget) {
   const glm::vec3 target(1, 2, 3);
   const View view = app::orbitView(target, 0.4f, 0.3f, 5.0f, {300, 200}, GetParam(), 1.8f);
   EXPECT_NEAR(view.unitsPerPixelAt(target), 2.0f * 5.0f * std::tan(0.5f * app::kFieldOfView) / 200.0f, 1e-4f);
@@ -110,14 +111,14 @@ TEST_P(Views, OrthographicShowsTheTargetAtTheSizePerspectiveDoes) {
   EXPECT_NEAR(view.toPixel(target).y, 100.0f, 1e-2f);
 }
 
-INSTANTIATE_TEST_SUITE_P(PerspectiveAndOrthographic, Views, ::testing::Bool());
+INSTANTIATE_TEST_SUITE_P(PerspectiveAndOrthographic, ViewProjection, ::testing::Bool());
 
-TEST(View, APointBehindTheEyeIsOutOfDepth) {
+TEST(View, PointBehindTheEyeIsOutOfDepthRange) {
   const View view = app::orbitView(glm::vec3(0), 0, 0, 5.0f, {300, 200}, false, 2.0f);
   EXPECT_GT(view.toPixel({0, 0, 20}).z, 1.0f);
 }
 
-TEST(GridZoom, RanksTakeEachOthersPlaceWithoutAJump) {
+TEST(GridZoom, LevelsChangeContinuously) {
   const float height = 1.8f;
   float cell = 0.0f, towards = 0.0f;
   for (int i = 0; i <= 400; ++i) {
@@ -140,7 +141,7 @@ TEST(GridZoom, RanksTakeEachOthersPlaceWithoutAJump) {
   EXPECT_GT(cell, 20.0f * app::gridCell(height));
 }
 
-TEST(ExtremePoints, FrameNearlyAsAllDo) {
+TEST(ExtremePoints, FrameNearlyLikeAllPoints) {
   std::mt19937 random(3);
   std::normal_distribution<float> normal;
   std::vector<glm::vec3> points;

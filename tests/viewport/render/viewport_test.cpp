@@ -1,4 +1,4 @@
-// tests/viewport/render/viewport_test.cpp: pictures hold what they should, the same every time.
+// tests/viewport/render/viewport_test.cpp: pictures have the expected content, and are repeatable.
 #include "app/viewport/render/viewport.h"
 
 #include <cstdlib>
@@ -17,7 +17,7 @@ using app::Scene;
 using app::Shading;
 using app::View;
 
-/// One color all over.
+/// Texture of a single color.
 Texture plainTexture(int red, int green, int blue, int alpha) {
   Texture texture;
   texture.width = texture.height = 4;
@@ -31,7 +31,7 @@ View viewOf(const Moment& moment, bool orthographic = false) {
   return app::framedView(boundsOf(moment.surface.positions), 0.6f, 0.2f, {160, 120}, orthographic);
 }
 
-TEST_F(Drawing, TextureColorsComeOutAsTheyWentIn) {
+TEST_F(Drawing, TextureColorsAreReproduced) {
   const auto quad = makeQuad();
   quad->materials[0].baseColorTexture = 0;
   for (const int samples : {1, 4}) {
@@ -47,7 +47,7 @@ TEST_F(Drawing, TextureColorsComeOutAsTheyWentIn) {
   }
 }
 
-TEST_F(Drawing, TexturesStandUpright) {
+TEST_F(Drawing, TexturesAreUpright) {
   const auto quad = makeQuad();
   quad->materials[0].baseColorTexture = 0;
   Texture corners = plainTexture(0, 0, 0, 255);
@@ -67,7 +67,7 @@ TEST_F(Drawing, TexturesStandUpright) {
   EXPECT_EQ(pixelAt(image, 45, 45), (Pixel{0, 0, 0, 255}));
 }
 
-TEST_F(Drawing, BackSidesAreSeenOnlyOnDoubleSidedMaterials) {
+TEST_F(Drawing, BackFacesAreVisibleOnlyOnDoubleSidedMaterials) {
   const auto quad = makeQuad();
   const float behind = 3.14159265f;
   EXPECT_EQ(pixelAt(drawBare(quad, *viewportFor(*quad), viewOfQuad()), 32, 32)[3], 255);
@@ -91,7 +91,7 @@ TEST_F(Drawing, AlphaModesMaskAndBlend) {
   EXPECT_EQ(pixelAt(drawBare(quad, *viewportFor(*quad), viewOfQuad()), 32, 32)[3], 255);
 }
 
-TEST_F(Drawing, SamplesSoftenEdgesWithoutDarkeningThem) {
+TEST_F(Drawing, MultisamplingSoftensEdgesWithoutDarkening) {
   const auto quad = makeQuad();
   const View view =
       app::framedView(Bounds{glm::vec3(-1, -1, 0), glm::vec3(1, 1, 0)}, 0.4f, 0.3f, {64, 64}, false, 0.2f);
@@ -109,7 +109,7 @@ TEST_F(Drawing, SamplesSoftenEdgesWithoutDarkeningThem) {
   EXPECT_GT(partial(4), 20);
 }
 
-TEST_F(Drawing, TheSamePictureTwiceIsTheSameBytes) {
+TEST_F(Drawing, RepeatedPictureIsIdentical) {
   const auto limb = makeLimb();
   const Moment moment = bindMoment(limb, 4);
   DisplaySettings all;
@@ -129,7 +129,7 @@ TEST_F(Drawing, TheSamePictureTwiceIsTheSameBytes) {
   EXPECT_EQ(second->readPixels().rgba, once.rgba);
 }
 
-TEST_F(Drawing, EverySettingShows) {
+TEST_F(Drawing, EverySettingChangesThePicture) {
   const auto limb = makeLimb();
   const Moment moment = bindMoment(limb, 3);
   Scene scene = sceneOf(*limb, moment);
@@ -174,8 +174,8 @@ TEST_F(Drawing, EverySettingShows) {
   EXPECT_NE(picture(selected, marks), unmarked);
 }
 
-TEST_F(Drawing, ClassesColorTheirOwnTriangles) {
-  // Two materials, so that triangles are drawn in another order than they stand in.
+TEST_F(Drawing, ClassColorsMatchTheirTriangles) {
+  // Two materials, so that triangles are drawn in another order than stored.
   const auto quad = makeQuad();
   quad->materials.emplace_back();
   quad->mesh.triangles[0].material = 1;
@@ -191,7 +191,7 @@ TEST_F(Drawing, ClassesColorTheirOwnTriangles) {
   EXPECT_GT(upperLeft[2], upperLeft[0] + 40);    // Triangle 1: normal, bluish.
 }
 
-TEST_F(Drawing, ANewDepthAndANewSizeAreTakenUp) {
+TEST_F(Drawing, NewDepthAndNewSizeTakeEffect) {
   const auto limb = makeLimb();
   const auto viewport = viewportFor(*limb);
   const Moment coarse = bindMoment(limb, 1), fine = bindMoment(limb, 5);
@@ -208,7 +208,7 @@ TEST_F(Drawing, ANewDepthAndANewSizeAreTakenUp) {
   EXPECT_EQ(viewport->readPixels().rgba.size(), 40u * 30u * 4u);
 }
 
-TEST_F(Drawing, ASceneWithoutSurfaceIsDrawn) {
+TEST_F(Drawing, SceneWithoutASurfaceIsDrawn) {
   const auto limb = makeLimb();
   const Pose pose = bindPose(limb->skeleton);
   Scene scene;
@@ -222,7 +222,7 @@ TEST_F(Drawing, ASceneWithoutSurfaceIsDrawn) {
   EXPECT_TRUE(std::ranges::any_of(viewport->readPixels().rgba, [](std::uint8_t value) { return value > 0; }));
 }
 
-TEST_F(Drawing, ABrokenShaderIsOneLineThatNamesIt) {
+TEST_F(Drawing, BrokenShaderIsNamedInOneLine) {
   const TemporaryFolder folder;
   folder.write("shaders/blur.frag", "#version 450 core\nvoid main() { nonsense; }\n");
   ASSERT_EQ(::setenv("SINEW_DATA_DIR", folder.path().c_str(), 1), 0);

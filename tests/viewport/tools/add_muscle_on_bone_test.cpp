@@ -44,14 +44,14 @@ TEST(AddMuscleOnBone, NamedShapesLieAlongTheBone) {
   }
 }
 
-/// Adds one on every bone and measures it in the bind pose.
+/// Adds a muscle on every bone and measures it in the bind pose.
 void expectNoDiscs(const std::shared_ptr<const Character>& character, const std::string& file) {
   Document document;
   document.character = character;
   for (std::size_t i = 0; i < character->skeleton.bones.size(); ++i) {
     const Bone& bone = character->skeleton.bones[i];
     const Result<std::string> name = addMuscleOnBone(document, static_cast<int>(i));
-    if (!name) continue;  // Scaled to nothing.
+    if (!name) continue;  // Scaled to zero.
     const Primitive& muscle = document.rig().primitives.back();
     const glm::mat3 shape(shapeInWorld(muscle.placement, 1.0f, bone.bindInWorld));
     const float along = glm::length(shape[0]);

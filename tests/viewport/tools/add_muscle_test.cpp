@@ -1,4 +1,4 @@
-// tests/viewport/tools/add_muscle_test.cpp: a muscle lies where and how it was drawn.
+// tests/viewport/tools/add_muscle_test.cpp: a drawn muscle has the stroke's position, direction and size.
 
 #include "app/viewport/tools/add_muscle.h"
 
@@ -30,7 +30,7 @@ SkinStroke straightStroke(const SkinPoint& start, const glm::vec3& drag) {
   return {{start, {start.point + drag, start.normal}}};
 }
 
-TEST(PlacementOnSkin, LiesAlongTheStrokeHalfBuriedOnEveryBone) {
+TEST(PlacementOnSkin, LiesAlongTheStrokeHalfBuried) {
   Random random(51);
   for (int i = 0; i < 300; ++i) {
     const float height = i % 2 ? 1.8f : 155.0f;
@@ -57,7 +57,7 @@ TEST(PlacementOnSkin, LiesAlongTheStrokeHalfBuriedOnEveryBone) {
   }
 }
 
-TEST(PlacementOnSkin, AClickLiesAlongTheBone) {
+TEST(PlacementOnSkin, ClickAlignsWithTheBone) {
   Random random(52);
   for (int i = 0; i < 100; ++i) {
     const glm::mat4 bone = test::randomBone(random, static_cast<BoneScale>(i % 3), 1.8f);
@@ -71,7 +71,7 @@ TEST(PlacementOnSkin, AClickLiesAlongTheBone) {
   }
 }
 
-/// A stroke over an arc in the XY plane around the origin, symmetric about +Y. `outward` -1: seen from inside.
+/// A stroke along an arc in the XY plane around the origin, symmetric about +Y. `outward` -1: seen from inside.
 SkinStroke arcStroke(float radius, float angle, float outward) {
   SkinStroke stroke;
   for (int i = 0; i <= 64; ++i) {
@@ -82,7 +82,7 @@ SkinStroke arcStroke(float radius, float angle, float outward) {
   return stroke;
 }
 
-TEST(PlacementOnSkin, OverAnArchItStandsOutAsOnFlatSkinAndItsEndsDoNot) {
+TEST(PlacementOnSkin, ArchedSkinKeepsTheHeightAndBuriesTheEnds) {
   for (const float height : {1.8f, 155.0f}) {
     for (const float degrees : {1.0f, 20.0f, 60.0f, 90.0f, 120.0f, 150.0f, 180.0f}) {
       const float radius = 0.08f * height;
@@ -107,7 +107,7 @@ TEST(PlacementOnSkin, OverAnArchItStandsOutAsOnFlatSkinAndItsEndsDoNot) {
   }
 }
 
-TEST(PlacementOnSkin, InAHollowItLiesOnTheBottom) {
+TEST(PlacementOnSkin, HollowSkinPutsItOnTheBottom) {
   const float radius = 0.2f;
   const SkinStroke stroke = arcStroke(radius, glm::radians(90.0f), -1.0f);
   const glm::mat4 one(1.0f);
@@ -118,14 +118,14 @@ TEST(PlacementOnSkin, InAHollowItLiesOnTheBottom) {
   EXPECT_LT(shape[3].y - thickness, radius - 0.5f * thickness) << "yet it shows";
 }
 
-TEST(PlacementOnSkin, WildStrokesGiveSaneShapes) {
+TEST(PlacementOnSkin, ExtremeStrokesGiveValidShapes) {
   const SkinPoint start{glm::vec3(0, 1, 0), glm::vec3(0, 0, 1)};
   const auto at = [](float x, float y, float z) { return SkinPoint{{x, y, z}, {0, 0, 1}}; };
   const std::array<SkinStroke, 6> strokes = {
       SkinStroke{{start}},
       SkinStroke{{start, start, start}},
       SkinStroke{{start, at(0, 1, 3), start}},                            // There and back.
-      SkinStroke{{start, at(1, 1, 0), at(50, 1, 0)}},                     // Far off.
+      SkinStroke{{start, at(1, 1, 0), at(50, 1, 0)}},                     // Far away.
       SkinStroke{{start, at(0, 1, 0.5f), at(0, 1, 1)}},                   // Along its own normal.
       SkinStroke{{start, at(0, 1, 1), at(0.1f, 1, 1), at(0.1f, 1, 0)}}};  // Over a spike.
   for (const SkinStroke& stroke : strokes) {
@@ -139,7 +139,7 @@ TEST(PlacementOnSkin, WildStrokesGiveSaneShapes) {
   }
 }
 
-TEST(AddMuscle, OneDragIsOneStepAndSelected) {
+TEST(AddMuscle, DragIsOneStepAndSelectsTheMuscle) {
   LimbScene scene;
   setTool(scene.tools, ToolKind::kAddMuscle);
   const glm::vec2 pixel = scene.skinPixel();
@@ -165,7 +165,7 @@ TEST(AddMuscle, OneDragIsOneStepAndSelected) {
   EXPECT_TRUE(scene.document.rig().primitives.empty());
 }
 
-TEST(AddMuscle, TheWheelMakesItThickerOrThinnerWhileTheButtonIsDown) {
+TEST(AddMuscle, WheelChangesTheThicknessDuringTheStroke) {
   LimbScene scene;
   setTool(scene.tools, ToolKind::kAddMuscle);
   const glm::vec2 pixel = scene.skinPixel();
@@ -192,7 +192,7 @@ TEST(AddMuscle, TheWheelMakesItThickerOrThinnerWhileTheButtonIsDown) {
   EXPECT_EQ(scene.document.commands.stepCount(), 1u);
 }
 
-TEST(AddMuscle, ASecondOneHasAFreeName) {
+TEST(AddMuscle, SecondMuscleGetsAFreeName) {
   LimbScene scene;
   setTool(scene.tools, ToolKind::kAddMuscle);
   scene.click(scene.skinPixel());
@@ -226,7 +226,7 @@ TEST(AddMuscle, EscapeAndTheRightButtonLeaveNoTrace) {
   }
 }
 
-TEST(AddMuscle, OnAFoxWhoseBonesAreScaled) {
+TEST(AddMuscle, WorksOnAFoxWithScaledBones) {
   const auto fox = test::realCharacter("Fox.glb");
   if (!fox) GTEST_SKIP() << "left out: real characters are not at hand";
   LimbScene scene(fox);

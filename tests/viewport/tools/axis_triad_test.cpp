@@ -1,4 +1,4 @@
-// tests/viewport/tools/axis_triad_test.cpp: the axis gizmo shows the camera and turns it.
+// tests/viewport/tools/axis_triad_test.cpp: the axis gizmo shows the camera and rotates it.
 #include "app/viewport/tools/axis_triad.h"
 
 #include <gtest/gtest.h>
@@ -77,7 +77,7 @@ glm::vec3 forwardAfter(Camera camera) {
   return viewOf(camera, kWindow).forwardInWorld();
 }
 
-TEST(AxisTriad, EndsLieWhereTheirAxesPointInThePicture) {
+TEST(AxisTriad, EndsMatchTheAxesInThePicture) {
   Random random(31);
   for (int i = 0; i < 100; ++i) {
     const Camera camera = anyCamera(random);
@@ -89,18 +89,18 @@ TEST(AxisTriad, EndsLieWhereTheirAxesPointInThePicture) {
       const glm::vec3 seen = rotation * direction(end.end);
       const glm::vec2 away = (end.pixel - layout.center) / layout.radius;
       EXPECT_LT(glm::distance(away, 0.78f * glm::vec2(seen.x, -seen.y)), 1e-3f);
-      EXPECT_GE(end.depth, depth);  // Furthest first.
+      EXPECT_GE(end.depth, depth);  // Farthest first.
       depth = end.depth;
       EXPECT_LE(glm::length(away) + end.radius / layout.radius, 1.03f);
     }
-    // All of it stands in the picture, in the lower right corner.
+    // All of it lies in the picture, in the lower right corner.
     EXPECT_LE(layout.center.x + layout.radius, static_cast<float>(kWindow.x));
     EXPECT_LE(layout.center.y + layout.radius, static_cast<float>(kWindow.y));
     EXPECT_FLOAT_EQ(layout.radius, kTriadRadius * scale);
   }
 }
 
-TEST(AxisTriad, AClickLooksFromTheEndAndTheNextFromTheOpposite) {
+TEST(AxisTriad, ClickLooksAlongTheAxisAndTheNextFromTheOpposite) {
   Random random(32);
   for (int i = 0; i < 60; ++i) {
     const AxisEnd end = kEnds[static_cast<std::size_t>(i) % 6];
@@ -113,13 +113,13 @@ TEST(AxisTriad, AClickLooksFromTheEndAndTheNextFromTheOpposite) {
     EXPECT_LT(glm::distance(forwardAfter(camera), -direction(end)), 1e-4f);
     advance(camera, 1.0f);
     const TriadLayout arrived = layoutTriad(camera, kWindow, 1.0f);
-    EXPECT_EQ(axisEndAt(arrived, arrived.center), end);  // It has come to the middle, nearest to the eye.
+    EXPECT_EQ(axisEndAt(arrived, arrived.center), end);  // It has moved to the middle, nearest to the eye.
     click(triad, camera, arrived.center);
     EXPECT_LT(glm::distance(forwardAfter(camera), direction(end)), 1e-4f);
   }
 }
 
-TEST(AxisTriad, ADragOrbitsAndIsNoClick) {
+TEST(AxisTriad, DragOrbitsWithoutClicking) {
   Camera camera;
   AxisTriad triad;
   const TriadLayout layout = layoutTriad(camera, kWindow, 1.0f);
@@ -127,7 +127,7 @@ TEST(AxisTriad, ADragOrbitsAndIsNoClick) {
   const CameraStand before = camera.stand;
   EXPECT_TRUE(routeTriad(triad, camera, press(start), kWindow, 1.0f));
   for (int step = 1; step <= 20; ++step) {
-    // Far out of the ball: the drag goes on.
+    // Far outside the ball: the drag continues.
     EXPECT_TRUE(
         routeTriad(triad, camera, hold(start + glm::vec2(-10.0f * static_cast<float>(step), 0)), kWindow, 1.0f));
   }
@@ -139,7 +139,7 @@ TEST(AxisTriad, ADragOrbitsAndIsNoClick) {
   EXPECT_NE(camera.stand.yaw, before.yaw);
 }
 
-TEST(AxisTriad, APressThatMovesAsLittleAsAClickElsewhereIsAClick) {
+TEST(AxisTriad, SmallMotionCountsAsAClick) {
   for (const float scale : {1.0f, 2.0f}) {
     for (const float moved : {0.9f * kDragThreshold, 1.1f * kDragThreshold}) {
       Camera camera;
@@ -154,7 +154,7 @@ TEST(AxisTriad, APressThatMovesAsLittleAsAClickElsewhereIsAClick) {
   }
 }
 
-TEST(AxisTriad, TakesTheMouseOnTheBallAloneAndNeverFromOthers) {
+TEST(AxisTriad, TakesTheMouseOnlyOnTheBallAndNeverDuringOtherDrags) {
   Camera camera;
   AxisTriad triad;
   const TriadLayout layout = layoutTriad(camera, kWindow, 1.0f);
@@ -171,13 +171,13 @@ TEST(AxisTriad, TakesTheMouseOnTheBallAloneAndNeverFromOthers) {
   EXPECT_FALSE(routeTriad(triad, camera, covered, kWindow, 1.0f));
   EXPECT_FALSE(triad.pressed);
   EXPECT_EQ(camera.stand.yaw, before.yaw);
-  // A release that never came (the window lost the focus) ends the press all the same.
+  // A missed release (the window lost the focus) ends the press anyway.
   EXPECT_TRUE(routeTriad(triad, camera, press(layout.center + glm::vec2(0, 30)), kWindow, 1.0f));
   routeTriad(triad, camera, at({100, 100}), kWindow, 1.0f);
   EXPECT_FALSE(triad.pressed);
 }
 
-TEST(AxisTriad, TellsWhatAClickDoes) {
+TEST(AxisTriad, DescribesTheClick) {
   Camera camera;
   AxisTriad triad;
   EXPECT_EQ(describe(triad), "");

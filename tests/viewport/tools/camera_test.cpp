@@ -1,4 +1,4 @@
-// tests/viewport/tools/camera_test.cpp: what a camera must keep, whatever is done to it.
+// tests/viewport/tools/camera_test.cpp: camera invariants under any input.
 
 #include "app/viewport/tools/camera.h"
 
@@ -40,7 +40,7 @@ glm::vec2 pixelOfAim(const Camera& camera) {
   return 0.5f * glm::vec2(kPicture) * (1.0f + glm::vec2(1.0f, -1.0f) * camera.stand.aim);
 }
 
-/// Low x and y, high x and y, 0..1 of the picture: what holds all corners of the box in it.
+/// Bounds of the box's corners in the picture: low x and y, high x and y, 0..1.
 glm::vec4 placeOf(const Camera& camera, const Bounds& box) {
   glm::vec2 low(2.0f), high(-1.0f);
   for (int corner = 0; corner < 8; ++corner) {
@@ -127,7 +127,7 @@ TEST(Camera, OrbitTurnsTheSceneWithThePointer) {
   EXPECT_GT(pixelOf(camera, nose).y, before.y + 1.0f);
 }
 
-TEST(Camera, FramingHoldsTheBoxTightly) {
+TEST(Camera, FramingIsTight) {
   Random random(16);
   for (int i = 0; i < 300; ++i) {
     Camera camera = randomCamera(random);
@@ -153,8 +153,8 @@ TEST(Camera, FramingHoldsTheBoxTightly) {
   }
 }
 
-// What is covered lies at the edges, as bars and lists do, so that a part is free.
-TEST(Camera, FramingStaysClearOfWhatIsCovered) {
+// Covered areas lie at the edges, like bars and lists, so that a part is free.
+TEST(Camera, FramingAvoidsCoveredAreas) {
   Random random(18);
   for (int i = 0; i < 200; ++i) {
     Camera camera = randomCamera(random);
@@ -171,7 +171,7 @@ TEST(Camera, FramingStaysClearOfWhatIsCovered) {
     }
     EXPECT_TRUE(place.x >= 0.0f && place.y >= 0.0f && place.z <= 1.0f && place.w <= 1.0f) << i;
     EXPECT_EQ(camera.stand.target, box.center());
-    // No free part shows it larger: compared with each that a coarse grid has.
+    // No free part shows it larger: compared with every one on a coarse grid.
     Camera other = camera;
     for (int cell = 0; cell < 10 * 10 * 10 * 10; ++cell) {
       const glm::vec4 part = 0.1f * glm::vec4(cell % 10, cell / 10 % 10, 1 + cell / 100 % 10, 1 + cell / 1000);
@@ -190,7 +190,7 @@ TEST(Camera, FramingStaysClearOfWhatIsCovered) {
   }
 }
 
-TEST(Camera, APanelThatLeavesNoRoomIsPassedOverAndTheBarsAreNot) {
+TEST(Camera, FramingIgnoresAPanelThatLeavesNoRoomButAvoidsBars) {
   Camera camera;
   const glm::vec4 bar(0.0f, 0.0f, 1.0f, 0.2f);
   const std::vector<glm::vec4> covered{bar, {0.1f, 0.3f, 0.95f, 0.9f}};
@@ -201,7 +201,7 @@ TEST(Camera, APanelThatLeavesNoRoomIsPassedOverAndTheBarsAreNot) {
   EXPECT_EQ(camera.stand.distance, beside.stand.distance);
 }
 
-TEST(Camera, AWhollyCoveredPictureIsFramedAsAWhole) {
+TEST(Camera, FullyCoveredPictureIsFramedAsAWhole) {
   Camera camera;
   camera.stand.aim = {0.3f, 0.2f};
   const std::vector<glm::vec4> covered{{0.1f, 0.1f, 0.95f, 0.9f}};
@@ -209,7 +209,7 @@ TEST(Camera, AWhollyCoveredPictureIsFramedAsAWhole) {
   EXPECT_EQ(camera.stand.aim, glm::vec2(0.0f));
 }
 
-TEST(Camera, FramingAPointStaysAwayFromIt) {
+TEST(Camera, FramingAPointKeepsADistance) {
   Camera camera;
   frameBounds(camera, {glm::vec3(1.0f), glm::vec3(1.0f)}, kPicture, false);
   EXPECT_GT(camera.stand.distance, 0.05f * camera.characterHeight);
@@ -219,7 +219,7 @@ TEST(Camera, FramingAPointStaysAwayFromIt) {
   EXPECT_EQ(camera.stand.target, before.target);
 }
 
-TEST(Camera, TransitionsEndWhereTheyShouldAndMoveEvenly) {
+TEST(Camera, TransitionsMoveEvenlyToTheirEnd) {
   Random random(17);
   for (int i = 0; i < 50; ++i) {
     Camera camera = randomCamera(random);
@@ -251,7 +251,7 @@ TEST(Camera, InputEndsATransition) {
   EXPECT_FALSE(isMoving(camera));
 }
 
-TEST(Camera, SixViewsLookAlongTheirAxes) {
+TEST(Camera, StandardViewsLookAlongTheirAxes) {
   const std::array<std::pair<StandardView, glm::vec3>, 6> expected = {{{StandardView::kFront, {0, 0, -1}},
                                                                        {StandardView::kBack, {0, 0, 1}},
                                                                        {StandardView::kLeft, {-1, 0, 0}},
@@ -268,7 +268,7 @@ TEST(Camera, SixViewsLookAlongTheirAxes) {
   }
 }
 
-TEST(Camera, TurnsTheShortWay) {
+TEST(Camera, TransitionRotatesTheShortWay) {
   Camera camera;
   camera.stand.yaw = -3.0f;
   showStandardView(camera, StandardView::kBack);  // Yaw pi, 0.14 away from -3.

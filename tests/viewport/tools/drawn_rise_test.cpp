@@ -1,4 +1,4 @@
-// tests/viewport/tools/drawn_rise_test.cpp: a muscle that has just been drawn is seen on the skin, and is no lump.
+// tests/viewport/tools/drawn_rise_test.cpp: a freshly drawn muscle is visible on the skin, and not a lump.
 
 #include <algorithm>
 #include <cstdio>
@@ -11,7 +11,7 @@
 namespace sinew::test {
 namespace {
 
-/// How far each muscle of the rig alone lifts the skin in the bind pose, fractions of H, ascending.
+/// Rise of the skin over each muscle of the rig alone in the bind pose, fractions of H, ascending.
 std::vector<float> risesOf(const std::shared_ptr<const Character>& character, const Rig& rig) {
   const Pose pose = bindPose(character->skeleton);
   const auto surfaceOf = [&](const Rig& of) {
@@ -24,7 +24,7 @@ std::vector<float> risesOf(const std::shared_ptr<const Character>& character, co
   std::vector<float> rises;
   for (const Primitive& muscle : rig.primitives) {
     Rig alone = rig;
-    alone.smoothing.detail = DetailKind::kUniform;  // The same vertices with and without it.
+    alone.smoothing.detail = DetailKind::kUniform;  // The same vertices with and without the muscle.
     alone.smoothing.depth = 2;
     alone.primitives.clear();
     const Surface bare = surfaceOf(alone);
@@ -41,7 +41,7 @@ std::vector<float> risesOf(const std::shared_ptr<const Character>& character, co
   return rises;
 }
 
-TEST(DrawnRise, MusclesAreSeenAtOnceAndAreNoLumps) {
+TEST(DrawnMuscleHeight, IsVisibleAndModerate) {
   for (const char* name : {"humanoid", "horse", "demo"}) {
     const auto character =
         importGltf(std::filesystem::path(SINEW_SOURCE_DIR) / "assets" / (std::string(name) + ".glb"));

@@ -1,4 +1,4 @@
-// tests/viewport/tools/gizmo_drag_test.cpp: what is grabbed follows the pointer, on every bone, under every camera.
+// tests/viewport/tools/gizmo_drag_test.cpp: a grabbed handle follows the pointer, on every bone, under every camera.
 
 #include <cmath>
 #include <numbers>
@@ -36,11 +36,11 @@ glm::vec3 hitPlane(const Ray& ray, const glm::vec3& origin, const glm::vec3& nor
   return ray.origin + (glm::dot(normal, origin - ray.origin) / glm::dot(normal, ray.direction)) * ray.direction;
 }
 
-class EveryBone : public ::testing::TestWithParam<BoneScale> {};
-INSTANTIATE_TEST_SUITE_P(Scales, EveryBone,
+class GizmoDragOnBones : public ::testing::TestWithParam<BoneScale> {};
+INSTANTIATE_TEST_SUITE_P(Scales, GizmoDragOnBones,
                          ::testing::Values(BoneScale::kEven, BoneScale::kMirrored, BoneScale::kUneven));
 
-TEST_P(EveryBone, ADragWithoutMotionChangesNothing) {
+TEST_P(GizmoDragOnBones, DragWithoutMotionChangesNothing) {
   Random random(31);
   for (int i = 0; i < 60; ++i) {
     const GizmoScene scene = test::randomGizmo(random, GetParam());
@@ -57,7 +57,7 @@ TEST_P(EveryBone, ADragWithoutMotionChangesNothing) {
   }
 }
 
-TEST_P(EveryBone, ArrowsMoveTheGrabbedPointAlongTheirAxis) {
+TEST_P(GizmoDragOnBones, ArrowsMoveTheGrabbedPointAlongTheirAxis) {
   Random random(32);
   int tried = 0;
   for (int i = 0; i < 300; ++i) {
@@ -74,7 +74,7 @@ TEST_P(EveryBone, ArrowsMoveTheGrabbedPointAlongTheirAxis) {
     const glm::vec3 origin = scene.originInWorld();
     const auto onAxis = [&](float t) { return pixelOf(scene.context.view, origin + t * direction); };
     beginDrag(state, handle(GizmoHandle::kMoveX, axis), scene.placement, onAxis(from), scene.context);
-    // In two steps, as a hand would.
+    // In two steps, as with a mouse.
     static_cast<void>(updateDrag(state, pointerAt(onAxis(0.5f * (from + to))), scene.context));
     const DragResult result = updateDrag(state, releasedAt(onAxis(to)), scene.context);
     EXPECT_LT(glm::length(worldShift(scene, result.placement) - (to - from) * direction), 0.01f * arm) << i;
@@ -83,7 +83,7 @@ TEST_P(EveryBone, ArrowsMoveTheGrabbedPointAlongTheirAxis) {
   EXPECT_GT(tried, 150);
 }
 
-TEST_P(EveryBone, PlanesAndCenterKeepTheGrabbedPointUnderThePointer) {
+TEST_P(GizmoDragOnBones, PlanesAndCenterKeepTheGrabbedPointUnderThePointer) {
   Random random(33);
   int tried = 0;
   for (int i = 0; i < 300; ++i) {
@@ -118,7 +118,7 @@ TEST_P(EveryBone, PlanesAndCenterKeepTheGrabbedPointUnderThePointer) {
   EXPECT_GT(tried, 100);
 }
 
-TEST_P(EveryBone, ATypedLengthIsTheWorldShift) {
+TEST_P(GizmoDragOnBones, TypedLengthIsTheWorldShift) {
   Random random(34);
   for (int i = 0; i < 200; ++i) {
     const GizmoScene scene = test::randomGizmo(random, GetParam());
@@ -137,7 +137,7 @@ TEST_P(EveryBone, ATypedLengthIsTheWorldShift) {
   }
 }
 
-TEST(GizmoRotate, TheGrabbedDirectionFollowsThePointer) {
+TEST(GizmoRotate, GrabbedDirectionFollowsThePointer) {
   Random random(35);
   int tried = 0;
   for (int i = 0; i < 400; ++i) {
@@ -168,7 +168,7 @@ TEST(GizmoRotate, TheGrabbedDirectionFollowsThePointer) {
   EXPECT_GT(tried, 120);
 }
 
-TEST(GizmoRotate, UnderEvenScaleItIsTheWorldRotation) {
+TEST(GizmoRotate, UniformScaleGivesTheWorldRotation) {
   Random random(36);
   for (int i = 0; i < 200; ++i) {
     const GizmoScene scene = test::randomGizmo(random, i % 2 ? BoneScale::kEven : BoneScale::kMirrored);
@@ -187,7 +187,7 @@ TEST(GizmoRotate, UnderEvenScaleItIsTheWorldRotation) {
   }
 }
 
-TEST(GizmoRotate, UnderUnevenScaleTheAxisStaysPut) {
+TEST(GizmoRotate, NonuniformScaleKeepsTheAxisFixed) {
   Random random(37);
   for (int i = 0; i < 200; ++i) {
     const GizmoScene scene = test::randomGizmo(random, BoneScale::kUneven);
@@ -218,7 +218,7 @@ TEST(GizmoRotate, EdgeOnRingsRollAlongTheirLine) {
   EXPECT_NEAR(std::atan2(front.x, front.z), 1.0f, 0.01f);
 }
 
-TEST(GizmoRotate, TurnsAddUpPastAHalfTurn) {
+TEST(GizmoRotate, AngleAccumulatesBeyondHalfARevolution) {
   const GizmoScene scene = test::plainGizmo();
   GizmoState state;
   const GizmoLayout layout = layoutGizmo(state, scene.placement, scene.context);
@@ -232,7 +232,7 @@ TEST(GizmoRotate, TurnsAddUpPastAHalfTurn) {
   EXPECT_NEAR(state.drag->angle, 3.0f * kHalfTurn, 0.01f);
 }
 
-TEST_P(EveryBone, ScaleBoxesStretchOneRadius) {
+TEST_P(GizmoDragOnBones, ScaleHandlesChangeOneRadius) {
   Random random(38);
   int tried = 0;
   for (int i = 0; i < 200; ++i) {
@@ -257,7 +257,7 @@ TEST_P(EveryBone, ScaleBoxesStretchOneRadius) {
   EXPECT_GT(tried, 100);
 }
 
-TEST(GizmoPoles, ADragGoesByTheCenterAlsoWhereTheHandlesStandOnAPivot) {
+TEST(GizmoPoles, PoleDragIsAboutTheCenterDespiteAPivot) {
   GizmoScene scene = test::plainGizmo();
   scene.context.pivotInWorld = glm::vec3(0.3f, 0.5f, 0.1f);
   const GizmoState state;
@@ -268,7 +268,7 @@ TEST(GizmoPoles, ADragGoesByTheCenterAlsoWhereTheHandlesStandOnAPivot) {
   EXPECT_EQ(ring->origin, *scene.context.pivotInWorld);
 }
 
-TEST_P(EveryBone, PolesFollowThePointerWhileTheOtherEndStays) {
+TEST_P(GizmoDragOnBones, PolesFollowThePointerWhileTheOtherEndStays) {
   Random random(39);
   int tried = 0;
   for (int i = 0; i < 400; ++i) {
@@ -306,7 +306,7 @@ TEST_P(EveryBone, PolesFollowThePointerWhileTheOtherEndStays) {
   EXPECT_GT(tried, 100);
 }
 
-TEST_P(EveryBone, PolesOfShapesAreWhereTheyAreWidestAndTheOtherEndStays) {
+TEST_P(GizmoDragOnBones, PolesOfShapesLieOnTheSurfaceAndTheOtherEndStays) {
   Random random(40);
   int tried = 0;
   for (int i = 0; i < 200; ++i) {

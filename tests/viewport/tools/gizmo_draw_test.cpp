@@ -1,4 +1,4 @@
-// tests/viewport/tools/gizmo_draw_test.cpp: what is drawn is where it can be hit. No window: ImGui only fills lists.
+// tests/viewport/tools/gizmo_draw_test.cpp: handles are drawn where they can be hit. No window: ImGui only fills lists.
 
 #include "app/viewport/tools/draw_tools.h"
 
@@ -66,7 +66,7 @@ TEST_F(GizmoDraw, EveryHandleIsDrawnAtItsPixel) {
   }
 }
 
-TEST_F(GizmoDraw, TheHoveredHandleShines) {
+TEST_F(GizmoDraw, HoveredHandleIsHighlighted) {
   const GizmoScene scene = test::plainGizmo();
   GizmoState state;
   state.hovered = GizmoHandle::kMoveY;
@@ -85,7 +85,7 @@ TEST_F(GizmoDraw, TheHoveredHandleShines) {
   }
 }
 
-TEST_F(GizmoDraw, DragsDrawLinesWedgesAndANumberAndNothingOnAFlatBone) {
+TEST_F(GizmoDraw, DragsDrawGuidesAndNothingOnAFlatBone) {
   for (const GizmoHandle handle : {GizmoHandle::kMoveX, GizmoHandle::kMoveYZ, GizmoHandle::kRotateY,
                                    GizmoHandle::kScaleZ, GizmoHandle::kPolePlusX}) {
     GizmoScene scene = test::plainGizmo();

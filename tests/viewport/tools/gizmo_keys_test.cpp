@@ -1,5 +1,5 @@
-// tests/viewport/tools/gizmo_keys_test.cpp: locks, snaps, precision, numbers, leaving, and bones that move during a
-// drag.
+// tests/viewport/tools/gizmo_keys_test.cpp: locks, snaps, precision, typed numbers, canceling, and bones that move
+// during a drag.
 
 #include <cmath>
 #include <numbers>
@@ -44,7 +44,7 @@ ViewportInput typedAt(const glm::vec2& pixel, const std::string& text) {
   return input;
 }
 
-TEST(GizmoKeys, AxisKeysLockAndPressedAgainFree) {
+TEST(GizmoKeys, AxisKeysToggleALock) {
   Drag drag(GizmoHandle::kMoveCenter);
   const glm::vec2 target = kPress + glm::vec2(60, -30);
   const glm::vec3 free = drag.shift(drag.to(target));
@@ -57,7 +57,7 @@ TEST(GizmoKeys, AxisKeysLockAndPressedAgainFree) {
   }
 }
 
-TEST(GizmoKeys, ALockCountsFromThePress) {
+TEST(GizmoKeys, LockAppliesFromThePress) {
   Drag late(GizmoHandle::kMoveCenter);
   late.to(kPress + glm::vec2(40, 10));
   const glm::vec3 lateShift = late.shift(late.to(keyAt(kPress + glm::vec2(80, 20), Key::kX)));
@@ -65,7 +65,7 @@ TEST(GizmoKeys, ALockCountsFromThePress) {
   EXPECT_LT(glm::length(early.shift(early.to(kPress + glm::vec2(80, 20))) - lateShift), 1e-5f);
 }
 
-TEST(GizmoKeys, ALockChangesTheAxisOfRotationAndScale) {
+TEST(GizmoKeys, LockChangesTheAxisOfRotationAndScale) {
   Drag turn(GizmoHandle::kRotateX);
   turn.to(keyAt(kPress, Key::kZ));
   const glm::quat rotation = turn.to(typedAt(kPress, "90")).rotation;
@@ -95,7 +95,7 @@ TEST(GizmoKeys, CtrlSnapsMoveRotateAndScale) {
   }
 }
 
-TEST(GizmoKeys, ShiftIsATenth) {
+TEST(GizmoKeys, ShiftMovesATenth) {
   Drag fast(GizmoHandle::kMoveCenter);
   Drag slow(GizmoHandle::kMoveCenter);
   ViewportInput input = pointerAt(kPress + glm::vec2(70, 40));
@@ -103,7 +103,7 @@ TEST(GizmoKeys, ShiftIsATenth) {
   input.shift = true;
   const glm::vec3 tenth = slow.shift(slow.to(input));
   EXPECT_LT(glm::length(10.0f * tenth - whole), 1e-5f);
-  // Letting go of Shift does not make up for what was slowed.
+  // Releasing Shift does not catch up with the pointer.
   input.shift = false;
   EXPECT_LT(glm::length(slow.shift(slow.to(input)) - tenth), 1e-6f);
 }
@@ -123,7 +123,7 @@ TEST(GizmoKeys, NumbersAreEditedAndReplaceThePointer) {
   EXPECT_LT(glm::length(drag.shift(drag.to(away)) - pointer.shift(pointer.to(away))), 1e-6f);
 }
 
-TEST(GizmoKeys, TypedNumbersInAPlaneGoAlongTheMotion) {
+TEST(GizmoKeys, TypedNumberInAPlaneFollowsTheMotion) {
   Drag drag(GizmoHandle::kMoveXY);
   const glm::vec3 before = drag.shift(drag.to(kPress + glm::vec2(60, -40)));
   const glm::vec3 after = drag.shift(drag.to(typedAt(kPress + glm::vec2(60, -40), "0.3")));
@@ -131,7 +131,7 @@ TEST(GizmoKeys, TypedNumbersInAPlaneGoAlongTheMotion) {
   EXPECT_GT(glm::dot(glm::normalize(before), glm::normalize(after)), 0.9999f);
 }
 
-TEST(GizmoKeys, ATypedPoleIsTheSemiAxisInTheWorld) {
+TEST(GizmoKeys, TypedPoleLengthIsTheWorldSemiAxis) {
   GizmoScene scene = test::plainGizmo();
   scene.context.boneInWorld = glm::scale(glm::mat4(1.0f), glm::vec3(100.0f));
   scene.placement.center /= 100.0f;
@@ -143,7 +143,7 @@ TEST(GizmoKeys, ATypedPoleIsTheSemiAxisInTheWorld) {
   EXPECT_NEAR(after.center.y + after.radii.y, scene.placement.center.y + scene.placement.radii.y, 1e-8f);
 }
 
-TEST(GizmoKeys, RadiiStayAboveZeroHoweverFarThePointerGoes) {
+TEST(GizmoKeys, RadiiStayPositive) {
   for (const GizmoHandle handle : {GizmoHandle::kScaleX, GizmoHandle::kScaleUniform, GizmoHandle::kPolePlusY}) {
     for (const glm::vec2 target : {glm::vec2(-3000, 3000), glm::vec2(3000, -3000)}) {
       Drag drag(handle);
@@ -157,7 +157,7 @@ TEST(GizmoKeys, RadiiStayAboveZeroHoweverFarThePointerGoes) {
   }
 }
 
-TEST(GizmoKeys, EscapeAndTheRightButtonGiveBackTheStart) {
+TEST(GizmoKeys, EscapeAndTheRightButtonRestoreTheStart) {
   ViewportInput right = pointerAt(kPress + glm::vec2(90, 0));
   right.buttons[1].pressed = true;
   for (const ViewportInput& leave : {keyAt(kPress + glm::vec2(90, 0), Key::kEscape), right}) {
@@ -170,7 +170,7 @@ TEST(GizmoKeys, EscapeAndTheRightButtonGiveBackTheStart) {
   }
 }
 
-TEST(GizmoKeys, TheLastMotionBeforeTheReleaseCounts) {
+TEST(GizmoKeys, ReleaseIncludesTheLastMotion) {
   Drag drag(GizmoHandle::kMoveCenter);
   const glm::vec2 target = kPress + glm::vec2(30, 70);
   const DragResult result = updateDrag(drag.state, releasedAt(target), drag.scene.context);
@@ -178,7 +178,7 @@ TEST(GizmoKeys, TheLastMotionBeforeTheReleaseCounts) {
   EXPECT_EQ(result.placement.center, other.to(target).center);
 }
 
-TEST(GizmoKeys, WhileTheBoneMovesTheDeltaStays) {
+TEST(GizmoKeys, DeltaStaysWhileTheBoneMoves) {
   Drag drag(GizmoHandle::kMoveCenter);
   const glm::vec2 target = kPress + glm::vec2(60, -30);
   const glm::vec3 before = drag.shift(drag.to(target));
@@ -196,7 +196,7 @@ TEST(GizmoKeys, WhileTheBoneMovesTheDeltaStays) {
   EXPECT_LT(glm::length(own.shift(carried) - along), 1e-5f);  // Bone axes: the same in bone space.
 }
 
-TEST(GizmoKeys, TheStatusLineSaysWhatGoesOn) {
+TEST(GizmoKeys, StatusLineDescribesTheDrag) {
   Drag drag(GizmoHandle::kMoveX);
   drag.to(typedAt(kPress, "0.12"));
   const std::string text = describe(drag.state);

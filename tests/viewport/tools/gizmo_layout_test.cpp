@@ -55,7 +55,7 @@ INSTANTIATE_TEST_SUITE_P(All, GizmoModes,
                          ::testing::Values(GizmoMode::kPoles, GizmoMode::kMove, GizmoMode::kRotate, GizmoMode::kScale),
                          [](const auto& mode) { return std::string(nameOf(mode.param)); });
 
-TEST(GizmoLayout, AFreeViewShowsEveryHandle) {
+TEST(GizmoLayout, GeneralViewShowsEveryHandle) {
   const GizmoScene scene = test::plainGizmo();
   const std::set<std::string> move = {"move.x", "move.y", "move.z", "move.xy", "move.yz", "move.zx", "move.center"};
   const std::set<std::string> rotate = {"rotate.x", "rotate.y", "rotate.z", "rotate.screen"};
@@ -71,7 +71,7 @@ TEST(GizmoLayout, AFreeViewShowsEveryHandle) {
   EXPECT_EQ(namesOf(layoutGizmo(state, scene.placement, scene.context)), kPoles);
 }
 
-TEST(GizmoLayout, AxesTowardsTheEyeAndEdgeOnPlanesAreLeftOut) {
+TEST(GizmoLayout, AxesTowardsTheEyeAndEdgeOnPlanesAreHidden) {
   GizmoScene scene = test::plainGizmo();
   Camera camera;
   camera.stand = {scene.placement.center, 3.0f, 0.0f, 0.0f};  // Along -Z.
@@ -138,7 +138,7 @@ TEST(GizmoLayout, RingsAreGrabbedOnTheHalfFacingTheEye) {
   }
 }
 
-TEST(GizmoLayout, NothingOnAFlattenedBoneOrBehindTheEye) {
+TEST(GizmoLayout, IsHiddenOnAFlattenedBoneOrBehindTheEye) {
   GizmoScene scene = test::plainGizmo();
   scene.context.boneInWorld = glm::scale(glm::mat4(1.0f), glm::vec3(1.0f, 0.0f, 1.0f));
   EXPECT_FALSE(layoutGizmo(GizmoState{}, scene.placement, scene.context).visible);
@@ -149,7 +149,7 @@ TEST(GizmoLayout, NothingOnAFlattenedBoneOrBehindTheEye) {
   EXPECT_EQ(hitTest(behind, {640, 400}), GizmoHandle::kNone);
 }
 
-TEST(GizmoLayout, FarFromEveryHandleNothingIsHit) {
+TEST(GizmoLayout, NothingIsHitFarFromTheHandles) {
   const GizmoScene scene = test::plainGizmo();
   const GizmoLayout layout = layoutGizmo(GizmoState{}, scene.placement, scene.context);
   EXPECT_EQ(hitTest(layout, {3, 3}), GizmoHandle::kNone);

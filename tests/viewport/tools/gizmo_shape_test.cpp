@@ -1,4 +1,4 @@
-// tests/viewport/tools/gizmo_shape_test.cpp: the belly and the bend pulled in the picture.
+// tests/viewport/tools/gizmo_shape_test.cpp: dragging the handles of belly and bend.
 
 #include "app/viewport/tools/gizmo.h"
 
@@ -35,7 +35,7 @@ struct ShapeHandles : testing::Test {
 
   [[nodiscard]] GizmoLayout layout() const { return layoutGizmo(state, placement, context); }
 
-  /// Presses on a handle, moves the pointer and lets go.
+  /// Presses a handle, moves the pointer and releases.
   Placement pulled(GizmoHandle handle, const glm::vec2& by) {
     const GizmoLayout seen = layout();
     const HandleShape* shape = seen.find(handle);
@@ -49,7 +49,7 @@ struct ShapeHandles : testing::Test {
   }
 };
 
-TEST_F(ShapeHandles, AreThereForShapesAloneAndWithPolesAlone) {
+TEST_F(ShapeHandles, AreShownOnlyForShapesInPoleMode) {
   for (const GizmoHandle handle : kBoth) EXPECT_NE(layout().find(handle), nullptr);
   state.mode = GizmoMode::kMove;
   for (const GizmoHandle handle : kBoth) EXPECT_EQ(layout().find(handle), nullptr);
@@ -61,7 +61,7 @@ TEST_F(ShapeHandles, AreThereForShapesAloneAndWithPolesAlone) {
   for (const GizmoHandle handle : kBoth) EXPECT_EQ(layout().find(handle), nullptr);
 }
 
-TEST_F(ShapeHandles, StayUnderThePointer) {
+TEST_F(ShapeHandles, FollowThePointer) {
   for (const GizmoHandle handle : kBoth) {
     const bool belly = handle == GizmoHandle::kBelly;
     const glm::vec2 by = belly ? glm::vec2(0.0f, -14.0f) : glm::vec2(25.0f, 0.0f);
@@ -87,14 +87,14 @@ TEST_F(ShapeHandles, StopAtTheLimits) {
   EXPECT_LE(std::abs(bent.bend.y), kMostBend);
 }
 
-TEST_F(ShapeHandles, TypedNumbersAreTheValue) {
+TEST_F(ShapeHandles, TypedNumbersSetTheValue) {
   EXPECT_FLOAT_EQ(withBelly(placement, 0.3f, 2.0f, 0.15f).shape.belly, 0.15f);
   EXPECT_EQ(withBend(placement, Way::kWhole, {}, 2.0f, 0.4f).shape.bend, glm::vec2(0.4f, 0.1f));
   EXPECT_EQ(withBend(placement, Way::kZ, {}, 2.0f, 0.4f).shape.bend, glm::vec2(0.2f, 0.4f));
   EXPECT_EQ(withBend(placement, Way::kX, glm::vec3(0.1f), 2.0f, {}).shape.bend, glm::vec2(0.3f, 0.1f));
 }
 
-TEST_F(ShapeHandles, TheBellyHandleLiesOnTheThickestSection) {
+TEST_F(ShapeHandles, BellyHandleLiesOnTheThickestSection) {
   for (const float core : {0.0f, 0.6f}) {
     placement.shape = legalShape({core, 0.25f, {0.3f, -0.2f}}, 1.4f);
     for (const glm::vec3& eye : {glm::vec3(1, 0, 0), glm::vec3(-1, 0.5f, 0.3f), glm::vec3(0, 0, -1)}) {

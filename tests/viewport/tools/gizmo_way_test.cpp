@@ -1,4 +1,4 @@
-// tests/viewport/tools/gizmo_way_test.cpp: ways a handle may go, and the handles they name.
+// tests/viewport/tools/gizmo_way_test.cpp: constraints of handles, and the handles they belong to.
 
 #include "app/viewport/tools/gizmo.h"
 
@@ -10,7 +10,7 @@
 namespace sinew::app {
 namespace {
 
-TEST(GizmoWay, IsAnAxisOrAPlaneOrTheWhole) {
+TEST(GizmoConstraint, IsAnAxisAPlaneOrNone) {
   for (const Way way : kAllWays) {
     EXPECT_EQ(int{isAxis(way)} + int{isPlane(way)} + int{way == Way::kWhole}, 1) << nameOf(way);
   }
@@ -18,7 +18,7 @@ TEST(GizmoWay, IsAnAxisOrAPlaneOrTheWhole) {
   EXPECT_FALSE(isPlane(Way::kNone));
 }
 
-TEST(GizmoWay, APlaneIsNamedAfterItsAxesAndTheThirdStandsOnIt) {
+TEST(GizmoConstraint, PlaneIsNamedAfterItsAxesWithTheThirdAsNormal) {
   for (const Way plane : kPlaneWays) {
     std::string name;
     for (const int axis : planeAxes(plane)) name += nameOf(kAxisWays[static_cast<std::size_t>(axis)]);
@@ -28,11 +28,11 @@ TEST(GizmoWay, APlaneIsNamedAfterItsAxesAndTheThirdStandsOnIt) {
   }
 }
 
-TEST(GizmoWay, EveryWayHasATrackOfItsOwn) {
+TEST(GizmoConstraint, EachHasItsOwnTrack) {
   for (std::size_t i = 0; i < kAllWays.size(); ++i) EXPECT_EQ(trackOf(kAllWays[i]), i);
 }
 
-TEST(GizmoWay, AHandleIsFoundByItsParts) {
+TEST(GizmoConstraint, HandleIsFoundByItsParts) {
   for (int i = 0; i < kGizmoHandleCount; ++i) {
     const auto handle = static_cast<GizmoHandle>(i);
     EXPECT_EQ(handleOf(partsOf(handle)), handle) << nameOf(handle);
@@ -42,7 +42,7 @@ TEST(GizmoWay, AHandleIsFoundByItsParts) {
   EXPECT_EQ(handleOf({HandleKind::kPole, Way::kY, -1.0f}), GizmoHandle::kPoleMinusY);
 }
 
-TEST(GizmoWay, ALockPrevailsOverTheHandle) {
+TEST(GizmoConstraint, LockOverridesTheHandle) {
   GizmoDrag drag;
   drag.handle = GizmoHandle::kMoveYZ;
   EXPECT_EQ(wayOf(drag), Way::kYZ);

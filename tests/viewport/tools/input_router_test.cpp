@@ -1,4 +1,4 @@
-// tests/viewport/tools/input_router_test.cpp: one press belongs to one layer.
+// tests/viewport/tools/input_router_test.cpp: a press belongs to one layer.
 
 #include "app/viewport/tools/input_router.h"
 
@@ -29,7 +29,7 @@ struct GizmoOnLimb : LimbScene {
   [[nodiscard]] const Placement& placement() const { return document.rig().primitives[0].placement; }
 };
 
-TEST(InputRouter, AGizmoDragIsOneStepAndLeavesTheCameraAlone) {
+TEST(InputRouter, GizmoDragIsOneStepAndKeepsTheCamera) {
   GizmoOnLimb scene;
   const CameraStand before = scene.tools.camera.stand;
   const Placement start = scene.placement();
@@ -48,7 +48,7 @@ TEST(InputRouter, AGizmoDragIsOneStepAndLeavesTheCameraAlone) {
   EXPECT_EQ(scene.placement().center, start.center);
 }
 
-TEST(InputRouter, TheGizmoFollowsThePointerInTheSameFrame) {
+TEST(InputRouter, GizmoFollowsThePointerInTheSameFrame) {
   GizmoOnLimb scene;
   const glm::vec2 pixel = scene.handlePixel(GizmoHandle::kMoveCenter);
   scene.move(pixel);
@@ -57,14 +57,14 @@ TEST(InputRouter, TheGizmoFollowsThePointerInTheSameFrame) {
   EXPECT_LT(glm::length(result.gizmo.origin - (pixel + glm::vec2(37, -21))), 1.5f);
 }
 
-TEST(InputRouter, AClickOnAHandleMakesNoStep) {
+TEST(InputRouter, ClickOnAHandleMakesNoStep) {
   GizmoOnLimb scene;
   scene.click(scene.handlePixel(GizmoHandle::kMoveX));
   EXPECT_EQ(scene.document.commands.stepCount(), 1u);
   EXPECT_EQ(scene.document.selection.primitives.size(), 1u);
 }
 
-TEST(InputRouter, EscapeCancelsAndTheRestOfThePressIsNobodys) {
+TEST(InputRouter, EscapeCancelsAndTheRestOfThePressIsIgnored) {
   GizmoOnLimb scene;
   const CameraStand before = scene.tools.camera.stand;
   const Placement start = scene.placement();
@@ -83,19 +83,19 @@ TEST(InputRouter, EscapeCancelsAndTheRestOfThePressIsNobodys) {
   EXPECT_EQ(scene.document.selection.primitives.size(), 1u);
 }
 
-TEST(InputRouter, ALostReleaseKeepsWhatWasDragged) {
+TEST(InputRouter, LostReleaseCommitsTheDrag) {
   GizmoOnLimb scene;
   const Placement start = scene.placement();
   const glm::vec2 pixel = scene.handlePixel(GizmoHandle::kMoveCenter);
   scene.move(pixel);
   scene.press(pixel);
   scene.drag(pixel + glm::vec2(30, 0));
-  scene.move(pixel + glm::vec2(30, 0));  // The button is up and nobody said when.
+  scene.move(pixel + glm::vec2(30, 0));  // The button was released without an event.
   EXPECT_FALSE(scene.document.commands.inGesture());
   EXPECT_NE(scene.placement().center, start.center);
 }
 
-TEST(InputRouter, AnUndoUnderTheDragEndsIt) {
+TEST(InputRouter, UndoDuringADragEndsIt) {
   GizmoOnLimb scene;
   const Placement start = scene.placement();
   const glm::vec2 pixel = scene.handlePixel(GizmoHandle::kMoveCenter);
@@ -110,7 +110,7 @@ TEST(InputRouter, AnUndoUnderTheDragEndsIt) {
   EXPECT_EQ(scene.placement().center, start.center);
 }
 
-TEST(InputRouter, WhatThePanelsTookStaysTheirsUntilTheRelease) {
+TEST(InputRouter, PanelsOwnThePressUntilItsRelease) {
   LimbScene scene;
   const CameraStand before = scene.tools.camera.stand;
   ViewportInput taken;
@@ -124,7 +124,7 @@ TEST(InputRouter, WhatThePanelsTookStaysTheirsUntilTheRelease) {
   EXPECT_EQ(scene.document.selection.bone, -1);
 }
 
-TEST(InputRouter, CameraButtons) {
+TEST(InputRouter, CameraButtonsOrbitAndPan) {
   struct Case {
     MouseButton button;
     bool alt, shift, pans;
@@ -154,7 +154,7 @@ TEST(InputRouter, CameraButtons) {
     EXPECT_EQ(after.distance, before.distance);
     EXPECT_EQ(scene.document.commands.stepCount(), 1u);
     EXPECT_EQ(scene.document.selection.primitives.size(), 1u) << "a drag is no click";
-    // All of the motion counts, also what came before it was known to be a drag.
+    // All of the motion counts, including the part before the drag threshold.
     Camera whole = scene.tools.camera;
     whole.stand = before;
     if (c.pans) pan(whole, {60, 25}, LimbScene::kSize);
@@ -164,7 +164,7 @@ TEST(InputRouter, CameraButtons) {
   }
 }
 
-TEST(InputRouter, TheWheelKeepsTheSkinUnderThePointer) {
+TEST(InputRouter, WheelKeepsTheSkinUnderThePointer) {
   LimbScene scene;
   const glm::vec2 pixel = scene.skinPixel();
   scene.move(pixel);
@@ -176,7 +176,7 @@ TEST(InputRouter, TheWheelKeepsTheSkinUnderThePointer) {
   EXPECT_LT(glm::length(glm::vec2(result.view.toPixel(point)) - pixel), 0.5f);
 }
 
-TEST(InputRouter, ClicksSelectMusclesBonesAndNothing) {
+TEST(InputRouter, ClicksSelectMusclesOrBonesOrClear) {
   GizmoOnLimb scene;
   scene.document.selection.clear();
   scene.click(scene.skinPixel());
@@ -205,7 +205,7 @@ TEST(InputRouter, ShiftTogglesAndNeverClears) {
   EXPECT_EQ(scene.document.selection.primitives.size(), 2u);
 }
 
-TEST(InputRouter, ToolsDoNotChangeUnderADrag) {
+TEST(InputRouter, ToolChangeEndsTheDrag) {
   GizmoOnLimb scene;
   const glm::vec2 pixel = scene.handlePixel(GizmoHandle::kMoveX);
   scene.move(pixel);
@@ -221,7 +221,7 @@ TEST(InputRouter, ToolsDoNotChangeUnderADrag) {
   EXPECT_FALSE(scene.move({5, 5}).gizmo.visible) << "the skin is free to be pressed";
 }
 
-TEST(InputRouter, WhatIsHoveredMayVanish) {
+TEST(InputRouter, HoveredMuscleCanBeRemoved) {
   GizmoOnLimb scene;
   scene.document.selection.clear();
   scene.move(scene.skinPixel());
@@ -232,7 +232,7 @@ TEST(InputRouter, WhatIsHoveredMayVanish) {
   EXPECT_NE(result.status.find("Bone"), std::string::npos);
 }
 
-TEST(InputRouter, AnUnattachedMuscleHasNoGizmo) {
+TEST(InputRouter, UnattachedMuscleHasNoGizmo) {
   GizmoOnLimb scene;
   Rig rig = scene.document.rig();
   rig.primitives[0].bone = "nowhere";

@@ -1,4 +1,4 @@
-// tests/viewport/tools/laid_muscles.h: muscles laid by the add-muscle tool itself, with its defaults.
+// tests/viewport/tools/laid_muscles.h: muscles laid by the add-muscle tool with its defaults.
 #pragma once
 
 #include <algorithm>
@@ -13,12 +13,12 @@
 
 namespace sinew::test {
 
-/// A place of the skin where a muscle could lie.
+/// A place on the skin for a muscle.
 struct LayingSpot {
   glm::vec3 point{0.0f};  ///< Bind pose.
   glm::vec3 normal{0.0f};
-  glm::vec3 along{0.0f};  ///< Unit: the bone's way, in the tangent plane.
-  float room = 0.0f;      ///< Length a designer would draw there: the bone's, but no more than the flesh carries.
+  glm::vec3 along{0.0f};  ///< Unit: the bone's direction, in the tangent plane.
+  float room = 0.0f;      ///< Length that a designer would draw there: the bone's, limited by the flesh.
 };
 
 inline float distanceToSegment(const glm::vec3& p, const glm::vec3& a, const glm::vec3& b) {
@@ -27,7 +27,7 @@ inline float distanceToSegment(const glm::vec3& p, const glm::vec3& a, const glm
   return glm::distance(p, a + t * ab);
 }
 
-/// Vertices with flesh under them, far apart from each other, those with most room first.
+/// Vertices with flesh below them, far apart from each other, in descending order of room.
 inline std::vector<LayingSpot> layingSpots(const Character& character, int count) {
   std::vector<LayingSpot> all;
   for (std::size_t v = 0; v < character.mesh.positions.size(); ++v) {
@@ -62,8 +62,8 @@ inline std::vector<LayingSpot> layingSpots(const Character& character, int count
   return spots;
 }
 
-/// `count` muscles over trunk and limbs, from 0.25 H where there is most room to 0.06 H: each by looking at its spot,
-/// pressing on the skin there and dragging along the bone.
+/// `count` muscles over trunk and limbs, from 0.25 H where there is most room to 0.06 H: for each, looks at its spot,
+/// presses on the skin and drags along the bone.
 inline Rig layMuscles(const std::shared_ptr<const Character>& character, int count = 16) {
   LimbScene scene(character);
   setTool(scene.tools, app::ToolKind::kAddMuscle);

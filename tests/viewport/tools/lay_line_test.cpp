@@ -1,4 +1,4 @@
-// tests/viewport/tools/lay_line_test.cpp: a line between two places on the skin, and the muscle that it gets.
+// tests/viewport/tools/lay_line_test.cpp: a line between two places on the skin, and its muscle.
 
 #include "app/viewport/tools/line_tool.h"
 
@@ -13,7 +13,7 @@
 namespace sinew::app {
 namespace {
 
-/// The control triangle whose middle is nearest to a point of the bind pose, that mostly follows a bone.
+/// The control triangle nearest to a point of the bind pose among those that mostly follow a bone.
 SkinAnchor skinNear(const Character& character, const glm::vec3& point, int bone) {
   SkinAnchor best;
   float nearest = 1e30f;
@@ -30,7 +30,7 @@ SkinAnchor skinNear(const Character& character, const glm::vec3& point, int bone
 
 int boneNamed(const Character& character, const char* name) { return character.skeleton.findBone(name).value(); }
 
-struct Laid : testing::Test {
+struct LineLaying : testing::Test {
   std::shared_ptr<const Character> limb = test::makeLimb();
   Surface skin = bindSkin(*limb);
 
@@ -39,7 +39,7 @@ struct Laid : testing::Test {
   }
 };
 
-TEST_F(Laid, AnchorsLieHalfWayToTheBonesAndTheBellyStandsOut) {
+TEST_F(LineLaying, AnchorsLieBetweenSkinAndBonesAndTheBellyRises) {
   const auto laid = layLine(*limb, skin, on("root", {0.0f, 0.4f, 0.5f}), on("end", {0.0f, 1.6f, 0.5f}));
   ASSERT_TRUE(laid.ok()) << laid.error().text();
   EXPECT_EQ(laid->line.origin.bone, "root");
@@ -64,12 +64,12 @@ TEST_F(Laid, AnchorsLieHalfWayToTheBonesAndTheBellyStandsOut) {
   EXPECT_NEAR(2.0f * glm::length(glm::vec3(shape[1])), belly, 1e-4f);
 }
 
-TEST_F(Laid, EndsThatMeetAreRefused) {
+TEST_F(LineLaying, CoincidentEndsAreRefused) {
   const SkinAnchor from = on("root", {0.0f, 0.4f, 0.5f});
   EXPECT_FALSE(layLine(*limb, skin, from, from).ok());
 }
 
-TEST(LaidPairs, UnderSymmetryBothSides) {
+TEST(LaidPairs, SymmetryLaysBothSides) {
   const std::shared_ptr<const Character> legs = test::makeTwoLegged();
   const MirrorPlan plan = makeMirrorPlan(*legs);
   const SkinAnchor from = skinNear(*legs, {0.4f, 0.6f, 0.5f}, boneNamed(*legs, "leg L"));
@@ -87,8 +87,8 @@ TEST(LaidPairs, UnderSymmetryBothSides) {
   EXPECT_EQ(alone->lines.size(), 1u);
 }
 
-/// Over every joint of characters that others made: never an empty or monstrous belly.
-TEST(LaidPairs, AcrossEveryJointOfRealCharacters) {
+/// Across every joint of third-party characters: never an empty or huge belly.
+TEST(LaidPairs, WorkAcrossEveryJointOfRealCharacters) {
   int joints = 0;
   for (const char* file : {"Fox.glb", "greenman.glb", "cesium_man.gltf", "robot.glb"}) {
     const std::shared_ptr<const Character> character = test::realCharacter(file);
@@ -122,10 +122,10 @@ TEST(LaidPairs, AcrossEveryJointOfRealCharacters) {
 // Their handles
 // --------------------------------------------------------------------------------------------------------
 
-struct Pulled : testing::Test {
+struct LineHandleDrag : testing::Test {
   test::LimbScene scene;
 
-  Pulled() {
+  LineHandleDrag() {
     const Character& limb = *scene.document.character;
     const auto laid = layLine(limb, bindSkin(limb), skinNear(limb, {0.0f, 0.4f, 0.5f}, boneNamed(limb, "root")),
                               skinNear(limb, {0.0f, 1.6f, 0.5f}, boneNamed(limb, "end")));
@@ -140,7 +140,7 @@ struct Pulled : testing::Test {
   }
 };
 
-TEST_F(Pulled, AnEndFollowsThePointerInAnyPose) {
+TEST_F(LineHandleDrag, EndFollowsThePointerInAnyPose) {
   const Character& limb = *scene.document.character;
   scene.pose = samplePose(limb.skeleton, limb.clips.front(), 0.5f);
   scene.smooth();
@@ -155,7 +155,7 @@ TEST_F(Pulled, AnEndFollowsThePointerInAnyPose) {
   EXPECT_EQ(scene.document.rig().lines[0].insertion.bone, "end");
 }
 
-TEST_F(Pulled, EscLeavesNoTrace) {
+TEST_F(LineHandleDrag, EscapeRestoresTheRig) {
   const Rig before = scene.document.rig();
   const glm::vec2 start = glm::round(place(LineEnd::kOrigin));
   scene.move(start);

@@ -9,7 +9,7 @@
 
 namespace sinew::test {
 
-/// The limb (H = 2, along +Y) in its bind pose, seen from the front, no muscle yet.
+/// The limb (H = 2, along +Y) in its bind pose, seen from the front, without muscles.
 struct LimbScene {
   app::Document document;
   Pose pose;

@@ -1,5 +1,6 @@
-// tests/viewport/tools/mended_lines_test.cpp: lines over every joint, as the tool makes them: what leaves the flesh
-// before and after mending.
+// tests/viewport/tools/mended_lines_test.cpp: lines over every joint as laid by the tool: findings before and after
+// mending.
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -17,8 +18,8 @@
 namespace sinew::app {
 namespace {
 
-constexpr int kLinesEach = 15;    ///< Of a character.
-constexpr float kFlexes = 0.03f;  ///< Change of a belly's length over the motions, of the shortest.
+constexpr int kLinesEach = 15;    ///< For each character.
+constexpr float kFlexes = 0.03f;  ///< Change of a belly's length over the motions, fraction of the shortest.
 
 std::vector<std::shared_ptr<const Character>> characters() {
   std::vector<std::shared_ptr<const Character>> out;
@@ -41,7 +42,7 @@ std::vector<int> skinOf(const Character& character, int bone) {
   return out;
 }
 
-/// The belly gets longer and shorter.
+/// Whether the belly's length changes.
 bool flexes(const Rig& rig, const Motions& motions) {
   if (rig.lines.empty()) return false;
   const RigPoser poser(rig, motions.character());
@@ -57,14 +58,14 @@ bool flexes(const Rig& rig, const Motions& motions) {
   return most > (1.0f + kFlexes) * least;
 }
 
-/// What became of one character's lines.
+/// Statistics of one character's lines.
 struct Count {
   int lines = 0;
-  int before = 0;   ///< Something was found of the line as it was laid.
-  int after = 0;    ///< Something still is, of the line or of what rides a bone.
-  int rigid = 0;    ///< Rides a bone.
-  int flexed = 0;   ///< As laid.
-  int flexing = 0;  ///< Of these, still.
+  int before = 0;   ///< Lines with a finding as laid.
+  int after = 0;    ///< Lines with a finding after mending, also of muscles that ride a bone.
+  int rigid = 0;    ///< Muscles that ride a bone.
+  int flexed = 0;   ///< Flexing lines as laid.
+  int flexing = 0;  ///< Those of them that still flex.
 
   void add(const Count& other) {
     lines += other.lines;
@@ -103,7 +104,7 @@ Count countOf(const LaidLine& laid, const Motions& motions) {
   return count;
 }
 
-TEST(MendedLines, NoneLeavesTheFleshAndMostStillFlex) {
+TEST(MendedLines, StayInsideTheBodyAndMostlyStillFlex) {
   std::mt19937 random(5);
   const auto pick = [&](const std::vector<int>& of) { return of[random() % of.size()]; };
   Count all;

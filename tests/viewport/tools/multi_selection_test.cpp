@@ -1,5 +1,5 @@
-// tests/viewport/tools/multi_selection_test.cpp: several muscles, twins among them, on one gizmo; boxes; a muscle on
-// both sides.
+// tests/viewport/tools/multi_selection_test.cpp: several muscles, twins among them, under one gizmo; box selection; a
+// muscle on both sides.
 
 #include <gtest/gtest.h>
 
@@ -75,7 +75,7 @@ struct Legs : LimbScene {
 
 constexpr GizmoAxes kAllAxes[] = {GizmoAxes::kWorld, GizmoAxes::kBone, GizmoAxes::kPrimitive};
 
-/// What the keys do during the drag.
+/// Keyboard input during the drag.
 enum class Manner { kPlain, kTyped, kLocked, kSnapped, kPrecise, kEscape, kRightButton };
 constexpr Manner kManners[] = {Manner::kPlain,   Manner::kTyped,  Manner::kLocked,     Manner::kSnapped,
                                Manner::kPrecise, Manner::kEscape, Manner::kRightButton};
@@ -106,7 +106,7 @@ bool dragHandle(Legs& scene, GizmoHandle handle, Manner manner) {
   return true;
 }
 
-/// What a drag of `handle` did to the others, against what it did to the active one.
+/// Compares the effect of dragging `handle` on the other muscles with that on the active one.
 void expectTogether(const Legs& scene, const Legs& before, GizmoHandle handle, const std::string& active) {
   const HandleKind kind = partsOf(handle).kind;
   for (const char* name : {"belly", "shin"}) {
@@ -123,7 +123,7 @@ void expectTogether(const Legs& scene, const Legs& before, GizmoHandle handle, c
       EXPECT_EQ(start.rotation, now.rotation);
     }
     if (kind == HandleKind::kRotate) {
-      // The muscles stay as far from each other, and turn by one angle.
+      // Distances between the muscles stay, and all rotate by one angle.
       EXPECT_NEAR(glm::distance(scene.centerInWorld(name), scene.centerInWorld(active)),
                   glm::distance(before.centerInWorld(name), before.centerInWorld(active)), 1e-4f);
       const Placement& leadStart = before.primitive(active).placement;
@@ -139,7 +139,7 @@ void expectTogether(const Legs& scene, const Legs& before, GizmoHandle handle, c
   }
 }
 
-TEST(MultiSelection, EveryHandleInEverySpaceAndMannerMovesAllAndItsTwinsOnce) {
+TEST(MultiSelection, EveryHandleMovesTheSelectionAndTwinsOnce) {
   int scenes = 0, dragged = 0;
   const Legs before;
   for (int h = 1; h < kGizmoHandleCount; ++h) {
@@ -170,7 +170,7 @@ TEST(MultiSelection, EveryHandleInEverySpaceAndMannerMovesAllAndItsTwinsOnce) {
   EXPECT_GT(dragged, 200);
 }
 
-TEST(MultiSelection, AFrameOfADragCopiesTheRigOnceHoweverManyMove) {
+TEST(MultiSelection, DragFrameCopiesTheRigOnce) {
   Legs scene;
   select(scene.document, {"thigh R", "shin", "belly"});
   scene.setMode(GizmoHandle::kMoveCenter);
@@ -188,7 +188,7 @@ TEST(MultiSelection, AFrameOfADragCopiesTheRigOnceHoweverManyMove) {
   EXPECT_EQ(scene.tools.companions.size(), 2u);
 }
 
-TEST(MultiSelection, WithBothTwinsSelectedOnlyOneIsMovedByTheHand) {
+TEST(MultiSelection, OnlyOneOfTwoSelectedTwinsIsMovedDirectly) {
   Legs scene;
   select(scene.document, {"thigh R", "thigh L"});
   const int active = findPrimitive(scene.document.rig(), "thigh L");
@@ -221,7 +221,7 @@ void drawBoxOver(Legs& scene, const glm::vec2& from, const glm::vec2& to, const 
   EXPECT_FALSE(scene.tools.box.drag);
 }
 
-TEST(BoxSelect, TakesWhatItTouchesAddsAndTakesAway) {
+TEST(BoxSelect, SelectsTouchedMusclesAndAddsOrRemoves) {
   Legs scene;
   const glm::vec2 all(999, 799);
   drawBoxOver(scene, {1, 1}, all, with(true));
@@ -245,7 +245,7 @@ TEST(BoxSelect, TakesWhatItTouchesAddsAndTakesAway) {
   EXPECT_TRUE(scene.document.selection.primitives.empty());
 }
 
-TEST(BoxSelect, EscapeLeavesTheSelectionAndHiddenOnesAreNotTaken) {
+TEST(BoxSelect, EscapeKeepsTheSelectionAndHiddenMusclesAreSkipped) {
   Legs scene;
   select(scene.document, {"shin"});
   scene.press({1, 1}, MouseButton::kLeft, with(true));
@@ -266,7 +266,7 @@ TEST(BoxSelect, EscapeLeavesTheSelectionAndHiddenOnesAreNotTaken) {
   EXPECT_FALSE(scene.document.selection.contains(idOf(scene.document, "belly"))) << "a locked muscle";
 }
 
-TEST(AddMuscleOnBothSides, AddsATwinInTheSameStepAndASingleOneInTheMiddle) {
+TEST(AddMuscleOnBothSides, AddsATwinInTheSameStepOrOneInTheMiddle) {
   Legs scene;
   ASSERT_TRUE(scene.document.symmetry);
   const Skeleton& skeleton = scene.document.character->skeleton;
@@ -285,7 +285,7 @@ TEST(AddMuscleOnBothSides, AddsATwinInTheSameStepAndASingleOneInTheMiddle) {
   EXPECT_EQ(scene.document.rig().primitives.size(), before + 4);
 }
 
-TEST(AddMuscleOnBothSides, TheTwinGrowsWithTheDragAndGoesWithEscape) {
+TEST(AddMuscleOnBothSides, TwinFollowsTheDragAndIsRemovedByEscape) {
   Legs scene;
   setTool(scene.tools, ToolKind::kAddMuscle);
   const View view = viewOf(scene.tools.camera, LimbScene::kSize);

@@ -1,4 +1,4 @@
-// tests/viewport/tools/pick_cycle_test.cpp: further clicks on a place take what lies behind, in turn.
+// tests/viewport/tools/pick_cycle_test.cpp: repeated clicks cycle through the objects behind each other.
 #include "app/viewport/tools/pick_cycle.h"
 
 #include <gtest/gtest.h>
@@ -29,7 +29,7 @@ struct Row : LimbScene {
       rig = addPrimitive(rig, ball).value();
     }
     document.commands.apply("Set up", rig);
-    // Beside the handles that stand on the middle and the poles.
+    // Clear of the handles at the middle and the poles.
     pixel = glm::vec2(viewOf(tools.camera, kSize).toPixel({0, 1, 0})) + glm::vec2(17, 13);
   }
   RouteResult clickAgain(const glm::vec2& off = glm::vec2(0.0f), ViewportInput with = {}) {
@@ -43,7 +43,7 @@ struct Row : LimbScene {
   glm::vec2 pixel{0.0f};
 };
 
-TEST(PickCycle, ClicksGoThroughAllAndComeBack) {
+TEST(PickCycle, ClicksCycleThroughAll) {
   Row row(5);
   std::string names;
   for (int i = 0; i < 10; ++i) {
@@ -54,7 +54,7 @@ TEST(PickCycle, ClicksGoThroughAllAndComeBack) {
   EXPECT_EQ(names, "abcdeabcde");
 }
 
-TEST(PickCycle, TheHoverIsWhatAClickTakes) {
+TEST(PickCycle, HoverPredictsTheClick) {
   Row row;
   row.move(row.pixel);
   for (int i = 0; i < 7; ++i) {
@@ -64,7 +64,7 @@ TEST(PickCycle, TheHoverIsWhatAClickTakes) {
   }
 }
 
-TEST(PickCycle, AFewPixelsAreTheSamePlaceAndMoreAreNot) {
+TEST(PickCycle, SmallMotionContinuesTheCycle) {
   Row row;
   row.clickAgain();
   row.clickAgain({2, 1});
@@ -73,7 +73,7 @@ TEST(PickCycle, AFewPixelsAreTheSamePlaceAndMoreAreNot) {
   EXPECT_EQ(row.active(), "a");
 }
 
-TEST(PickCycle, ItEndsWithCameraPoseRigAndSelection) {
+TEST(PickCycle, CameraPoseRigOrSelectionChangeRestartsIt) {
   const auto after = [](const auto& change) {
     Row row;
     row.clickAgain();
@@ -98,11 +98,11 @@ TEST(PickCycle, ItEndsWithCameraPoseRigAndSelection) {
   EXPECT_EQ(after([](Row& row) { row.document.visibility.setMuscle(Mark::kHidden, row.document.idAt(1), true); }), "a");
 }
 
-TEST(PickCycle, AClipThatPlaysDoesNotMixItUp) {
+TEST(PickCycle, PlaybackKeepsTheOrder) {
   Row row;
   std::string names;
   for (int i = 0; i < 6; ++i) {
-    // The balls swing; their order along the ray changes, what was found first stays the list.
+    // The balls swing, which changes their order along the ray; the list stays as first found.
     const float turn = 0.05f * static_cast<float>(i % 3);
     row.pose = bindPose(row.document.character->skeleton);
     for (glm::mat4& bone : row.pose.boneInWorld) bone = glm::rotate(glm::mat4(1), turn, glm::vec3(0, 1, 0)) * bone;
@@ -118,7 +118,7 @@ TEST(PickCycle, AClipThatPlaysDoesNotMixItUp) {
   EXPECT_EQ(names, "abcabc");
 }
 
-TEST(PickCycle, ShiftAddsWhatLiesFirstAndTakesItAway) {
+TEST(PickCycle, ShiftTogglesTheFirstMuscle) {
   Row row;
   row.clickAgain();
   row.clickAgain();
@@ -133,7 +133,7 @@ TEST(PickCycle, ShiftAddsWhatLiesFirstAndTakesItAway) {
   EXPECT_EQ(row.document.selection.primitives.size(), 1u);
 }
 
-TEST(PickCycle, AHandleInTheWayLetsClicksThroughButNotDrags) {
+TEST(PickCycle, HandlePassesClicksButNotDrags) {
   Row row;
   setTool(row.tools, ToolKind::kMove);
   row.pixel = glm::vec2(viewOf(row.tools.camera, LimbScene::kSize).toPixel({0, 1, 1.5f}));
@@ -152,7 +152,7 @@ TEST(PickCycle, AHandleInTheWayLetsClicksThroughButNotDrags) {
   EXPECT_EQ(row.document.commands.position(), 2u);
 }
 
-TEST(ViewportMenu, ARightClickAsksForItAndADragPans) {
+TEST(ViewportMenu, RightClickOpensItAndARightDragPans) {
   Row row;
   row.move(row.pixel);
   row.press(row.pixel, MouseButton::kRight);
@@ -174,7 +174,7 @@ TEST(ViewportMenu, ARightClickAsksForItAndADragPans) {
   EXPECT_NE(row.tools.camera.stand.target, target);
 }
 
-TEST(ViewportMenu, TheRightButtonThatCancelsAsksForNothing) {
+TEST(ViewportMenu, CancelingRightButtonDoesNotOpenIt) {
   Row row;
   setTool(row.tools, ToolKind::kMove);
   row.clickAgain();
@@ -190,7 +190,7 @@ TEST(ViewportMenu, TheRightButtonThatCancelsAsksForNothing) {
   EXPECT_FALSE(row.release(row.pixel, MouseButton::kRight).menu);
 }
 
-TEST(ViewportMenu, OfSeveralTheSelectedOneIsMeant) {
+TEST(ViewportMenu, AppliesToTheSelectedOfSeveralMuscles) {
   Row row;
   row.clickAgain();
   row.clickAgain();

@@ -1,5 +1,5 @@
-// tests/viewport/tools/pick_list_test.cpp: what is picked first is seen there; a slow search along each ray is the
-// judge.
+// tests/viewport/tools/pick_list_test.cpp: the first pick is the visible object; checked by a slow search along each
+// ray.
 #include "app/viewport/tools/select.h"
 
 #include <algorithm>
@@ -18,7 +18,7 @@ namespace {
 
 using test::LimbScene;
 
-// The judge --------------------------------------------------------------------------------------------------------
+// The oracle -------------------------------------------------------------------------------------------------------
 
 struct Crossing {
   double distance;
@@ -46,7 +46,7 @@ std::vector<Crossing> bruteForce(const Ray& ray, const Surface& surface) {
   return all;
 }
 
-/// A muscle in the world, searched by steps.
+/// A muscle in the world, sampled in steps.
 struct Shell {
   glm::dmat3 toBall;
   glm::dvec3 center;
@@ -74,7 +74,7 @@ Shell shellOf(const LimbScene& scene, const PickEntry& entry, const Ray& ray) {
   return {muscle, scene.pose.boneInWorld[static_cast<std::size_t>(bone)], ray};
 }
 
-/// Where the skin is first seen; infinite if nowhere.
+/// Distance of the first visible skin; infinite if none.
 double seenSkin(const std::vector<Crossing>& crossings) {
   for (const Crossing& crossing : crossings) {
     if (crossing.front) return crossing.distance;
@@ -82,14 +82,14 @@ double seenSkin(const std::vector<Crossing>& crossings) {
   return std::numeric_limits<double>::infinity();
 }
 
-/// Something of the muscle, a little more than its shell, lies within its own thickness behind the first skin, and the
-/// ray does not leave the body before it comes there.
+/// Some of the muscle, or slightly more than its shell, lies within its own thickness behind the first skin, and the
+/// ray does not leave the body before reaching it.
 void expectSeen(const LimbScene& scene, const Ray& ray, const PickEntry& entry) {
   const double height = scene.document.character->height;
   const std::vector<Crossing> crossings = bruteForce(ray, scene.surface);
   const Shell shell = shellOf(scene, entry, ray);
   const double skin = seenSkin(crossings);
-  const double reach = 1.45;  // Radii: bulges reach out of the shell.
+  const double reach = 1.45;  // Radii: bulges reach beyond the shell.
   const double step = 0.001 * height;
   double enter = std::numeric_limits<double>::infinity();
   const double end = glm::distance(glm::dvec3(ray.origin), shell.center) + 2.0 * height;
@@ -106,7 +106,7 @@ void expectSeen(const LimbScene& scene, const Ray& ray, const PickEntry& entry) 
   }
 }
 
-/// Looks at a scene from anywhere around, at pixels on and beside the body.
+/// Views a scene from random directions, at pixels on and beside the body.
 void lookFromEverywhere(LimbScene& scene, int views, int pixels) {
   std::mt19937 random(11);
   std::uniform_real_distribution<float> unit(0.0f, 1.0f);
@@ -147,7 +147,7 @@ std::optional<LimbScene> laid(const std::shared_ptr<const Character>& character,
   return scene;
 }
 
-TEST(PickList, WhatIsPickedFirstIsNeverBehindTheBodySynthetic) {
+TEST(PickList, FirstPickIsNeverBehindASyntheticBody) {
   for (const auto& character : {test::makeTwoLegged(), test::makeLimb()}) {
     std::optional<LimbScene> scene = laid(character, 8);
     ASSERT_TRUE(scene);
@@ -155,7 +155,7 @@ TEST(PickList, WhatIsPickedFirstIsNeverBehindTheBodySynthetic) {
   }
 }
 
-TEST(PickList, WhatIsPickedFirstIsNeverBehindTheBodyReal) {
+TEST(PickList, FirstPickIsNeverBehindARealBody) {
   int found = 0;
   for (const char* file : {"Fox.glb", "cesium_man.gltf", "greenman.glb", "robot.glb"}) {
     const auto character = test::realCharacter(file);
@@ -169,7 +169,7 @@ TEST(PickList, WhatIsPickedFirstIsNeverBehindTheBodyReal) {
   if (found == 0) GTEST_SKIP() << "left out: no real characters at hand";
 }
 
-/// Seen along its own normal, a laid muscle is what a click on it takes; from the other side it is not.
+/// Seen along its own normal, a click picks the laid muscle; from the other side it does not.
 void expectFromItsSide(const std::shared_ptr<const Character>& character) {
   std::optional<LimbScene> scene = laid(character, 8);
   ASSERT_TRUE(scene);
@@ -182,7 +182,7 @@ void expectFromItsSide(const std::shared_ptr<const Character>& character) {
     for (const float side : {1.0f, -1.0f}) {
       const Ray ray{glm::vec3(shape[3]) + side * 3.0f * character->height * out, -side * out};
       const auto crossings = bruteForce(ray, scene->surface);
-      // On its far side there is a body as thick as the muscle at least.
+      // Beyond it the body is at least as thick as the muscle.
       const double depth = glm::dot(glm::dvec3(shape[3]) - glm::dvec3(ray.origin), glm::dvec3(ray.direction));
       const bool behindBody = depth - seenSkin(crossings) > 1.6 * glm::length(glm::vec3(shape[2]));
       if (side < 0.0f && !behindBody) continue;
@@ -206,7 +206,7 @@ void expectFromItsSide(const std::shared_ptr<const Character>& character) {
   EXPECT_EQ(through, 0);
 }
 
-TEST(PickList, AMuscleIsTakenFromItsOwnSideAlone) {
+TEST(PickList, MuscleIsPickedOnlyFromItsOwnSide) {
   expectFromItsSide(test::makeTwoLegged());
   for (const char* file : {"Fox.glb", "cesium_man.gltf", "greenman.glb"}) {
     const auto character = test::realCharacter(file);
@@ -216,7 +216,7 @@ TEST(PickList, AMuscleIsTakenFromItsOwnSideAlone) {
   }
 }
 
-// By hand ----------------------------------------------------------------------------------------------------------
+// Synthetic scenes -------------------------------------------------------------------------------------------------
 
 /// A torso with one muscle in front and one behind, both just under the skin; seen from the front.
 struct FrontAndBack : LimbScene {
@@ -258,7 +258,7 @@ struct FrontAndBack : LimbScene {
   glm::vec2 pixel{0.0f};
 };
 
-TEST(PickList, TheChestIsNotTheBack) {
+TEST(PickList, ChestAndBackArePickedFromTheirSides) {
   for (const bool shells : {true, false}) {
     for (const float yaw : {0.0f, 3.14159f}) {
       FrontAndBack scene;
@@ -270,7 +270,7 @@ TEST(PickList, TheChestIsNotTheBack) {
   }
 }
 
-TEST(PickList, ThroughASkinWithoutMusclesNothingBehindIsTaken) {
+TEST(PickList, NothingIsPickedThroughBareSkin) {
   FrontAndBack scene;
   scene.display.primitives = true;
   Rig rig = scene.document.rig();
@@ -282,7 +282,7 @@ TEST(PickList, ThroughASkinWithoutMusclesNothingBehindIsTaken) {
   EXPECT_GE(scene.document.selection.bone, 0);
 }
 
-TEST(PickList, LockedAndHiddenMusclesAreNotInTheList) {
+TEST(PickList, LockedMusclesAreNotListed) {
   FrontAndBack scene;
   scene.display.primitives = true;
   EXPECT_EQ(hoverAt(scene.context(), viewOf(scene.tools.camera, LimbScene::kSize), scene.pixel).here.size(), 2u);
@@ -293,7 +293,7 @@ TEST(PickList, LockedAndHiddenMusclesAreNotInTheList) {
   EXPECT_TRUE(hover.here[1].concealed);
 }
 
-TEST(BodySpan, LayersCountAsOneAndAirDoesNot) {
+TEST(BodySpan, JoinsLayersButNotAirGaps) {
   const auto leave = [](std::vector<SurfaceCrossing> crossings) { return bodySpan(crossings, 1.0f, 0.1f).leave; };
   EXPECT_EQ(leave({{1, true}, {3, false}}), 3.0f);
   EXPECT_EQ(leave({{1, true}, {1.05f, false}, {1.1f, true}, {3, false}}), 3.0f) << "a shirt";

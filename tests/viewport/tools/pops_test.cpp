@@ -1,4 +1,4 @@
-// tests/viewport/tools/pops_test.cpp: skin over muscles laid with the tool's defaults pops nowhere, over random ones
+// tests/viewport/tools/pops_test.cpp: skin over muscles laid with the tool's defaults never pops, over random ones
 // rarely.
 
 #include "tests/support/surface/pops.h"
@@ -23,7 +23,7 @@ std::shared_ptr<const Character> bundled(const std::string& name) {
   return importGltf(std::filesystem::path(SINEW_SOURCE_DIR) / "assets" / (name + ".glb")).value();
 }
 
-/// Of a real character.
+/// File of a real character.
 std::string fileOf(const std::string& name) { return name + (name == "cesium_man" ? ".gltf" : ".glb"); }
 
 void print(const std::string& name, const char* laid, DetailKind detail, const Pops& seen) {
@@ -41,14 +41,14 @@ Pops popsOf(const std::shared_ptr<const Character>& character, Rig rig, DetailKi
 
 constexpr DetailKind kDetails[] = {DetailKind::kUniform, DetailKind::kAdaptive};
 
-// Before slopes were bounded there were 5 and 184 pops (sinew_bench pops); before heights were held below overhangs,
+// Before slopes were bounded there were 5 and 184 pops (sinew_bench pops); before heights were limited below overhangs,
 // one on the horse.
-TEST(Pops, ThereAreNoneOverMusclesLaidWithTheToolsDefaults) {
+TEST(Pops, DoNotOccurOverDefaultMuscles) {
   for (const char* name : {"horse", "humanoid"}) {
     const auto character = bundled(name);
     const Rig rig = layMuscles(character);
     for (const DetailKind detail : kDetails) {
-      // Adaptive detail has five times the vertices: the rest is looked at with POPS=1.
+      // Adaptive detail has five times the vertices: POPS=1 covers the rest.
       const Pops seen = popsOf(character, rig, detail, detail == DetailKind::kAdaptive ? 40 : 240);
       print(name, "by tool", detail, seen);
       EXPECT_GT(seen.moved, 10'000) << name;
@@ -60,7 +60,7 @@ TEST(Pops, ThereAreNoneOverMusclesLaidWithTheToolsDefaults) {
   }
 }
 
-// Less than a fiftieth of what there was before slopes were bounded; `sinew_bench pops` looks at more rigs.
+// Less than a fiftieth of the pops before slopes were bounded; `sinew_bench pops` covers more rigs.
 TEST(Pops, AreRareOverRandomMusclesOfShortReach) {
   const struct {
     const char* name;
@@ -75,11 +75,11 @@ TEST(Pops, AreRareOverRandomMusclesOfShortReach) {
   }
 }
 
-// Of the moved vertices of all frames.
+// Fraction of the moved vertices of all frames.
 constexpr double kRarely = 3e-6;
 constexpr double kRarelyAtRandom = 4e-5;
 
-/// From the environment: which rigs, POPS=2-4; 0 is the one laid by the tool, POPS=1 all of 0 to 10. Null: none.
+/// Environment: POPS=2-4 selects rigs; 0 is the one laid by the tool, POPS=1 selects 0 to 10. Null: none.
 std::optional<std::pair<int, int>> rigsAskedFor() {
   const char* more = std::getenv("POPS");
   if (!more) return std::nullopt;
@@ -89,10 +89,10 @@ std::optional<std::pair<int, int>> rigsAskedFor() {
   return std::pair(0, 10);
 }
 
-class PopsOfAdaptiveDetail : public testing::TestWithParam<const char*> {};
+class AdaptivePops : public testing::TestWithParam<const char*> {};
 
-// A random rig takes up to a minute or two, the horse's half a minute.
-TEST_P(PopsOfAdaptiveDetail, AreRareOnEveryCharacterAtHand) {
+// A random rig takes a minute or two, on the horse half a minute.
+TEST_P(AdaptivePops, AreRareOnEveryCharacter) {
   const auto rigs = rigsAskedFor();
   if (!rigs) GTEST_SKIP() << "left out without POPS=1 in the environment: ten random rigs take many minutes";
   const std::string name = GetParam();
@@ -114,8 +114,7 @@ TEST_P(PopsOfAdaptiveDetail, AreRareOnEveryCharacterAtHand) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Of, PopsOfAdaptiveDetail,
-                         testing::Values("horse", "humanoid", "Fox", "greenman", "cesium_man"),
+INSTANTIATE_TEST_SUITE_P(Rigs, AdaptivePops, testing::Values("horse", "humanoid", "Fox", "greenman", "cesium_man"),
                          [](const auto& of) { return std::string(of.param); });
 
 }  // namespace

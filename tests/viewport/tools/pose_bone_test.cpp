@@ -1,5 +1,4 @@
-// tests/viewport/tools/pose_bone_test.cpp: a joint follows the ring that is dragged, in the world, whatever its bone's
-// frame.
+// tests/viewport/tools/pose_bone_test.cpp: a joint follows the dragged ring in the world, whatever its bone's frame.
 
 #include <cmath>
 #include <numbers>
@@ -18,7 +17,7 @@ namespace {
 constexpr float kDegree = std::numbers::pi_v<float> / 180.0f;
 constexpr int kMiddle = 1;
 
-/// The limb with the pose tool; the pose follows the overrides as the editor's does.
+/// The limb with the pose tool; the pose follows the overrides as in the editor.
 struct PoseScene : test::LimbScene {
   PoseOverrides overrides;
   Pose moment;
@@ -70,7 +69,7 @@ float angleOf(const glm::mat3& rotation) {
   return 2.0f * std::atan2(glm::length(glm::vec3(q.x, q.y, q.z)), std::abs(q.w)) / kDegree;
 }
 
-TEST(PoseTool, ShowsRingsAtTheSelectedJointAndNothingElse) {
+TEST(PoseTool, ShowsOnlyRingsAtTheSelectedJoint) {
   PoseScene scene;
   const RouteResult route = scene.mouse({1, 1}, false);
   ASSERT_TRUE(route.gizmo.visible);
@@ -82,10 +81,10 @@ TEST(PoseTool, ShowsRingsAtTheSelectedJointAndNothingElse) {
   EXPECT_FALSE(scene.mouse({1, 1}, false).gizmo.visible);
 }
 
-TEST(PoseTool, ATypedAngleTurnsThatFarAboutTheWorldsAxis) {
+TEST(PoseTool, TypedAngleRotatesAboutTheWorldAxis) {
   for (const char* ring : {"rotate.x", "rotate.y", "rotate.z"}) {
     PoseScene scene;
-    // A frame of its own, so that the world's axes are not the bone's.
+    // A frame of its own, so that the world's axes differ from the bone's.
     scene.moment.boneInWorld[kMiddle] =
         scene.moment.boneInWorld[kMiddle] * glm::mat4_cast(glm::angleAxis(0.9f, glm::normalize(glm::vec3(1, 2, 3))));
     scene.tools.gizmo.axes = GizmoAxes::kWorld;
@@ -94,12 +93,12 @@ TEST(PoseTool, ATypedAngleTurnsThatFarAboutTheWorldsAxis) {
     axis[ring[7] - 'x'] = 1.0f;
     const glm::mat3 expected = glm::mat3_cast(glm::angleAxis(37.0f * kDegree, axis));
     for (int c = 0; c < 3; ++c) EXPECT_LT(glm::length(scene.turned(kMiddle)[c] - expected[c]), 1e-4f) << ring;
-    scene.typeTurn(ring, "20");  // Turns add up.
+    scene.typeTurn(ring, "20");  // Rotations add up.
     EXPECT_NEAR(angleOf(scene.turned(kMiddle)), 57.0f, 0.01f) << ring;
   }
 }
 
-TEST(PoseTool, BoneAxesAreTheTurnedJointsOwn) {
+TEST(PoseTool, BoneAxesRotateWithTheJoint) {
   PoseScene scene;
   scene.tools.gizmo.axes = GizmoAxes::kBone;
   scene.typeTurn("rotate.x", "50");
@@ -108,7 +107,7 @@ TEST(PoseTool, BoneAxesAreTheTurnedJointsOwn) {
   EXPECT_LT(glm::length(turnFrame(scene.pose.boneInWorld[kMiddle])[2] - own), 1e-4f);
 }
 
-TEST(PoseTool, EscGoesBackToWhatWasThere) {
+TEST(PoseTool, EscapeRestoresTheOverrides) {
   PoseScene scene;
   scene.typeTurn("rotate.x", "25");
   const PoseOverrides before = scene.overrides;
@@ -118,7 +117,7 @@ TEST(PoseTool, EscGoesBackToWhatWasThere) {
   EXPECT_EQ(scene.tools.owner, PressOwner::kNone);
 }
 
-TEST(PoseTool, TheRingFollowsThePointerWhileTheClipPlaysOn) {
+TEST(PoseTool, RingFollowsThePointerDuringPlayback) {
   PoseScene scene;
   scene.tools.gizmo.axes = GizmoAxes::kWorld;
   const RouteResult route = scene.mouse({1, 1}, false);
@@ -133,7 +132,7 @@ TEST(PoseTool, TheRingFollowsThePointerWhileTheClipPlaysOn) {
   };
   scene.mouse(from, false);
   scene.mouse(from, true);
-  // The clip turns the joint, too; 40 degrees by hand are on top of that.
+  // The clip rotates the joint too; the 40 degrees by hand come on top.
   for (int i = 1; i <= 10; ++i) {
     scene.moment.boneInWorld[kMiddle] *= glm::mat4_cast(glm::angleAxis(0.05f, glm::vec3(0, 1, 0)));
     scene.mouse(at(4.0f * static_cast<float>(i) * kDegree), true);
@@ -145,7 +144,7 @@ TEST(PoseTool, TheRingFollowsThePointerWhileTheClipPlaysOn) {
   EXPECT_EQ(scene.overrides.turns[0].bone, kMiddle);
 }
 
-TEST(PoseTool, AHeldJointDoesNotJumpWhenItIsTakenHoldOf) {
+TEST(PoseTool, HeldJointDoesNotJumpWhenGrabbed) {
   PoseScene scene;
   scene.moment.boneInWorld[kMiddle] *= glm::mat4_cast(glm::angleAxis(0.8f, glm::vec3(1, 0, 0)));
   scene.overrides.from = TurnsFrom::kBindPose;
@@ -155,12 +154,12 @@ TEST(PoseTool, AHeldJointDoesNotJumpWhenItIsTakenHoldOf) {
   EXPECT_NEAR(angleOf(scene.turned(kMiddle)), 10.0f, 0.01f);
 }
 
-TEST(PoseTool, AClickSelectsTheJointUnderThePointerAndKeepsTheMuscle) {
+TEST(PoseTool, ClickSelectsTheJointAndKeepsTheMuscle) {
   PoseScene scene;
   scene.document.selection.set(PrimitiveId{77});
   const RouteResult route = scene.mouse({1, 1}, false);
   const glm::vec2 end(route.view.toPixel(glm::vec3(scene.pose.boneInWorld[2][3])));
-  // A little off: joints have a reach, and x-ray is on without being switched on.
+  // Slightly off: joints have a pick radius, and can be picked through the skin.
   scene.mouse(end + glm::vec2(3, -3), false);
   EXPECT_EQ(scene.tools.hover.bone, 2);
   scene.mouse(end + glm::vec2(3, -3), true);
@@ -171,7 +170,7 @@ TEST(PoseTool, AClickSelectsTheJointUnderThePointerAndKeepsTheMuscle) {
   EXPECT_EQ(scene.document.commands.position(), 0u) << "choosing a joint is no step";
 }
 
-TEST(PoseTool, WithoutOverridesToChangeNothingCanBeTurned) {
+TEST(PoseTool, GizmoIsHiddenWithoutOverrides) {
   test::LimbScene scene;
   setTool(scene.tools, ToolKind::kPose);
   scene.document.selection.bone = kMiddle;

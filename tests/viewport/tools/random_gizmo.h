@@ -29,7 +29,7 @@ inline glm::mat4 randomBone(Random& random, BoneScale kind, float height) {
   const glm::vec3 place(random.uniform(-0.3f, 0.3f), random.uniform(0.2f, 0.8f), random.uniform(-0.3f, 0.3f));
   glm::mat4 bone = glm::translate(glm::mat4(1.0f), height * place);
   if (kind == BoneScale::kUneven) {
-    // A parent with uneven scale under a turned child: the child's axes are sheared.
+    // Uneven scale of the parent under a rotated child shears the child's axes.
     bone *= glm::mat4_cast(random.rotation());
     bone = glm::scale(bone, glm::vec3(random.uniform(0.7f, 1.4f), random.uniform(0.7f, 1.4f), 1.0f));
   }
@@ -62,7 +62,7 @@ inline GizmoScene randomGizmo(Random& random, BoneScale kind) {
   return scene;
 }
 
-/// From the front, a little from the right and above: every axis is well spread. H = 1.8, one even bone.
+/// From the front, a little from the right and above: all axes are well spread. H = 1.8, unscaled bone.
 inline GizmoScene plainGizmo() {
   GizmoScene scene;
   app::Camera camera;

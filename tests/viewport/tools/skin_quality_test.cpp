@@ -1,4 +1,4 @@
-// tests/viewport/tools/skin_quality_test.cpp: muscles laid with the tool's defaults give skin without saw teeth or
+// tests/viewport/tools/skin_quality_test.cpp: skin over muscles laid with the tool's defaults has no saw teeth or
 // slits.
 
 #include <array>
@@ -52,7 +52,7 @@ double percent(long long part, long long whole) {
   return 100.0 * static_cast<double>(part) / static_cast<double>(std::max(whole, 1LL));
 }
 
-/// Per cent: of the moved vertices, of their edges, of what the field's own normals show.
+/// Percentages of the moved vertices, of their edges, and of the relief in the field's own normals.
 struct Limits {
   int depth = 0;  ///< 0: adaptive.
   double mostOff = 0.0;
@@ -60,7 +60,7 @@ struct Limits {
   double leastDefinition = 0.0;
 };
 
-/// @param mostTeeth        where all triangles are split alike
+/// @param mostTeeth        limit under uniform detail
 /// @param leastDefinition  at depth 5; 8 less at depth 3
 void expectGoodSkin(const CharacterPtr& character, const Rig& rig, double mostTeeth = 4.0,
                     double leastDefinition = 88.0) {
@@ -86,7 +86,7 @@ void expectGoodSkin(const CharacterPtr& character, const Rig& rig, double mostTe
     EXPECT_LE(swinging, limits.mostTeeth);
     EXPECT_GE(definition, limits.leastDefinition);
     EXPECT_LE(turned, 0.06);
-    // The measures see what they are for.
+    // The measures detect what they are for.
     EXPECT_GT(percent(m.exactOff, m.vertices), 2.0 * off);
     if (limits.depth != 5) {
       EXPECT_GT(percent(m.exactSwinging, m.edges), 1.2 * swinging);
@@ -94,8 +94,8 @@ void expectGoodSkin(const CharacterPtr& character, const Rig& rig, double mostTe
   }
 }
 
-// What the bundled ones do not have, and real ones do.
-TEST(SkinQuality, OfABodyWithShouldersAnOpenNeckAndAFin) {
+// Features of real characters that the bundled ones lack.
+TEST(SkinQuality, IsGoodOnABodyWithAnOpenNeckAndAFin) {
   const CharacterPtr body = makeBodyWithArms();
   const auto edgesWith = [&](int triangles) {
     return std::ranges::count(body->mesh.edges, triangles, &Edge::triangleCount);
@@ -109,15 +109,15 @@ TEST(SkinQuality, OfABodyWithShouldersAnOpenNeckAndAFin) {
   expectGoodSkin(body, rig);
 }
 
-// Drawn muscles lift the skin by 1 % of the height: less than a long triangle of the horse shows when all are split
-// alike.
-TEST(SkinQuality, OfBundledCharacters) {
+// Drawn muscles lift the skin by 1 % of the height: less than what a long triangle of the horse shows under uniform
+// detail.
+TEST(SkinQuality, IsGoodOnBundledCharacters) {
   for (const char* name : {"humanoid", "horse"})
     expectGoodSkin(bundledNamed(name), layMuscles(bundledNamed(name)), 5.0, 80.0);
 }
 
-// Many small muscles, finer than the mesh at depth 3: their definition is what must not get lost.
-TEST(SkinQuality, OfBundledRigs) {
+// Many small muscles, finer than the mesh at depth 3: their definition must survive.
+TEST(SkinQuality, IsGoodOnBundledRigs) {
   for (const char* name : {"humanoid", "humanoid-flex", "horse", "horse-flex"}) {
     SCOPED_TRACE(name);
     const auto rig = loadRig(std::filesystem::path(SINEW_SOURCE_DIR) / "assets" / (std::string(name) + ".rig.json"));
@@ -126,7 +126,7 @@ TEST(SkinQuality, OfBundledRigs) {
   }
 }
 
-TEST(SkinQuality, OfRealCharacters) {
+TEST(SkinQuality, IsGoodOnRealCharacters) {
   int found = 0;
   for (const char* file : {"Fox.glb", "greenman.glb", "cesium_man.gltf", "robot.glb"}) {
     if (const CharacterPtr character = realCharacter(file)) {

@@ -1,4 +1,4 @@
-// tests/viewport/tools/skin_stroke_test.cpp: a stroke stays on the skin it began on, and a muscle lies along it.
+// tests/viewport/tools/skin_stroke_test.cpp: a stroke stays on the skin on which it began, and its muscle follows it.
 
 #include "app/viewport/tools/add_muscle.h"
 
@@ -34,7 +34,7 @@ struct StrokeScene : LimbScene {
     EXPECT_TRUE(start.has_value());
     return strokeOnSkin(snapshotOf(surface), {start->position, start->normal}, view(), to, document.character->height);
   }
-  /// Press, drag in steps and release with the add-muscle tool; the surface follows every step, as in the editor.
+  /// Presses, drags in steps and releases with the add-muscle tool; the surface follows every step, as in the editor.
   Placement drawn(const glm::vec2& from, const glm::vec2& to) {
     setTool(tools, ToolKind::kAddMuscle);
     move(from);
@@ -49,10 +49,10 @@ struct StrokeScene : LimbScene {
   }
 };
 
-/// Pixels on the body, as seen, and beyond it.
+/// Pixels on the visible body and beyond it.
 glm::vec2 randomPixel(Random& random) { return {random.uniform(250, 750), random.uniform(50, 750)}; }
 
-TEST(SkinStroke, FollowsWhatThePixelsOfTheLineSee) {
+TEST(SkinStroke, FollowsTheSkinUnderThePointerLine) {
   Random random(61);
   int reached = 0, compared = 0;
   for (int i = 0; i < 200; ++i) {
@@ -72,7 +72,7 @@ TEST(SkinStroke, FollowsWhatThePixelsOfTheLineSee) {
       EXPECT_GE(glm::dot(offset, direction), last) << "onwards";
       last = glm::dot(offset, direction) - 0.01f;
       const glm::vec3 sight = scene.view().rayThrough(from + offset).direction;
-      if (glm::dot(at.normal, sight) > -0.3f) continue;  // Near the outline half a pixel is a long way.
+      if (glm::dot(at.normal, sight) > -0.3f) continue;  // Near the outline half a pixel is a long distance.
       const std::optional<SurfaceHit> seen = scene.hit(from + offset);
       if (!seen) continue;  // The outline is a sharp edge.
       EXPECT_LT(glm::length(seen->position - at.point), 2e-3f * height) << "what is seen there";
@@ -87,7 +87,7 @@ TEST(SkinStroke, FollowsWhatThePixelsOfTheLineSee) {
   EXPECT_GT(compared, 500);
 }
 
-TEST(SkinStroke, FarBeyondTheOutlineItEndsOnTheSkin) {
+TEST(SkinStroke, EndsOnTheSkinBeyondTheOutline) {
   StrokeScene scene;
   const glm::vec2 from = scene.skinPixel();
   for (const glm::vec2 to : {glm::vec2(5000, from.y), glm::vec2(-900, -700), glm::vec2(from.x, 1e5f)}) {
@@ -119,7 +119,7 @@ SkinSnapshot sheetWithFold(float depth) {
   return skin;
 }
 
-TEST(SkinStroke, CrossesASmallFoldAndNoLargeOne) {
+TEST(SkinStroke, CrossesSmallFoldsButNotLargeOnes) {
   Camera camera;
   camera.characterHeight = 2.0f;
   camera.scene = {{0, -1, -1}, {2, 1, 1}};
@@ -134,7 +134,7 @@ TEST(SkinStroke, CrossesASmallFoldAndNoLargeOne) {
   EXPECT_NEAR(strokeOnSkin(sheetWithFold(0.5f), start, view, to, 2.0f).points.back().point.x, 1.0f, 1e-3f);
 }
 
-TEST(SkinStroke, StaysOnTheLegItBeganOn) {
+TEST(SkinStroke, StaysOnItsLeg) {
   StrokeScene scene(test::makeTwoLegged());
   const Skeleton& skeleton = scene.document.character->skeleton;
   const auto middleOf = [&](const char* bone) {
@@ -156,7 +156,7 @@ TEST(SkinStroke, StaysOnTheLegItBeganOn) {
   for (const float side : {-1.0f, 1.0f}) EXPECT_GT(shape[3].x + side * shape[0].x, 0.0f);
 }
 
-TEST(SkinStroke, AMuscleAroundABodyEndsAtTheSkin) {
+TEST(SkinStroke, MuscleAroundABodyEndsAtTheSkin) {
   Random random(62);
   int drawn = 0;
   for (int i = 0; i < 120; ++i) {
@@ -182,7 +182,7 @@ TEST(SkinStroke, AMuscleAroundABodyEndsAtTheSkin) {
         if (glm::length(bare.positions[v] - tip) < glm::length(bare.positions[nearest] - tip)) nearest = v;
       }
       const float above = glm::dot(tip - bare.positions[nearest], bare.normals[nearest]);
-      // As much as the muscle is thick: on a body that curves away, the straight chord's ends are level with its top.
+      // By the muscle's thickness: on a curved body, the ends of the straight chord are level with its top.
       EXPECT_LT(above, 0.012f * height) << i << ": a tip stands out of the skin";
       EXPECT_LT(glm::length(tip - bare.positions[nearest]), 0.3f * glm::length(glm::vec3(shape[0])) + 0.03f * height)
           << i << ": a tip is far from the skin";
@@ -192,7 +192,7 @@ TEST(SkinStroke, AMuscleAroundABodyEndsAtTheSkin) {
   EXPECT_GT(drawn, 20);
 }
 
-TEST(SkinStroke, AMuscleDoesNotGrowByItsOwnSwelling) {
+TEST(SkinStroke, IgnoresTheSwellingOfTheNewMuscle) {
   StrokeScene scene;
   const glm::vec2 from = scene.skinPixel(), to = from + glm::vec2(30, -120);
   setTool(scene.tools, ToolKind::kAddMuscle);
@@ -209,7 +209,7 @@ TEST(SkinStroke, AMuscleDoesNotGrowByItsOwnSwelling) {
   EXPECT_EQ(first.radii, last.radii);
 }
 
-/// The stroke of a pointer that takes a second for it, the editor's frames in their order.
+/// A stroke that takes a second, with the editor's frames in order.
 Placement drawnInASecond(bool playing) {
   StrokeScene scene;
   const Character& character = *scene.document.character;
@@ -241,7 +241,7 @@ Placement drawnInASecond(bool playing) {
   return scene.document.rig().primitives.at(0).placement;
 }
 
-TEST(SkinStroke, WhileAClipPlaysItIsThatOfTheStillPose) {
+TEST(SkinStroke, DoesNotDependOnPlayback) {
   const Placement still = drawnInASecond(false);
   const Placement moving = drawnInASecond(true);
   EXPECT_EQ(still.center, moving.center);

@@ -1,4 +1,4 @@
-// tests/viewport/tools/start_drag_test.cpp: a drag that a key begins: no button, a click keeps it.
+// tests/viewport/tools/start_drag_test.cpp: a drag started from the keyboard: no button, a click confirms it.
 
 #include <cmath>
 
@@ -23,7 +23,7 @@ struct MuscleOnLimb : LimbScene {
   static constexpr glm::vec2 kBegin{500, 400};
 };
 
-TEST(StartDrag, GrabFollowsThePointerWithoutAButtonAndAClickKeepsIt) {
+TEST(StartDrag, GrabFollowsThePointerAndAClickCommits) {
   MuscleOnLimb scene;
   const Placement start = scene.placement();
   startDrag(scene.tools, ToolKind::kMove);
@@ -43,11 +43,11 @@ TEST(StartDrag, GrabFollowsThePointerWithoutAButtonAndAClickKeepsIt) {
   EXPECT_EQ(scene.placement().center, kept.center);
 }
 
-TEST(StartDrag, EveryKindChangesWhatItIsFor) {
+TEST(StartDrag, EveryToolChangesItsOwnProperty) {
   for (const ToolKind tool : {ToolKind::kMove, ToolKind::kRotate, ToolKind::kScale}) {
     MuscleOnLimb scene;
     const Placement start = scene.placement();
-    scene.move({640, 300});  // Beside the middle: a turn about it has an angle.
+    scene.move({640, 300});  // Off the middle, so that a rotation has an angle.
     startDrag(scene.tools, tool);
     scene.move({640, 300});
     scene.move({660, 400});
@@ -61,7 +61,7 @@ TEST(StartDrag, EveryKindChangesWhatItIsFor) {
   }
 }
 
-TEST(StartDrag, EscapeAndTheRightButtonTakeItBack) {
+TEST(StartDrag, EscapeAndTheRightButtonCancel) {
   for (const bool escape : {true, false}) {
     MuscleOnLimb scene;
     const Placement start = scene.placement();
@@ -85,7 +85,7 @@ TEST(StartDrag, EscapeAndTheRightButtonTakeItBack) {
   }
 }
 
-TEST(StartDrag, ATypedNumberAndEnterMakeItExact) {
+TEST(StartDrag, TypedNumberAndEnterAreExact) {
   MuscleOnLimb scene;
   scene.tools.gizmo.axes = GizmoAxes::kBone;
   const Placement start = scene.placement();
@@ -105,11 +105,11 @@ TEST(StartDrag, ATypedNumberAndEnterMakeItExact) {
   EXPECT_FALSE(ownsKeyboard(scene.tools));
 }
 
-TEST(StartDrag, WithoutASelectionOrBesideThePictureNothingBegins) {
+TEST(StartDrag, DoesNotStartWithoutASelectionOrOutsideTheViewport) {
   MuscleOnLimb scene;
   startDrag(scene.tools, ToolKind::kMove);
   scene.move({-20, 100});
-  scene.move(scene.kBegin);  // It is not begun later either.
+  scene.move(scene.kBegin);  // It does not start later either.
   EXPECT_FALSE(ownsKeyboard(scene.tools));
   scene.document.selection.clear();
   startDrag(scene.tools, ToolKind::kRotate);

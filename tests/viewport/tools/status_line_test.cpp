@@ -1,5 +1,6 @@
-// tests/viewport/tools/status_line_test.cpp: in every state of every tool the status line has one form
+// tests/viewport/tools/status_line_test.cpp: the status line has one form in every state of every tool
 // (app/viewport/tools/status_line.h).
+
 #include "app/viewport/tools/status_line.h"
 
 #include <gtest/gtest.h>
@@ -19,13 +20,13 @@ namespace {
 
 using test::LimbScene;
 
-/// The inputs in the order in which a line may name them.
+/// Inputs in the order in which a line may name them.
 constexpr std::array<const char*, 19> kInputs{"Click", "Shift+click", "Right+click", "Release",  "Drop",
                                               "Drag",  "Ctrl+drag",   "Shift+drag",  "Alt+drag", "Right+drag",
                                               "Wheel", "Ctrl",        "Shift",       "Alt",      "X/Y/Z",
                                               "0-9",   "Enter",       "Esc",         ""};
 
-/// The input's place in the order, or -1: the act begins with none of them.
+/// The input's position in the order, or -1 if the text begins with none.
 int rankOf(const std::string& act) {
   const std::string input = act.substr(0, act.find(' '));
   const auto found = std::ranges::find(kInputs, input);
@@ -83,13 +84,13 @@ TEST(StatusLine, JoinsSubjectAndActs) {
   EXPECT_EQ(statusLine("Box", {}), "Box");
 }
 
-TEST(StatusLine, TheFormIsSeenWhereItIsBroken) {
+TEST(StatusLine, FormatCheckDetectsViolations) {
   EXPECT_EQ(rankOf("press here"), -1);
   EXPECT_FALSE(saysWhatItDoes("Click axis"));
   EXPECT_GT(rankOf("Esc ends"), rankOf("Drag orbits"));
 }
 
-TEST(StatusLine, EveryToolOverEverything) {
+TEST(StatusLine, IsWellFormedForEveryTool) {
   for (std::size_t tool = 0; tool < kToolCount; ++tool) {
     for (const bool selected : {true, false}) {
       for (const bool skeleton : {true, false}) {
@@ -114,7 +115,7 @@ TEST(StatusLine, EveryToolOverEverything) {
   }
 }
 
-TEST(StatusLine, EveryHandleHoveredAndDragged) {
+TEST(StatusLine, IsWellFormedForEveryHandle) {
   int handles = 0;
   for (std::size_t tool = 0; tool < kToolCount; ++tool) {
     Worked scene;
@@ -136,7 +137,7 @@ TEST(StatusLine, EveryHandleHoveredAndDragged) {
   EXPECT_GT(handles, 12);
 }
 
-TEST(StatusLine, BoxAndTerritory) {
+TEST(StatusLine, IsWellFormedForBoxAndTerritory) {
   Worked scene;
   armBox(scene.tools);
   expectForm(scene.move({5, 300}).status, "box armed");
@@ -149,7 +150,7 @@ TEST(StatusLine, BoxAndTerritory) {
   expectForm(scene.move(scene.skinPixel()).status, "territory over the skin");
 }
 
-TEST(StatusLine, TheAxisGizmo) {
+TEST(StatusLine, IsWellFormedForTheAxisTriad) {
   AxisTriad triad;
   EXPECT_EQ(describe(triad), "");
   triad.ballHovered = true;
