@@ -15,12 +15,12 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "app/command/console.h"
-#include "app/document/auto_depth.h"
 #include "app/document/document.h"
-#include "app/viewport/render/framing.h"
+#include "app/document/playback.h"
 #include "app/viewport/render/picking.h"
 #include "app/viewport/render/picture_files.h"
 #include "app/viewport/render/scene.h"
+#include "app/viewport/render/view.h"
 #include "core/character/bone_segments.h"
 #include "core/character/skinning.h"
 #include "core/geometry/nearest_name.h"

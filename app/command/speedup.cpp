@@ -8,7 +8,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "app/viewport/render/framing.h"
+#include "app/viewport/render/view.h"
 #include "core/character/skinning.h"
 #include "core/geometry/instruction_set.h"
 #include "core/geometry/stopwatch.h"

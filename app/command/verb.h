@@ -12,7 +12,7 @@
 
 #include "app/command/batch.h"
 #include "app/command/surface_options.h"
-#include "app/document/task_needs.h"
+#include "app/document/farm_job.h"
 
 namespace CLI {
 class App;

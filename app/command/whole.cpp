@@ -10,7 +10,7 @@
 
 #include <sched.h>
 
-#include "app/ui/version.h"
+#include "app/ui/data_files.h"
 #include "core/geometry/instruction_set.h"
 #include "sinew/geometry/threads.h"
 

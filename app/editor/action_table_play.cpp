@@ -9,7 +9,7 @@
 #include "app/editor/edit.h"
 #include "app/editor/muscle_set_commands.h"
 #include "app/editor/pose_commands.h"
-#include "app/viewport/tools/tool.h"
+#include "app/viewport/tools/viewport_tools.h"
 
 namespace sinew::app::table {
 namespace {

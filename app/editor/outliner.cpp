@@ -13,7 +13,7 @@
 #include "core/geometry/at.h"
 #include "core/geometry/nearest_name.h"
 #include "core/rig/line_edit.h"
-#include "core/rig/rig_edit_several.h"
+#include "core/rig/rig_edit.h"
 
 namespace sinew::app {
 

@@ -17,9 +17,6 @@
 #include "core/geometry/at.h"
 #include "core/geometry/index_table.h"
 
-#define GLFW_INCLUDE_NONE
-
-
 namespace sinew::app {
 
 // Rows that other dialogs share.

@@ -7,7 +7,7 @@
 #include <GLFW/glfw3.h>
 #include <imgui_internal.h>  // GetItemID; TempInputIsActive: whether a number is typed or dragged.
 
-#include "app/editor/animated_names.h"
+#include "app/editor/animate.h"
 
 namespace sinew::app {
 namespace {

@@ -21,10 +21,6 @@
 #include "app/panels/dialogs.h"
 #include "app/ui/reading_order.h"
 
-#define GLFW_INCLUDE_NONE
-
-
-
 namespace sinew::app {
 namespace {
 

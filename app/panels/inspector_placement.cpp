@@ -7,13 +7,11 @@
 #include <imgui_stdlib.h>
 #include <glm/gtc/quaternion.hpp>
 
-#include "app/document/muscle_names.h"
 #include "app/document/shown_names.h"
 #include "app/editor/blending_edit.h"
 #include "app/editor/commands.h"
-#include "app/editor/hidden_bones.h"
-#include "app/editor/outliner_rows.h"
-#include "app/editor/territory.h"
+#include "app/editor/outliner.h"
+#include "app/editor/visibility_commands.h"
 #include "app/panels/field_edit.h"
 #include "app/panels/inspector.h"
 #include "core/geometry/at.h"

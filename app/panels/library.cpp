@@ -21,10 +21,6 @@
 #include "app/viewport/render/thumbnails.h"
 #include "core/geometry/at.h"
 
-#define GLFW_INCLUDE_NONE
-
-
-
 namespace sinew::app {
 namespace {
 

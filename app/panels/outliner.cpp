@@ -15,13 +15,12 @@
 #include "app/editor/visibility_commands.h"
 #include "app/panels/outliner_row.h"
 #include "app/panels/panels.h"
+#include "app/ui/code_points.h"
 #include "app/ui/keyboard_focus.h"
-#include "app/ui/readable_names.h"
 #include "app/ui/reading_order.h"
 #include "core/geometry/at.h"
 
 #define GLFW_INCLUDE_NONE
-
 
 namespace sinew::app {
 namespace {

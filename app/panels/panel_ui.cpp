@@ -8,8 +8,8 @@
 #include <imgui_stdlib.h>
 
 #include "app/document/shown_names.h"
-#include "app/editor/hidden_bones.h"
-#include "app/editor/outliner_rows.h"
+#include "app/editor/outliner.h"
+#include "app/editor/visibility_commands.h"
 #include "app/ui/reading_order.h"
 #include "app/viewport/render/thumbnails.h"
 #include "core/geometry/at.h"

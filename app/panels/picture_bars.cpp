@@ -3,7 +3,6 @@
 #include <string>
 
 #include "app/editor/animate.h"
-#include "app/editor/animated_names.h"
 #include "app/panels/overlay.h"
 #include "app/ui/number_field.h"
 

@@ -4,10 +4,10 @@
 #include <string>
 #include <vector>
 
-#include "app/editor/check_commands.h"
+#include "app/editor/blending_edit.h"
 #include "app/editor/clip_commands.h"
 #include "app/panels/overlay.h"
-#include "app/ui/readable_names.h"
+#include "app/ui/code_points.h"
 #include "app/ui/reading_order.h"
 #include "core/geometry/at.h"
 

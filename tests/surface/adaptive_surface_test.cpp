@@ -8,7 +8,7 @@
 #include "core/geometry/at.h"
 #include "core/geometry/weld.h"
 #include "core/surface/adaptive_levels.h"
-#include "core/surface/patches/level_fit.h"
+#include "core/surface/patches/levels.h"
 #include "core/surface/smooth.h"
 #include "sinew/geometry/threads.h"
 #include "sinew/surface/crowd_smoother.h"

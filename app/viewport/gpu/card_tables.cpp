@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/character/morphing.h"
+#include "core/character/skinning.h"
 #include "core/geometry/at.h"
 #include "core/geometry/potential.h"
-#include "core/surface/place_muscles.h"
+#include "core/surface/posed_field.h"
 
 namespace sinew::app {
 

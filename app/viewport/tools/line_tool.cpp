@@ -8,7 +8,6 @@
 #include <GLFW/glfw3.h>
 #include <glm/geometric.hpp>
 
-#include "app/document/muscle_names.h"
 #include "app/document/shown_names.h"
 #include "app/viewport/render/picking.h"
 #include "app/viewport/tools/status_line.h"

@@ -1,9 +1,9 @@
 // core/files/fit/fit_kernel.cpp: sums over poses, compiled once per instruction set. Every lane does the same
 // operations in the same order for all sets.
+#include "core/files/fit/weight_fit.h"
 
 #include <algorithm>
 
-#include "core/files/fit/weight_fit.h"
 #include "core/geometry/at.h"
 #include "core/geometry/targets.h"
 
@@ -12,10 +12,6 @@
 #include "hwy/foreach_target.h"
 //
 #include "hwy/highway.h"
-
-#undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "core/files/fit/fit_kernel.cpp"
-//
 
 HWY_BEFORE_NAMESPACE();
 namespace sinew::exporting::HWY_NAMESPACE {
@@ -137,6 +133,8 @@ constexpr FitKernels kKernels{&addGrams, &addGains};
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
+#include "core/geometry/lanes.h"
+
 namespace sinew::exporting {
 
 FitKernels fitKernels(InstructionSet set) { SINEW_RETURN_BY_SET(set, kKernels) }
