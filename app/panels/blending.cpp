@@ -2,8 +2,8 @@
 
 #include "app/panels/blending.h"
 
-#include <cmath>
 #include <imgui_stdlib.h>
+#include <cmath>
 
 #include <algorithm>
 

@@ -3,9 +3,9 @@
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
+#include <imgui_stdlib.h>
 #include <algorithm>
 #include <cmath>
-#include <imgui_stdlib.h>
 #include <string>
 #include <vector>
 

@@ -20,8 +20,6 @@
 #include "app/ui/reading_order.h"
 #include "core/geometry/at.h"
 
-#define GLFW_INCLUDE_NONE
-
 namespace sinew::app {
 namespace {
 

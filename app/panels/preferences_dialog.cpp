@@ -1,21 +1,19 @@
 // app/panels/preferences_dialog.cpp: the preferences, and the page that changes keys.
 
+#include <imgui_stdlib.h>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <imgui_stdlib.h>
 #include <string>
 
+#define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
 #include "app/editor/bindings.h"
 #include "app/panels/dialogs.h"
 #include "app/ui/number_field.h"
 #include "core/geometry/nearest_name.h"
-
-#define GLFW_INCLUDE_NONE
-
 
 namespace sinew::app {
 namespace {

@@ -1,8 +1,8 @@
 // core/runtime/game_file.cpp: game files read and written.
 
-#include "core/geometry/weld.h"
 #include "core/runtime/game_file.h"
 #include "core/geometry/normals.h"
+#include "core/geometry/weld.h"
 #include "core/rig/validation.h"
 #include "core/runtime/layout.h"
 #include "sinew/runtime/game_file.h"

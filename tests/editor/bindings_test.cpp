@@ -14,9 +14,6 @@
 #include <set>
 #include <string>
 
-#define GLFW_INCLUDE_NONE
-
-
 namespace sinew::app {
 namespace {
 

@@ -13,10 +13,6 @@
 #include "app/editor/actions.h"
 #include "app/ui/window.h"
 
-#define GLFW_INCLUDE_NONE
-
-
-
 namespace sinew::app {
 namespace {
 

@@ -2,9 +2,9 @@
 
 #include "app/viewport/tools/select.h"
 
+#include <imgui.h>
 #include <algorithm>
 #include <cmath>
-#include <imgui.h>
 #include <limits>
 
 #include <glm/geometric.hpp>

@@ -15,10 +15,6 @@
 #include "core/rig/attachment.h"
 #include "core/rig/rig_edit.h"
 
-#define GLFW_INCLUDE_NONE
-
-
-
 namespace sinew::app {
 namespace {
 

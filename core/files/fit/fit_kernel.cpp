@@ -133,8 +133,6 @@ constexpr FitKernels kKernels{&addGrams, &addGains};
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
-#include "core/geometry/lanes.h"
-
 namespace sinew::exporting {
 
 FitKernels fitKernels(InstructionSet set) { SINEW_RETURN_BY_SET(set, kKernels) }

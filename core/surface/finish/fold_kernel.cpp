@@ -50,8 +50,6 @@ std::size_t findShrunk(const ShrunkSearch& search) {
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
-#include "core/geometry/lanes.h"
-
 namespace sinew {
 
 FoldKernel foldKernel(InstructionSet set) { SINEW_RETURN_BY_SET(set, findShrunk) }

@@ -80,8 +80,6 @@ std::size_t findSteep(const SteepInputs& inputs) {
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
-#include "core/geometry/lanes.h"
-
 namespace sinew {
 
 LiftKernel liftKernel(InstructionSet set){SINEW_RETURN_BY_SET(set, sumEdges)}

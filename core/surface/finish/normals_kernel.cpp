@@ -13,6 +13,7 @@
 #include "hwy/foreach_target.h"
 //
 #include "core/geometry/lane_blocks.h"
+#include "core/geometry/lanes.h"
 #include "hwy/highway.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -371,8 +372,6 @@ NormalsKernel kernelHere() { return {takeTurns, findRims, softenRims, findFaces,
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
-#include "core/geometry/lanes.h"
-
 namespace sinew {
 
 NormalsKernel normalsKernel(InstructionSet set) { SINEW_RETURN_BY_SET(set, kernelHere()) }

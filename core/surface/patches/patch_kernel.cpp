@@ -265,8 +265,6 @@ constexpr PatchKernels kKernels{&evaluateKind, &interpolateAll, &shadeKind};
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
-#include "core/geometry/lanes.h"
-
 namespace sinew {
 
 PatchKernels patchKernels(InstructionSet set) { SINEW_RETURN_BY_SET(set, kKernels) }

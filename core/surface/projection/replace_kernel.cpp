@@ -308,8 +308,6 @@ void replaceTiles(ReplaceInputs& inputs) {
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
-#include "core/geometry/lanes.h"
-
 namespace sinew {
 
 ReplaceKernel replaceKernel(InstructionSet set) { SINEW_RETURN_BY_SET(set, replaceTiles) }

@@ -328,8 +328,6 @@ void swellTiles(SwellInputs& inputs) {
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
-#include "core/geometry/lanes.h"
-
 namespace sinew {
 
 SwellKernel swellKernel(InstructionSet set) { SINEW_RETURN_BY_SET(set, swellTiles) }
