@@ -15,7 +15,7 @@
 
 namespace sinew::gltf {
 
-// Reading morph targets (glTF 2.0, section 3.7.2.2).
+// Morph targets.
 
 namespace {
 
@@ -169,6 +169,8 @@ std::vector<NodeTargets> targetsOfNodes(std::size_t nodes, std::span<const Morph
   }
   return result;
 }
+
+// Clips.
 
 namespace {
 
