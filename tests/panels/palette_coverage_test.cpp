@@ -75,6 +75,7 @@ constexpr Exception kExceptions[] = {
     {"export/cancel", "Esc does the same"},
     {"pictures/cancel", "Esc does the same"},
     {"preferences/close", "Esc does the same"},
+    {"preferences/keymap/blender", "the other choice beside Maya"},
     {"preferences/page/", "the palette lists the controls of both pages"},
     {"dialog/", "dialog of the actions that open and save files"},
     {"keys/", "sheet of the action Keys and mouse"},
@@ -90,10 +91,9 @@ constexpr Exception kExceptions[] = {
 /// A control as it was drawn, with the words that name it.
 struct Drawn {
   std::string id;
-  std::string row;                     ///< The text at the left of its line, which names the first switch or control.
-  std::string text;                    ///< The text inside it.
-  std::vector<std::string> neighbors;  ///< Ids of the controls in its line; first those of the same switch.
-  std::size_t joined = 0;              ///< How many of them touch it or each other: alternatives of one switch.
+  std::string row;                 ///< The text at the left of its line, which names the first switch or control.
+  std::string text;                ///< The text inside it.
+  std::vector<std::string> parts;  ///< Ids of its switch: of the controls that touch it or each other.
 
   auto operator<=>(const Drawn&) const = default;
 };
@@ -108,15 +108,11 @@ std::string_view stem(std::string_view id) { return id.substr(0, id.find_last_of
 /// "Save as" for "Save as..."
 std::string plain(std::string_view label) { return lowerCase(std::string(label.substr(0, label.find("...")))); }
 
-/// Its own id, that of another part of its switch, or that of the only control of a row of alternatives.
-bool leadsTo(const Control& control, std::span<const Control* const> all, const Drawn& drawn) {
-  const std::string_view id = control.id;
-  if (id == drawn.id) return true;
-  const auto found = std::ranges::find(drawn.neighbors, id);
-  if (found == drawn.neighbors.end()) return false;
-  if (found - drawn.neighbors.begin() < static_cast<std::ptrdiff_t>(drawn.joined)) return true;
-  const auto sameStem = [&](const Control* each) { return stem(each->id) == stem(id); };
-  return stem(id) == stem(drawn.id) && std::ranges::count_if(all, sameStem) == 1;
+/// Its own control, that of another part of its switch, or that of x where it is y or z.
+bool leadsTo(const Control& control, const Drawn& drawn) {
+  std::string x = drawn.id;
+  if (x.ends_with(".y") || x.ends_with(".z")) x.back() = 'x';
+  return x == control.id || std::ranges::find(drawn.parts, control.id) != drawn.parts.end();
 }
 
 /// An action or a panel's button that says the same.
@@ -169,7 +165,8 @@ class PaletteCoverage : public PaletteEditor {
     settle();
     ImGui::Render();
     for (const auto& [id, box] : widgets().rectangles()) seen_.insert(id);
-    const std::vector<Glyph> glyphs = drawnGlyphs();
+    std::map<std::string, std::vector<Glyph>> glyphs;  // By window.
+    for (const Glyph& glyph : drawnGlyphs()) glyphs[glyph.list].push_back(glyph);
     std::vector<LaidOut> all = widgets().laidOut();
     std::erase_if(all, [](const LaidOut& each) { return each.visible.z <= 0.0f; });
     state.dialogs.palette.sets = setEntries(state);
@@ -177,7 +174,7 @@ class PaletteCoverage : public PaletteEditor {
     for (const MorphWeight& morph : state.document.rig().morphs) things_.insert("shape/" + morph.name);
     for (const LaidOut& item : all) {
       const bool declared = std::ranges::any_of(controls(), [&](const Control* each) { return each->id == item.id; });
-      if (item.item != 0 || declared) add(item, all, glyphs);
+      if (item.item != 0 || declared) add(item, all, glyphs[item.window]);
     }
   }
   void action(const char* id) {
@@ -192,8 +189,7 @@ class PaletteCoverage : public PaletteEditor {
   [[nodiscard]] std::vector<Drawn> uncovered(std::span<const Control* const> controls) const {
     std::vector<Drawn> found;
     for (const Drawn& each : drawn_) {
-      const bool leads =
-          std::ranges::any_of(controls, [&](const Control* control) { return leadsTo(*control, controls, each); });
+      const bool leads = std::ranges::any_of(controls, [&](const Control* control) { return leadsTo(*control, each); });
       const bool listed = things_.contains(thingOf(each.id));
       if (!leads && !listed && !isCommand(each) && exceptionFor(each) == nullptr) found.push_back(each);
     }
@@ -219,7 +215,7 @@ class PaletteCoverage : public PaletteEditor {
   }
   void add(const LaidOut& item, const std::vector<LaidOut>& all, const std::vector<Glyph>& glyphs) {
     const ImVec4 box = boxOf(item);
-    Drawn drawn{item.id, "", textIn(glyphs, item.window, box), {}, 0};
+    Drawn drawn{item.id, "", textIn(glyphs, item.window, box), {}};
     std::vector<const LaidOut*> line;
     const float middle = 0.5f * (box.y + box.w);
     for (const LaidOut& each : all) {
@@ -235,19 +231,18 @@ class PaletteCoverage : public PaletteEditor {
     while (first != line.begin() && touch(*(first - 1), *first)) --first;
     auto last = own;
     while (last + 1 != line.end() && touch(*last, *(last + 1))) ++last;
-    for (auto each = first; each <= last; ++each) drawn.neighbors.push_back((*each)->id);
-    drawn.joined = drawn.neighbors.size();
-    for (auto each = line.begin(); each != line.end(); ++each) {
-      if (each < first || each > last) drawn.neighbors.push_back((*each)->id);
-    }
-    std::vector<Glyph> free = glyphs;
-    std::erase_if(free, [&](const Glyph& glyph) {
+    for (auto each = first; each <= last; ++each) drawn.parts.push_back((*each)->id);
+    if (first == line.begin()) drawn.row = textIn(glyphsBeside(glyphs, line), item.window, {0.0f, box.y, box.x, box.w});
+    if (hasLetter(drawn.row) || hasLetter(drawn.text)) drawn_.insert(std::move(drawn));
+  }
+  /// Those that are in no control of the line.
+  static std::vector<Glyph> glyphsBeside(std::vector<Glyph> glyphs, const std::vector<const LaidOut*>& line) {
+    std::erase_if(glyphs, [&](const Glyph& glyph) {
       const float x = 0.5f * (glyph.box.x + glyph.box.z);
       return std::ranges::any_of(
           line, [&](const LaidOut* each) { return x > each->visible.x && x < each->visible.x + each->visible.z; });
     });
-    if (first == line.begin()) drawn.row = textIn(free, item.window, {0.0f, box.y, box.x, box.w});
-    if (hasLetter(drawn.row) || hasLetter(drawn.text)) drawn_.insert(std::move(drawn));
+    return glyphs;
   }
 };
 
