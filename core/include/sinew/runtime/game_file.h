@@ -1,4 +1,4 @@
-// core/include/sinew/runtime/game_file.h: a character with its rig as a game loads them: binary, from memory.
+// core/include/sinew/runtime/game_file.h: a character with its rig in a binary file for games.
 #pragma once
 
 #include <cstddef>
@@ -12,7 +12,7 @@
 
 namespace sinew {
 
-/// What a Smoother needs. Of materials the names are there, and no textures: a game has its own.
+/// Everything a Smoother needs. Materials have only names, and there are no textures, since games have their own.
 struct GameCharacter {
   std::shared_ptr<const Character> character;
   Rig rig;
@@ -21,9 +21,9 @@ struct GameCharacter {
 /// Bytes of a game file (docs/games.md): the same for the same character and rig.
 [[nodiscard]] std::vector<std::byte> gameFile(const Character& character, const Rig& rig);
 
-/// Reads one that lies in memory. Untrusted input: counts are checked before anything is allocated, and all numbers
-/// and indices before they are used. The surface is, bit for bit, that of the character and the rig it was made from.
-/// Error: place and reason, without a file. Never throws but for want of memory.
+/// Reads a game file from memory. Untrusted input: counts are checked before allocation, and all numbers and indices
+/// before use. The surface is bit for bit that of the original character and rig. Error: place and reason, without a
+/// file. Only throws if there is not enough memory.
 [[nodiscard]] Result<GameCharacter> readGameFile(std::span<const std::byte> bytes);
 
 }  // namespace sinew

@@ -1,4 +1,4 @@
-// core/include/sinew/runtime/runtime.h: all that Sinew::runtime has for C++.
+// core/include/sinew/runtime/runtime.h: all public C++ headers of Sinew::runtime.
 #pragma once
 
 #include "sinew/character/character.h"

@@ -1,4 +1,4 @@
-// core/include/sinew/runtime/vertex_buffer.h: a surface into a game's own vertex and index buffers. docs/games.md.
+// core/include/sinew/runtime/vertex_buffer.h: writes surfaces to a game's vertex and index buffers. docs/games.md.
 #pragma once
 
 #include <cstddef>
@@ -13,8 +13,8 @@
 namespace sinew {
 
 enum class BufferVertices {
-  kDrawn,    ///< One for each texture coordinate, color and creased normal: what is drawn.
-  kRefined,  ///< One for each point of the surface: fewer, without texture coordinates; for shadows and collisions.
+  kDrawn,    ///< One for each texture coordinate, color and creased normal; for drawing.
+  kRefined,  ///< One for each point of the surface, without texture coordinates; for shadows and collisions.
 };
 
 enum class PositionFormat {
@@ -26,45 +26,45 @@ enum class NormalFormat {
   kSnorm10,  ///< x, y, z from the lowest bit in 10 bits each, signed and normalized, then 2 bits of 0: 4 bytes.
 };
 
-/// Where the members of a vertex lie in the caller's buffer. What lies between them is left as it is.
+/// Layout of vertices in the caller's buffer. Bytes between members are not changed.
 struct VertexLayout {
   std::size_t stride = 24;      ///< Bytes from one vertex to the next.
   std::ptrdiff_t position = 0;  ///< Byte in the vertex; -1: none.
-  std::ptrdiff_t normal = 12;   ///< The same.
+  std::ptrdiff_t normal = 12;   ///< Byte in the vertex; -1: none.
   PositionFormat positions = PositionFormat::kFloat;
   NormalFormat normals = NormalFormat::kFloat;
   BufferVertices vertices = BufferVertices::kDrawn;
-  glm::vec3 origin{0.0f};  ///< World; taken off positions.
+  glm::vec3 origin{0.0f};  ///< World; subtracted from positions.
 };
 
 [[nodiscard]] std::size_t vertexCount(const Refinement& refinement, BufferVertices vertices);
 /// Three for each triangle.
 [[nodiscard]] std::size_t indexCount(const Refinement& refinement);
 
-/// Positions and normals of a surface. Floats are those of Surface::positions and shadingNormal(), bit for bit, where
-/// the origin is 0. Allocates nothing. Each frame.
+/// Writes positions and normals, once per frame. Floats are bit for bit those of Surface::positions and shadingNormal()
+/// if the origin is 0. Allocates nothing.
 /// Error: members do not fit the stride, or the buffer is too short; then nothing is written.
 [[nodiscard]] Result<void> writeVertices(const Surface& surface, const VertexLayout& layout, std::span<std::byte> out);
 
-/// Texture coordinates of the drawn vertices, 2 floats each, as glTF has them (v downwards). Once per preparation.
+/// Writes texture coordinates of the drawn vertices, 2 floats each as in glTF (v downwards), once per preparation.
 /// @param offset  byte in the vertex
 [[nodiscard]] Result<void> writeUvs(const Refinement& refinement, std::size_t stride, std::size_t offset,
                                     std::span<std::byte> out);
 
-/// Triangles, counter-clockwise from outside, by material. Once per preparation.
-/// Error: the buffer is too short, or the vertices are too many for 16 bits.
+/// Writes triangles, counter-clockwise from outside, by material, once per preparation.
+/// Error: the buffer is too short, or there are too many vertices for 16 bits.
 [[nodiscard]] Result<void> writeIndices(const Refinement& refinement, const ControlMesh& mesh, BufferVertices vertices,
                                         std::span<std::uint32_t> out);
 [[nodiscard]] Result<void> writeIndices(const Refinement& refinement, const ControlMesh& mesh, BufferVertices vertices,
                                         std::span<std::uint16_t> out);
 
-/// Indices [first, first + count) are those of a material.
+/// Indices [first, first + count) of a material.
 struct IndexRange {
   int material = 0;  ///< Index into Character::materials.
   std::size_t first = 0;
   std::size_t count = 0;
 };
-/// In the order of writeIndices(): materials ascending, those without triangles left out.
+/// In the order of writeIndices(): materials ascending, without those that have no triangles.
 [[nodiscard]] std::vector<IndexRange> indexRanges(const Refinement& refinement, const ControlMesh& mesh);
 
 }  // namespace sinew

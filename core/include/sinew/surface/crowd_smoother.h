@@ -1,4 +1,4 @@
-// core/include/sinew/surface/crowd_smoother.h: many poses of one character and rig at once, on all cores.
+// core/include/sinew/surface/crowd_smoother.h: smooths many poses of one character and rig at once, on all cores.
 #pragma once
 
 #include <memory>
@@ -10,9 +10,9 @@
 
 namespace sinew {
 
-/// As a Smoother, for many poses: instances of a crowd, or moments of a clip. What is prepared exists once for each
-/// thread, not for each pose. Surfaces share one Refinement, and are bit for bit what a Smoother makes, whatever the
-/// number of threads (sinew/geometry/threads.h).
+/// A Smoother for many poses: instances of a crowd, or times of a clip. Prepared data exists once per thread, not per
+/// pose. Surfaces share one Refinement, and are bit for bit those of a Smoother, for any number of threads
+/// (sinew/geometry/threads.h).
 class CrowdSmoother {
  public:
   explicit CrowdSmoother(std::shared_ptr<const Character> character);
@@ -20,12 +20,12 @@ class CrowdSmoother {
   CrowdSmoother(CrowdSmoother&&) noexcept;
   CrowdSmoother& operator=(CrowdSmoother&&) noexcept;
 
-  /// As Smoother::prepare.
+  /// See Smoother::prepare().
   [[nodiscard]] Result<void> prepare(const Rig& rig, std::span<const int> hidden = {}, const Region& region = {});
 
   /// Fills out[i] for poses[i]. prepare() must have succeeded once. Reuses the output's memory. Several threads may
-  /// call it at once, each with its own output; none while prepare() runs.
-  /// False: some poses are refused (sinew/character/pose_check.h says which and why); their surfaces stay as they are.
+  /// call it at once, each with its own output, but not during prepare().
+  /// False: some poses are refused (see sinew/character/pose_check.h); their surfaces stay as they are.
   /// @param out  as many as poses
   bool smooth(std::span<const Pose> poses, std::span<Surface> out);
 

@@ -1,4 +1,4 @@
-// core/include/sinew/surface/projection_kind.h: the ways to find the root along a ray.
+// core/include/sinew/surface/projection_kind.h: methods to find the root along a ray.
 #pragma once
 
 #include <optional>
@@ -8,10 +8,10 @@
 
 namespace sinew {
 
-/// The surface is found by kNewton. The paper's binary search (4.2) and closed form (4.1) are there to compare.
+/// Surfaces are made by kNewton. The paper's binary search (4.2) and closed form (4.1) are for comparison.
 enum class ProjectionKind { kNewton, kBisection, kAnalytic };
 
-/// As on the command line, in reports and in rig files of old.
+/// Names on the command line, in reports and in old rig files.
 [[nodiscard]] const char* nameOf(ProjectionKind projection);
 [[nodiscard]] std::optional<ProjectionKind> projectionKindNamed(const std::string& name);
 

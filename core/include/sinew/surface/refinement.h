@@ -10,29 +10,28 @@
 
 namespace sinew {
 
-/// Refined vertices along a control edge as drawn between two wedges at its ends: level-1 drawn vertices from `first`
-/// on.
+/// Drawn vertices of a control edge between two wedges at its ends: level - 1 of them from `first` on.
 struct DrawnRun {
   int edge = 0;
   std::array<int, 2> wedges{};  ///< At the edge's smaller and larger vertex.
   int first = 0;                ///< Drawn vertex of step 1.
 };
 
-/// How finely each edge and triangle of a control mesh is split: 1..kMaxDepth. An edge's level is its own, so that the
-/// triangles at it meet vertex by vertex, whatever their inner levels are.
+/// Levels of refinement of each edge and triangle of a control mesh: 1..kMaxDepth. Edges have levels of their own, so
+/// that the triangles at an edge share its vertices whatever their inner levels are.
 struct RefinementLevels {
   std::vector<std::uint8_t> edges;      ///< [E] segments along each edge.
-  std::vector<std::uint8_t> triangles;  ///< [T] of the points inside: as in the n^2 split of this level.
+  std::vector<std::uint8_t> triangles;  ///< [T] the inside has the points of an n^2 split of this level.
 
   friend bool operator==(const RefinementLevels&, const RefinementLevels&) = default;
 };
 
 /// Topology of a refined control mesh. Refined vertices are shared: first the control vertices [0, V), then those of
-/// edge after edge from its smaller to its larger vertex, then those inside triangle after triangle. A triangle whose
-/// levels all are n is split n^2; its inner vertices come row by row. Depends on nothing but the mesh in its bind pose
-/// and the levels. docs/design.md, Refinement.
+/// each edge from its smaller to its larger vertex, then those inside each triangle, row by row. A triangle whose
+/// levels all are n is split into n^2. Depends only on the mesh in its bind pose and the levels. docs/design.md,
+/// Refinement.
 struct Refinement {
-  int depth = 1;                              ///< n where all levels are equal, else the largest.
+  int depth = 1;                              ///< n if all levels are equal, else the largest.
   bool isUniform = true;                      ///< All levels are equal: the N-adic refinement.
   int controlVertices = 0;                    ///< V
   int controlEdges = 0;                       ///< E
@@ -44,13 +43,13 @@ struct Refinement {
   std::vector<std::array<int, 3>> triangles;  ///< [T'] refined vertices, control triangle by control triangle.
   std::vector<int> controlOf;                 ///< [T'] control triangle of each refined one.
   std::vector<int> trianglesAt;               ///< [V'] refined triangles at each vertex.
-  std::vector<int> edgeOrder;                 ///< Edges with vertices between their ends, the most first.
-  std::vector<int> insideOrder;               ///< Control triangles with vertices inside, the most first.
+  std::vector<int> edgeOrder;                 ///< Edges with inner vertices, those with most first.
+  std::vector<int> insideOrder;               ///< Control triangles with inner vertices, those with most first.
 
-  // As drawn and exported: refined vertices split per wedge.
+  // Drawn and exported vertices: refined vertices split per wedge.
   std::vector<int> drawVertex;       ///< [D] refined vertex of each drawn vertex; the W wedges first.
   std::vector<glm::vec2> drawUv;     ///< [D] barycentric in the parent's wedges (paper 5).
-  std::vector<glm::vec4> drawColor;  ///< [D] likewise, linear RGBA; empty where the mesh has no colors.
+  std::vector<glm::vec4> drawColor;  ///< [D] likewise, linear RGBA; empty if the mesh has no colors.
   std::vector<std::array<std::uint32_t, 3>> drawTriangles;  ///< [T'] into the drawn vertices, same order as triangles.
   std::vector<DrawnRun> drawRuns;                           ///< In order of `first`; none for edges of level 1.
   std::vector<int> drawInside;  ///< [T] first drawn vertex inside; the others follow, as refined ones do.
@@ -74,7 +73,7 @@ struct Refinement {
   [[nodiscard]] static int of(const std::vector<int>& list, int index) { return list[static_cast<std::size_t>(index)]; }
 };
 
-/// Calls visit(drawn, refined) for every drawn vertex and the refined vertex it shows.
+/// Calls visit(drawn, refined) for every drawn vertex and its refined vertex.
 template <class Visit>
 void forEachDrawVertex(const Refinement& refinement, Visit visit) {
   for (std::size_t drawn = 0; drawn < refinement.drawVertex.size(); ++drawn) {
@@ -82,19 +81,19 @@ void forEachDrawVertex(const Refinement& refinement, Visit visit) {
   }
 }
 
-/// Every edge and triangle the same.  @param depth 1..kMaxDepth.
+/// The same level everywhere.  @param depth 1..kMaxDepth.
 [[nodiscard]] RefinementLevels uniformLevels(const ControlMesh& mesh, int depth);
 
-/// Every edge and triangle n.  @param depth 1..kMaxDepth.
+/// The same level everywhere.  @param depth 1..kMaxDepth.
 [[nodiscard]] Refinement refine(const ControlMesh& mesh, int depth);
 
 /// @param levels  of this mesh's edges and triangles, each 1..kMaxDepth.
 [[nodiscard]] Refinement refine(const ControlMesh& mesh, const RefinementLevels& levels);
 
-/// Refined vertices of the N-adic refinement without making them: what the memory limit is checked against.
+/// Number of refined vertices of the uniform refinement, to check the memory limit.
 [[nodiscard]] std::int64_t refinedVertexCount(const ControlMesh& mesh, int depth);
 
-/// Barycentric coordinates, in a control triangle, of a refined vertex of it.
+/// Barycentric coordinates of a refined vertex in its control triangle.
 [[nodiscard]] glm::dvec3 controlCoordinates(const ControlMesh& mesh, const Refinement& refinement, int triangle,
                                             int vertex);
 

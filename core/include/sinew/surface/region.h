@@ -1,4 +1,4 @@
-// core/include/sinew/surface/region.h: which control triangles are smoothed in detail where not the whole body is.
+// core/include/sinew/surface/region.h: control triangles to smooth in detail instead of the whole body.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@ namespace sinew {
 /// [T] 1: in detail. Empty: the whole body. docs/games.md, A part of the body.
 using Region = std::vector<std::uint8_t>;
 
-/// The skin of these bones and of all that hang on them: triangles of which a corner follows them by half at least.
+/// The skin of these bones and all below them: triangles with a corner that has at least half of its weight on them.
 /// @param bones  indices into Skeleton::bones
 [[nodiscard]] Region regionOfBones(const Character& character, std::span<const int> bones);
 
