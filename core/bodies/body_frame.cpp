@@ -174,7 +174,7 @@ class FrameMaker {
     return endOfSkin(slot);
   }
 
-  /// Where the skin of a bone without a next one ends.
+  /// End of the skin of a last bone.
   std::optional<glm::vec3> endOfSkin(Slot slot) const {
     const int own = frame_.slots.boneOf(slot);
     std::vector<glm::vec3> skin;

@@ -247,7 +247,7 @@ BodySlots bodySlots(const Character& character, const MirrorPlan& plan, std::spa
 
 namespace {
 
-constexpr float kBeyond = 0.1f;      ///< How far beyond the ends of a part flesh is measured.
+constexpr float kBeyond = 0.1f;      ///< Flesh is measured up to this far beyond the ends of a part.
 constexpr int kPulls = 16;           ///< Steps to the axis.
 constexpr float kUnderSkin = 0.85f;  ///< Fraction of the distance from the axis to the end of the flesh.
 constexpr float kRounder = 2.0f;  ///< Largest stretch across over stretch along, so that muscles do not become balls.

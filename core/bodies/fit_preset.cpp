@@ -244,8 +244,8 @@ class MusclePlacer {
     if (across > 0.1f) belly_.width = std::min(belly_.width, 0.97f * away / across);
   }
 
-  /// Where the body curves away from a straight belly its ends would come out as bumps: it is shortened, and turned so
-  /// that both ends lie equally deep. On a line the tendons say how long it is.
+  /// Shortens a belly whose ends come out of a curved body as bumps, and tilts it so that both ends lie equally deep.
+  /// On a line the tendons determine its length.
   void keepEndsInside() {
     if (!path_.empty() || muscle_.asLaid) return;
     for (int step = 0; step < kMostShortenings; ++step) {
@@ -340,7 +340,7 @@ class MusclePlacer {
   FleshPoint flesh_;
   Belly belly_;
   int lineBone_ = -1;
-  std::vector<glm::vec3> path_;  ///< Of the line, from the origin.
+  std::vector<glm::vec3> path_;  ///< Points of the line, from the origin.
 };
 
 /// Each side has its own group, so that left and right never blend where they touch.

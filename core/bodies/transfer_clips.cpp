@@ -302,7 +302,7 @@ std::vector<MorphChannel> morphsOf(const AnimationClip& clip, const Character& f
   return made;
 }
 
-// What did not match --------------------------------------------------------------------------------------------------
+// Unmatched bones -----------------------------------------------------------------------------------------------------
 
 std::string counted(std::size_t count, const std::string& one, const std::string& more) {
   return std::to_string(count) + ' ' + (count == 1 ? one : more);

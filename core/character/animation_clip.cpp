@@ -10,7 +10,7 @@
 namespace sinew {
 namespace {
 
-constexpr float kMostPlayedWeight = 1000.0f;  // What is played: splines may go far beyond their keys.
+constexpr float kMostPlayedWeight = 1000.0f;  // Splines may go far beyond their keys.
 
 glm::quat toQuat(const glm::vec4& v) { return glm::quat(v.w, v.x, v.y, v.z); }
 glm::vec4 toVec(const glm::quat& q) { return glm::vec4(q.x, q.y, q.z, q.w); }
@@ -25,7 +25,7 @@ glm::vec4 keyValue(const Channel& channel, std::size_t k) {
   return channel.interpolation == Interpolation::kCubicSpline ? channel.values[3 * k + 1] : channel.values[k];
 }
 
-/// @param outTangent of the key at u = 0, @param inTangent of that at u = 1; both for the whole span.
+/// @param outTangent, inTangent  of the keys at u = 0 and u = 1, times the interval between them
 template <class Value>
 Value hermite(const Value& a, const Value& outTangent, const Value& b, const Value& inTangent, float u) {
   const float u2 = u * u;
@@ -33,7 +33,7 @@ Value hermite(const Value& a, const Value& outTangent, const Value& b, const Val
   return (2 * u3 - 3 * u2 + 1) * a + (u3 - 2 * u2 + u) * outTangent + (-2 * u3 + 3 * u2) * b + (u3 - u2) * inTangent;
 }
 
-/// Where a time lies among keys: at key `k`, or `u` of the way from it to the next, `span` seconds later.
+/// A time among keys: at key `k`, or at fraction `u` of the interval of `span` seconds to the next.
 struct Moment {
   std::size_t k = 0;
   float u = 0.0f;
@@ -64,7 +64,7 @@ glm::vec4 between(const Channel& channel, std::size_t k, float u, float span) {
   const glm::vec4 a = keyValue(channel, k);
   const glm::vec4 b = keyValue(channel, k + 1);
   if (channel.path != ChannelPath::kRotation) return a + (b - a) * u;
-  return toVec(glm::slerp(toQuat(unitRotation(a)), toQuat(unitRotation(b)), u));  // shorter arc, as glTF asks
+  return toVec(glm::slerp(toQuat(unitRotation(a)), toQuat(unitRotation(b)), u));  // The shorter arc, as in glTF.
 }
 
 }  // namespace

@@ -73,7 +73,7 @@ enum class SlotConfidence {
   kGiven,   ///< By the rig.
 };
 
-/// What findBodySlots() takes besides the skeleton.
+/// Arguments of findBodySlots() besides the skeleton.
 struct SlotHints {
   std::vector<int> twinOf;                  ///< [bones] as MirrorPlan::twinOf (core/rig/mirror.h).
   glm::vec3 planeNormal{1.0f, 0.0f, 0.0f};  ///< The mirror plane's, unit, bind pose.

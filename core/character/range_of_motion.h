@@ -13,7 +13,7 @@ namespace sinew {
 
 inline constexpr std::string_view kRangeOfMotionName = "Range of motion";
 
-/// What rangeOfMotion() takes besides the skeleton. Empty: found from names and places of bones.
+/// Arguments of rangeOfMotion() besides the skeleton. Empty: found from names and places of bones.
 struct RangeOfMotionHints {
   std::vector<int> twinOf;                  ///< [bones] as MirrorPlan::twinOf (core/rig/mirror.h).
   glm::vec3 planeNormal{1.0f, 0.0f, 0.0f};  ///< Normal of the mirror plane, unit, bind pose; read with twinOf.

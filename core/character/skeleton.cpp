@@ -1,4 +1,4 @@
-// core/character/skeleton.cpp: bone look-up and the parts of a bone that follow from the tree.
+// core/character/skeleton.cpp: finds bones; computes paths, children and tips.
 #include "sinew/character/skeleton.h"
 
 #include <algorithm>
@@ -24,7 +24,7 @@ void linkChildren(Skeleton& skeleton) {
   }
 }
 
-/// Root-to-bone names; siblings of one name get "#2", "#3" ... so that a path names one bone.
+/// Names from root to bone; siblings with the same name get "#2", "#3" ..., so that paths are unique.
 void namePaths(Skeleton& skeleton) {
   std::map<std::string, int> used;
   for (Bone& bone : skeleton.bones) {
@@ -72,7 +72,7 @@ std::optional<int> Skeleton::findBone(std::string_view nameOrPath) const {
 
 const std::string& Skeleton::fileName(int bone) const {
   const Bone& found = at(bones, bone);
-  // A name that is also another bone's path would be read as that name: then the path is the only clear one.
+  // findBone() prefers unique names to paths.
   return nameIsUnique(*this, found.name) ? found.name : found.path;
 }
 

@@ -1,4 +1,4 @@
-// core/rig/animated_edit.cpp: each edit changes the rig that it was given and checks what it changed.
+// core/rig/animated_edit.cpp: edits keys, drivers and channels and validates what has changed.
 #include "core/rig/animated_edit.h"
 
 #include <algorithm>
@@ -13,27 +13,28 @@
 #include "core/rig/validation.h"
 
 namespace sinew {
-
-// Keys of whole clips, of all numbers and channels of a rig.
-
 namespace {
 
 /// Calls visit(std::vector<AnimatedNumber>&) for every owner of numbers.
 template <class AnyRig, class Visit>
-void eachOwner(AnyRig& rig, Visit visit) {
+void eachList(AnyRig& rig, Visit visit) {
   for (auto& primitive : rig.primitives) visit(primitive.animated);
   for (auto& line : rig.lines) visit(line.animated);
   for (auto& morph : rig.morphs) visit(morph.animated);
   visit(rig.surface.animated);
 }
 
-/// What becomes of a track.
+void dropIdle(std::vector<AnimatedNumber>& animated) {
+  keepDrivers(animated, [](const DriverInput&) { return true; });
+}
+
 class Renaming {
  public:
   explicit Renaming(const std::map<std::string, std::string>& names) : names_(names) {
     for (const auto& [before, after] : names) taken_.insert(after);
   }
 
+  /// Its clip does not exist, but another clip gets the name.
   [[nodiscard]] bool givesWay(const KeyTrack& track) const {
     return taken_.contains(track.clip) && !names_.contains(track.clip);
   }
@@ -51,7 +52,7 @@ class Renaming {
 
 std::size_t countKeyTracks(const Rig& rig, const std::string& clip) {
   std::size_t count = 0;
-  eachOwner(rig, [&](const std::vector<AnimatedNumber>& animated) {
+  eachList(rig, [&](const std::vector<AnimatedNumber>& animated) {
     for (const AnimatedNumber& number : animated) {
       count += static_cast<std::size_t>(std::ranges::count(number.keys, clip, &KeyTrack::clip));
     }
@@ -62,14 +63,14 @@ std::size_t countKeyTracks(const Rig& rig, const std::string& clip) {
 
 Rig withClipsRenamed(Rig rig, const std::map<std::string, std::string>& names) {
   const Renaming renaming(names);
-  eachOwner(rig, [&](std::vector<AnimatedNumber>& animated) {
+  eachList(rig, [&](std::vector<AnimatedNumber>& animated) {
     for (AnimatedNumber& number : animated) {
       std::erase_if(number.keys, [&](const KeyTrack& track) { return renaming.givesWay(track); });
       for (KeyTrack& track : number.keys) renaming.rename(track);
     }
-    std::erase_if(animated, [](const AnimatedNumber& number) { return number.keys.empty() && number.drivers.empty(); });
+    dropIdle(animated);
   });
-  // A channel keeps its last track: drivers read it.
+  // A channel keeps its last track, since drivers read it.
   const auto isAnothers = [&](const RigChannel& channel) {
     return renaming.givesWay(channel.track) && std::ranges::any_of(rig.channels, [&](const RigChannel& other) {
              return other.name == channel.name && !renaming.givesWay(other.track);
@@ -115,11 +116,7 @@ std::string placeOf(const NumberRef& ref) {
   return "surface";
 }
 
-void dropIdle(std::vector<AnimatedNumber>& animated) {
-  keepDrivers(animated, [](const DriverInput&) { return true; });
-}
-
-/// The rig with one entry, made where there is none, changed by `change`; gone if nothing is left of it.
+/// Changes the entry of a number, which is added if there is none and removed if nothing is left of it.
 template <class Change>
 Result<Rig> withNumber(Rig rig, const NumberRef& ref, Change change) {
   std::vector<AnimatedNumber>& animated = listOf(rig, ref);
@@ -135,7 +132,7 @@ Result<Rig> withNumber(Rig rig, const NumberRef& ref, Change change) {
   return rig;
 }
 
-/// An edit that can break nothing.
+/// An edit that needs no validation.
 template <class Change>
 Rig withLess(Rig rig, const NumberRef& ref, Change change) {
   std::vector<AnimatedNumber>& animated = listOf(rig, ref);
@@ -153,13 +150,13 @@ KeyTrack& trackOf(std::vector<KeyTrack>& tracks, const std::string& clip) {
   return tracks.back();
 }
 
-/// A point in its place, instead of those nearer than `same`.
+/// Inserts a point in order, replacing those nearer than `same`.
 void put(std::vector<glm::vec2>& points, const glm::vec2& point, float same) {
   std::erase_if(points, [&](const glm::vec2& other) { return std::abs(other.x - point.x) < same; });
   points.insert(std::ranges::upper_bound(points, point.x, {}, [](const glm::vec2& p) { return p.x; }), point);
 }
 
-/// Two inputs of a driven key that are closer than this are one, in the input's own units.
+/// Distance below which two inputs of driven keys are the same, in the input's units.
 float sameInput(DriverInputKind kind) {
   switch (kind) {
     case DriverInputKind::kBend:
@@ -169,14 +166,6 @@ float sameInput(DriverInputKind kind) {
     default:
       return 0.005f;
   }
-}
-
-template <class Visit>
-void eachList(Rig& rig, Visit visit) {
-  visit(rig.surface.animated);
-  for (MuscleLine& line : rig.lines) visit(line.animated);
-  for (Primitive& primitive : rig.primitives) visit(primitive.animated);
-  for (MorphWeight& morph : rig.morphs) visit(morph.animated);
 }
 
 }  // namespace
@@ -202,7 +191,7 @@ float& numberIn(Rig& rig, const NumberRef& ref) {
 }
 
 float numberOf(const Rig& rig, const NumberRef& ref) {
-  return numberIn(const_cast<Rig&>(rig), ref);  // Reading through the same way changes nothing.
+  return numberIn(const_cast<Rig&>(rig), ref);  // Only reads.
 }
 
 const AnimatedNumber* animationOf(const Rig& rig, const NumberRef& ref) {

@@ -1,6 +1,5 @@
-// core/rig/animated_edit.h: changes of keys, drivers and channels, as pure functions rig -> rig.
-//
-// As in rig_edit.h: a rig is taken by value; indices must be in range (asserted).
+// core/rig/animated_edit.h: edits of keys, drivers and channels as pure functions rig -> rig. Indices must be in range
+// (asserted).
 #pragma once
 
 #include <cstddef>
@@ -15,14 +14,12 @@
 
 namespace sinew {
 
-// Keys of whole clips, of all numbers and channels of a rig.
-
-/// Key tracks that a rig has in the clip of that name.
+/// Number of key tracks of a rig for a clip.
 [[nodiscard]] std::size_t countKeyTracks(const Rig& rig, const std::string& clip);
 
-/// The rig whose keys follow clips that are called otherwise from now on. A track that had one of the new names for a
-/// clip that is not there gives way.
-/// @param names  from old to new; no two become the same
+/// Renames the clips of all key tracks. A track that already has one of the new names, for a clip that does not exist,
+/// is removed.
+/// @param names  old -> new, one to one
 [[nodiscard]] Rig withClipsRenamed(Rig rig, const std::map<std::string, std::string>& names);
 
 [[nodiscard]] float& numberIn(Rig& rig, const NumberRef& ref);
@@ -30,45 +27,45 @@ namespace sinew {
 /// Its keys and drivers, or null.
 [[nodiscard]] const AnimatedNumber* animationOf(const Rig& rig, const NumberRef& ref);
 
-/// Keys nearer than this are one key, seconds.
+/// Keys nearer than this are the same key, seconds.
 inline constexpr float kSameKey = 1.0f / 120.0f;
 
-/// A key at a time of a clip, in place of one that is there. Error: see validateAnimated.
+/// Adds or replaces a key. Error: see validateAnimated.
 /// @param clip  empty: in every clip
 [[nodiscard]] Result<Rig> setKey(Rig rig, const NumberRef& ref, const std::string& clip, float time, float value);
-/// Moves key `index` of the clip's track; one that is there already gives way.
+/// Moves key `index` of the clip's track, replacing any key at that time.
 [[nodiscard]] Result<Rig> moveKey(Rig rig, const NumberRef& ref, const std::string& clip, int index, float time);
 [[nodiscard]] Rig removeKey(Rig rig, const NumberRef& ref, const std::string& clip, int index);
-/// The clip's whole track.
+/// Removes the clip's track.
 [[nodiscard]] Rig removeKeys(Rig rig, const NumberRef& ref, const std::string& clip);
-/// The whole track of its clip, in place of one that is there.
+/// Adds or replaces the track of its clip.
 [[nodiscard]] Result<Rig> setTrack(Rig rig, const NumberRef& ref, const KeyTrack& track);
 [[nodiscard]] Result<Rig> setKeyKind(Rig rig, const NumberRef& ref, const std::string& clip, CurveKind kind);
 
-/// Appends, or with an index replaces. Error: see validateAnimated; its line or channel is not there.
+/// Appends, or with an index replaces. Error: see validateAnimated; its line or channel does not exist.
 [[nodiscard]] Result<Rig> setDriver(Rig rig, const NumberRef& ref, Driver driver, int index = -1);
 [[nodiscard]] Rig removeDriver(Rig rig, const NumberRef& ref, int index);
-/// Set driven key: where the input is x, the number is `value`. A point of the driver that replaces by this input,
-/// which is made where there is none. Error: its curve is full.
+/// Set driven key: the number is `value` where the input is x. Adds a point to the replacing driver with this input,
+/// which is added if there is none. Error: its curve is full.
 [[nodiscard]] Result<Rig> setDrivenKey(Rig rig, const NumberRef& ref, const DriverInput& input, float x, float value);
-/// Neither keys nor drivers any more.
+/// Removes keys and drivers.
 [[nodiscard]] Rig removeAnimation(Rig rig, const NumberRef& ref);
 
-/// The index of a channel's track for exactly this clip, or -1.
+/// Index of a channel's track for exactly this clip, or -1.
 [[nodiscard]] int findChannel(const Rig& rig, const std::string& name, const std::string& clip);
-/// A key of a channel, which is made where there is none.
+/// Adds or replaces a key of a channel, which is added if there is none.
 [[nodiscard]] Result<Rig> setChannelKey(Rig rig, const std::string& name, const std::string& clip, float time,
                                         float value);
-/// Changes a channel's track for exactly this clip. Error: it is not there, or see validateChannels.
+/// Changes a channel's track for exactly this clip. Error: it does not exist, or see validateChannels.
 [[nodiscard]] Result<Rig> editChannel(Rig rig, const std::string& name, const std::string& clip,
                                       const std::function<void(Curve&)>& change);
 [[nodiscard]] Result<Rig> renameChannel(Rig rig, const std::string& name, const std::string& to);
-/// All its tracks, and the drivers that read it.
+/// Removes all its tracks and the drivers that read it.
 [[nodiscard]] Rig removeChannel(Rig rig, const std::string& name);
 
-/// Drivers that read the length of lines that are gone go too.
+/// Removes drivers that read the length of lines that are gone.
 void dropLineInputs(Rig& rig, const std::unordered_set<std::string>& gone);
-/// Drivers whose input `keep` refuses go, and numbers that nothing changes any more.
+/// Removes drivers for whose input `keep` is false, then numbers without keys and drivers.
 template <class Keep>
 void keepDrivers(std::vector<AnimatedNumber>& animated, Keep keep) {
   for (AnimatedNumber& number : animated) {

@@ -1,4 +1,4 @@
-// core/rig/animated_number.cpp: names, and which track counts.
+// core/rig/animated_number.cpp: names of kinds, curves, and the table of parameters.
 #include <algorithm>
 #include <array>
 #include <cassert>
@@ -74,8 +74,8 @@ double slopeBetween(const glm::vec2& a, const glm::vec2& b) {
   return (static_cast<double>(b.y) - static_cast<double>(a.y)) / (static_cast<double>(b.x) - static_cast<double>(a.x));
 }
 
-/// Slope at a point from those on both sides: the harmonic mean, weighted by the lengths (Fritsch and Butland, 1984),
-/// which keeps every piece monotone; 0 at the ends of the curve and where it turns.
+/// Slope at a point: the harmonic mean of those on both sides, weighted by the lengths (Fritsch and Butland, 1984),
+/// which keeps every piece monotone; 0 at the ends and extrema of the curve.
 double slopeAt(const std::vector<glm::vec2>& points, std::size_t i) {
   if (i == 0 || i + 1 == points.size()) return 0.0;
   const double before = slopeBetween(points[i - 1], points[i]);
@@ -101,7 +101,7 @@ float smoothBetween(const std::vector<glm::vec2>& points, std::size_t i, float x
   return static_cast<float>(y);
 }
 
-/// In double: differences of large numbers stay finite.
+/// In double, so that differences of large numbers stay finite.
 float straightBetween(const glm::vec2& from, const glm::vec2& to, float x) {
   const double u = (static_cast<double>(x) - static_cast<double>(from.x)) /
                    (static_cast<double>(to.x) - static_cast<double>(from.x));
@@ -122,11 +122,9 @@ float valueAt(const Curve& curve, float x) {
   const glm::vec2& from = points[i];
   const glm::vec2& to = points[i + 1];
   const float y = curve.kind == CurveKind::kSmooth ? smoothBetween(points, i, x) : straightBetween(from, to, x);
-  // Rounding alone could leave the interval.
+  // Rounding could leave the interval.
   return std::clamp(y, std::min(from.y, to.y), std::max(from.y, to.y));
 }
-
-// One row a parameter.
 
 namespace {
 
@@ -148,7 +146,7 @@ struct Row {
 constexpr auto kPrimitive = ParameterOwner::kPrimitive;
 constexpr auto kLine = ParameterOwner::kLine;
 
-// In the order of Parameter, without the numbers of shapes. Radii have limits of their own kind (legalNumber).
+// In the order of Parameter, without the numbers of shapes. For the lower limit of radii see legalNumber().
 constexpr std::array kParameterRows{
     Row{Parameter::kAmount, kPrimitive, "amount", "Amount", 0.0f, kMostAmount},
     Row{Parameter::kCenterX, kPrimitive, "center.x", "Centre X", -kUnbounded, kUnbounded},
@@ -179,14 +177,13 @@ Row rowOf(Parameter parameter) {
   return kParameterRows[parameter < Parameter::kShape ? index : index - kShapeNumbers];
 }
 
-/// Reading through the same table of members changes nothing.
 template <class Owner>
 float read(const Owner& owner, Parameter parameter) {
   const float* number = numberIn(const_cast<Owner&>(owner), parameter);
   return number == nullptr ? 0.0f : *number;
 }
 
-/// A number of a primitive, or of MuscleNumbers, whose members have the same names.
+/// A number of a Primitive or of MuscleNumbers.
 template <class Owner>
 float* muscleNumber(Owner& owner, Parameter parameter) {
   Placement& placement = owner.placement;

@@ -1,4 +1,4 @@
-// core/rig/animated_validation.cpp: the checks of keys, drivers and channels, each naming the JSON path it refuses.
+// core/rig/animated_validation.cpp: validates keys, drivers, channels and muscle lines; errors name JSON paths.
 
 #include <algorithm>
 #include <array>
@@ -18,17 +18,8 @@ namespace {
 constexpr float kUnitTolerance = 1e-3f;
 
 const char* wordsFor(ParameterOwner owner) {
-  switch (owner) {
-    case ParameterOwner::kPrimitive:
-      return "a muscle";
-    case ParameterOwner::kLine:
-      return "a muscle line";
-    case ParameterOwner::kMorph:
-      return "a shape";
-    case ParameterOwner::kSurface:
-      break;
-  }
-  return "the surface";
+  constexpr std::array kOwners{"a muscle", "a muscle line", "the surface", "a shape"};
+  return kOwners[static_cast<std::size_t>(owner)];
 }
 
 /// @param x, y  JSON paths of the numbers of point i
@@ -72,14 +63,18 @@ Result<void> validateTracks(const std::vector<KeyTrack>& tracks, const std::stri
   return {};
 }
 
-Result<void> validateAnchor(const LineAnchor& anchor, const std::string& place) {
-  if (auto bone = validateName(anchor.bone, place + ".bone"); !bone) return bone;
+Result<void> validatePoint(const LineAnchor& anchor, const std::string& place, const char* words) {
   for (int i = 0; i < 3; ++i) {
     if (std::isfinite(anchor.point[i])) continue;
     return outOfRange(place + indexed(".point", static_cast<std::size_t>(i)), "a finite number", anchor.point[i],
-                      "driver");
+                      words);
   }
   return {};
+}
+
+Result<void> validateInputAnchor(const LineAnchor& anchor, const std::string& place) {
+  auto bone = validateName(anchor.bone, place + ".bone");
+  return bone ? validatePoint(anchor, place, "driver") : bone;
 }
 
 Result<void> validatePose(const DriverInput& input, const std::string& place) {
@@ -108,8 +103,8 @@ Result<void> validateInput(const DriverInput& input, const std::string& place) {
     case DriverInputKind::kLength:
       return validateName(input.line, place + ".line");
     case DriverInputKind::kDistance:
-      if (auto from = validateAnchor(input.from, place + ".from"); !from) return from;
-      return validateAnchor(input.to, place + ".to");
+      if (auto from = validateInputAnchor(input.from, place + ".from"); !from) return from;
+      return validateInputAnchor(input.to, place + ".to");
     case DriverInputKind::kChannel:
       break;
   }
@@ -124,7 +119,6 @@ Result<void> validateDriver(const Driver& driver, const std::string& place) {
       [&](std::size_t i) { return curve + indexed("", i) + "[1]"; });
 }
 
-/// Lines and channels by name.
 struct KnownNames {
   std::unordered_set<std::string_view> lines;
   std::unordered_set<std::string_view> channels;
@@ -211,11 +205,9 @@ Result<void> validateInputs(const Rig& rig) {
   return {};
 }
 
-// The checks of a muscle line, each naming the JSON path of what it refuses.
-
 namespace {
 
-/// A number of a line and the range it must lie in.
+/// A number of a line and its range.
 struct LineNumber {
   const char* key;
   const char* words;
@@ -254,12 +246,7 @@ Result<void> validateSettings(const LineSettings& line, const std::string& place
 
 Result<void> validateAnchor(const LineAnchor& anchor, const std::string& place, const char* words) {
   if (auto bone = validateName(anchor.bone, place + ".bone"); !bone) return named(words, bone.error());
-  for (int i = 0; i < 3; ++i) {
-    if (std::isfinite(anchor.point[i])) continue;
-    return outOfRange(place + indexed(".point", static_cast<std::size_t>(i)), "a finite number", anchor.point[i],
-                      words);
-  }
-  return {};
+  return validatePoint(anchor, place, words);
 }
 
 Result<void> validateLineParts(const MuscleLine& line, const std::string& place) {

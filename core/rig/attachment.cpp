@@ -1,4 +1,4 @@
-// core/rig/attachment.cpp: names -> indices, territories -> weights per control vertex.
+// core/rig/attachment.cpp: resolves names to indices, and territories to weights of control vertices.
 #include "core/rig/attachment.h"
 
 #include <algorithm>
@@ -33,7 +33,7 @@ FieldPrimitive fieldPrimitive(const Rig& rig, const Primitive& primitive, int bo
   return field;
 }
 
-/// The bone and those that share a joint with it.
+/// Adds the bone, its parent and its children.
 void addAround(int bone, const Skeleton& skeleton, std::vector<int>& bones) {
   const Bone& own = at(skeleton.bones, bone);
   bones.insert(bones.end(), own.children.begin(), own.children.end());
@@ -51,7 +51,6 @@ void addAlong(const MuscleLine& line, const Skeleton& skeleton, std::vector<int>
   bones.insert(bones.end(), between.begin(), between.end());
 }
 
-/// Names every bone of the line that the character lacks.
 template <class Check>
 void checkLineBones(const MuscleLine& line, const std::string& place, Check check) {
   const std::string subject = "muscle line \"" + line.name + '"';
@@ -60,7 +59,6 @@ void checkLineBones(const MuscleLine& line, const std::string& place, Check chec
   if (line.via) check(line.via->bone, place + ".via.bone", subject + ", via point");
 }
 
-/// Names every bone that drivers read and the character lacks.
 template <class Check>
 void checkDriverBones(const std::vector<AnimatedNumber>& animated, const std::string& place, const std::string& subject,
                       Check check) {
@@ -79,7 +77,7 @@ void checkDriverBones(const std::vector<AnimatedNumber>& animated, const std::st
   }
 }
 
-/// Appends primitive `index` to the vertices its territory holds.
+/// Appends primitive `index` to the vertices in its territory.
 void addCandidates(const Character& character, const std::vector<int>& territory, int index,
                    std::vector<std::vector<Candidate>>& candidatesOfVertex) {
   std::vector<bool> isTerritoryBone(character.skeleton.bones.size(), false);

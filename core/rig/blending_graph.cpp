@@ -1,5 +1,4 @@
-// core/rig/blending_graph.cpp: maximal cliques by Bron & Kerbosch, "Algorithm 457", CACM 16(9), 1973, with
-// pivoting.
+// core/rig/blending_graph.cpp: maximal cliques by Bron & Kerbosch, "Algorithm 457", CACM 16(9), 1973, with pivoting.
 #include "core/rig/blending_graph.h"
 
 #include <algorithm>
@@ -14,11 +13,10 @@ namespace {
 
 using Groups = std::vector<int>;  // sorted
 
-/// Lists the maximal cliques, each once. A clique is extended by every candidate, a group linked to all of its members;
-/// `excluded` are those whose extensions have been listed already, and a clique is maximal when both lists are empty. A
-/// maximal clique contains the pivot or a group not linked to it, so only those branch (the pivot's choice: Tomita,
-/// Tanaka and Takahashi 2006). A graph can have 3^(n/3) maximal cliques (Moon and Moser 1965), hence the limit.
-/// docs/design.md, Many muscles.
+/// Lists the maximal cliques, each once. Candidates are groups linked to all members of a clique; `excluded` are those
+/// whose extensions are already listed, and a clique is maximal if both lists are empty. A maximal clique contains the
+/// pivot or a group not linked to it, so only those branch (choice of the pivot: Tomita, Tanaka and Takahashi 2006). A
+/// graph can have 3^(n/3) maximal cliques (Moon and Moser 1965), hence the limit. docs/design.md, Many muscles.
 class CliqueSearch {
  public:
   CliqueSearch(std::vector<Groups> neighbors, std::vector<Groups>& found)
@@ -35,7 +33,7 @@ class CliqueSearch {
  private:
   const Groups& neighborsOf(int group) const { return at(neighbors_, group); }
 
-  /// Looks the smaller set's members up in the larger: sparse graphs of thousands of groups stay quick.
+  /// Looks up members of the smaller set in the larger, which is fast for sparse graphs of thousands of groups.
   static Groups intersection(const Groups& a, const Groups& b) {
     const auto& [smaller, larger] = a.size() <= b.size() ? std::tie(a, b) : std::tie(b, a);
     Groups both;
@@ -44,7 +42,7 @@ class CliqueSearch {
     return both;
   }
 
-  /// The candidate or excluded group with the most neighbors among the candidates: its neighbors need no branch.
+  /// The candidate or excluded group with the most neighbors among the candidates, which need no branch.
   int pivot(const Groups& candidates, const Groups& excluded) const {
     int best = -1;
     std::size_t most = 0;

@@ -1,4 +1,4 @@
-// core/rig/blending_graph.h: which groups add up: maximal cliques of the link graph.
+// core/rig/blending_graph.h: the groups that add up: maximal cliques of the link graph.
 #pragma once
 
 #include <array>
@@ -10,14 +10,13 @@
 
 namespace sinew {
 
-/// More maximal cliques than this are refused: nobody draws such a graph on purpose. docs/design.md.
+/// Largest number of maximal cliques; nobody draws such a graph on purpose. docs/design.md.
 inline constexpr int kMaxCliques = 4096;
 
-/// The blending graph after Guy & Wyvill 1995, read as docs/design.md does: the field is the maximum over cliques of
-/// sums.
+/// The blending graph after Guy & Wyvill 1995: the field is the maximum over cliques of sums. docs/design.md.
 struct BlendingGraph {
   int groupCount = 0;
-  std::vector<std::vector<int>> cliques;  ///< Maximal, each sorted; the list sorted. Every group is in at least one.
+  std::vector<std::vector<int>> cliques;  ///< Maximal, each sorted; the list is sorted. Every group is in at least one.
 };
 
 /// Enumerates the maximal cliques (Bron & Kerbosch 1973, with pivoting).
@@ -25,10 +24,10 @@ struct BlendingGraph {
 /// Error: more than kMaxCliques.
 [[nodiscard]] Result<BlendingGraph> makeBlendingGraph(int groupCount, std::span<const std::array<int, 2>> links);
 
-/// The graph last asked for: its cliques are enumerated once, however often it is asked for again.
+/// Remembers the last graph, so that repeated calls do not enumerate its cliques again.
 class BlendingGraphMemo {
  public:
-  /// makeBlendingGraph; valid until the next call. A refused graph leaves the former one remembered.
+  /// makeBlendingGraph(); valid until the next call. An error keeps the graph before.
   [[nodiscard]] Result<const BlendingGraph*> graph(int groupCount, std::span<const std::array<int, 2>> links);
 
  private:
@@ -36,8 +35,8 @@ class BlendingGraphMemo {
   std::vector<std::array<int, 2>> links_;  ///< Links of graph_.
 };
 
-/// The cliques cut down to `presentGroups` (sorted), without those another one contains: all that a place sees where
-/// only these groups reach. Values there are the same as with the whole graph, as positive parts are >= 0.
+/// The cliques restricted to `presentGroups` (sorted), without those that others contain. Where only these groups
+/// reach, the field is the same as with the whole graph, since positive parts are >= 0.
 [[nodiscard]] std::vector<std::vector<int>> cliquesAmong(const BlendingGraph& graph,
                                                          std::span<const int> presentGroups);
 

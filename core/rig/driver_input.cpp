@@ -1,4 +1,4 @@
-// core/rig/driver_input.cpp: names -> indices, poses -> numbers.
+// core/rig/driver_input.cpp: resolves inputs, measures them in poses, and applies keys and drivers to numbers.
 #include "core/rig/driver_input.h"
 
 #include <algorithm>
@@ -13,16 +13,13 @@
 #include "core/geometry/at.h"
 
 namespace sinew {
-
-// Angles between bones, and of turns.
-
 namespace {
 
 glm::dvec3 directionIn(const glm::mat4& boneInWorld, const Bone& bone) {
   return glm::dmat3(glm::mat3(boneInWorld)) * glm::dvec3(bone.tip);
 }
 
-/// Exact near 0 and near a half turn, where acos is not.
+/// Accurate near 0 and near a half turn, unlike acos.
 double angleBetween(const glm::dvec3& a, const glm::dvec3& b) {
   return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b));
 }
@@ -48,7 +45,7 @@ glm::vec3 boneDirection(const Bone& bone) {
 float turnAbout(const glm::quat& turn, const glm::vec3& axis) {
   const double along = glm::dot(glm::dvec3(turn.x, turn.y, turn.z), glm::dvec3(axis));
   const auto w = static_cast<double>(turn.w);
-  // A quaternion and its negative are one turn.
+  // A quaternion and its negative are the same turn.
   return static_cast<float>(glm::degrees(2.0 * (w < 0.0 ? std::atan2(-along, -w) : std::atan2(along, w))));
 }
 
@@ -157,8 +154,6 @@ std::optional<float> inputNow(const DriverInput& input, const Rig& rig, const Ch
   return valueOf(*found, character.skeleton, pose, lines, scratch);
 }
 
-// Pose -> channels and lengths -> drivers -> numbers within their ranges.
-
 namespace {
 
 float joined(float value, float driven, DriverMode mode) {
@@ -226,7 +221,7 @@ void DrivenNumbers::apply(const Pose& pose, const Skeleton& skeleton, DriverScra
     float& now = numberIn(numbers, number.ref);
     now = valueOf(number, now, pose, skeleton, scratch);
   }
-  // What one number leaves of another's range: a larger reach allows less of a belly.
+  // The range of one number may depend on another: a larger reach allows less displacement of the belly.
   for (const Number& number : numbers_) {
     if (!shapes(number.ref.parameter)) continue;
     MuscleNumbers& muscle = at(numbers.primitives, number.ref.owner);

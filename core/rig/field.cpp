@@ -25,13 +25,13 @@ void add(FieldSample& sum, const FieldSample& part) {
   sum.gradient += part.gradient;
 }
 
-/// The highest sum above 0. Where another one ties with it, the mean of their gradients.
+/// The highest sum above 0, with a mean of the gradients if another one ties with it.
 FieldSample highest(std::span<const FieldSample> sums) {
   FieldSample best;
   for (const FieldSample& sum : sums) {
     if (sum.value > best.value) best = sum;
   }
-  FieldSample other;  // Its value: by how much it ties, of kTie.
+  FieldSample other;  // `value`: kTie minus the difference.
   float most = 0.0f;
   for (const FieldSample& sum : sums) {
     const float near = std::min(kTie - (best.value - sum.value), sum.value);

@@ -9,7 +9,7 @@
 
 namespace sinew {
 
-/// A primitive as the field needs it, resolved from the rig (rig/attachment.h).
+/// A primitive resolved for the field (core/rig/attachment.h).
 struct FieldPrimitive {
   int bone = 0;
   int sign = 1;              ///< +1 adds, -1 carves.
@@ -23,50 +23,48 @@ struct FieldPrimitive {
 struct PosedPrimitive {
   UnitBallMap influence;  ///< r < 1 exactly where f_i != 0.
   float strength = 1.0f;
-  float meanRadius = 0.0f;  ///< World: of the ball with the visible ellipsoid's volume.
+  float meanRadius = 0.0f;  ///< World; radius of the ball with the visible ellipsoid's volume.
 };
 
-/// A primitive seen from one place of the skin.
+/// A primitive at one place of the skin.
 struct Candidate {
   int primitive = 0;
   float weight = 1.0f;  ///< Territory weight there, m_i (docs/design.md), 0..1.
-  int slot = 0;         ///< Its group, numbered among the groups present at that place.
+  int slot = 0;         ///< Its group, numbered among those present there.
 };
 
-/// Which groups add up at a place: lists of slots, one list per clique; empty: everything sums.
+/// Groups that add up at a place: one list of slots for each clique; empty: all groups add up.
 using CliqueLists = std::vector<std::vector<int>>;
 
 /// F and grad F at one point.
 struct FieldSample {
   float value = 0.0f;
-  glm::vec3 gradient{0.0f};  ///< Per character unit, world space; of the winning clique, or the mean of two that tie.
+  glm::vec3 gradient{0.0f};  ///< Per character unit, world space; of the highest clique, or a mean of two that tie.
 };
 
-/// A clique that is less than this below the highest counts in the gradient, the more the nearer it is; of several, the
-/// one that turns it most. Without it rounding would choose on the line between mirrored muscles, where the sums of
-/// both sides are equal.
+/// Difference to the highest clique below which another counts in the gradient, the more the nearer it is; if there are
+/// several, the one that changes the gradient most. Otherwise rounding would decide on the line between mirrored
+/// muscles, where the sums of both sides are equal.
 inline constexpr float kTie = 1e-4f;
 
-/// Memory that is reused from point to point, so that nothing is allocated; its contents carry nothing from one call to
-/// the next. One a thread.
+/// Memory that is reused from point to point. One per thread.
 struct FieldScratch {
   std::vector<FieldSample> ofSlot;
   std::vector<FieldSample> ofClique;
 };
 
-/// A primitive as a matrix places it. @param carrier  bone space -> world
+/// @param carrier  bone space -> world
 [[nodiscard]] PosedPrimitive posedPrimitive(const FieldPrimitive& primitive, const glm::mat4& carrier);
-/// All of them on their bones. @param boneInWorld  [bones]
+/// All primitives on their bones. @param boneInWorld  [bones]
 void poseField(std::span<const FieldPrimitive> primitives, std::span<const glm::mat4> boneInWorld,
                std::vector<PosedPrimitive>& out);
 
-/// F(x) = max over cliques of the sum of its positive m_i f_i, plus the sum of all carving m_i f_i (<= 0).
-/// Carves stand outside the maximum: inside it, any unlinked group anywhere would lift max(..., 0) over a carve and
-/// undo it, and culling would change values. See docs/design.md. Without carves, or with all groups linked, the two
-/// readings agree.
+/// F(x) = max over cliques of the sum of its positive m_i f_i, plus the sum of all carving m_i f_i (<= 0). Carves are
+/// outside the maximum, since inside any unlinked group would undo a carve by max(..., 0), and culling would change
+/// values. Without carves, or with all groups linked, it makes no difference. docs/design.md.
 [[nodiscard]] FieldSample sampleField(std::span<const PosedPrimitive> primitives, std::span<const Candidate> candidates,
                                       const CliqueLists& cliques, const glm::vec3& point, FieldScratch& scratch);
-/// With memory of its own: for single points.
+/// For single points.
 [[nodiscard]] FieldSample sampleField(std::span<const PosedPrimitive> primitives, std::span<const Candidate> candidates,
                                       const CliqueLists& cliques, const glm::vec3& point);
 

@@ -96,7 +96,7 @@ LineLengths lengthsOver(const LineRest& rest, const Skeleton& skeleton, std::spa
 namespace {
 
 constexpr float kAlongOther = 0.15f;  // Fraction of the other bone, from its joint.
-constexpr float kNearJoint = 0.015f;  // Fraction of H: a via point keeps this far from the joint at least.
+constexpr float kNearJoint = 0.015f;  // Smallest distance of a via point from the joint, fraction of H.
 
 std::string percent(float stretch) { return std::to_string(std::lround(100.0f * stretch)) + " %"; }
 
@@ -189,7 +189,7 @@ Result<Rig> withOtherEnd(Rig rig, int primitive, int bone, const Character& char
   const glm::vec3 onAxis = axis.from + kAlongOther * axis.along;
   std::array<glm::vec3, 2> poles = polesOf(muscle, boneAt(character, *own));
   if (glm::distance(poles[0], onAxis) < glm::distance(poles[1], onAxis)) std::swap(poles[0], poles[1]);
-  // As far off the other bone's axis as the muscle's own line is off its bone's.
+  // As far from the other bone's axis as the line is from the muscle's own bone.
   const glm::vec3 origin = halfWayToAxis(boneAt(character, *own), poles[0]);
   const glm::vec3 middle = 0.5f * (poles[0] + poles[1]);
   const glm::vec3 offset = middle - halfWayToAxis(boneAt(character, *own), middle);
@@ -203,11 +203,9 @@ Result<Rig> withOtherEnd(Rig rig, int primitive, int bone, const Character& char
   return setLineOfSeveral(std::move(rig), std::array{primitive}, last);
 }
 
-// A muscle in another bone's space.
-
 namespace {
 
-/// In its own space.
+/// In the bone's own space.
 float lengthOf(const Skeleton& skeleton, int bone) { return glm::length(at(skeleton.bones, bone).tip); }
 
 void scaleLengths(std::vector<AnimatedNumber>& animated, float factor) {
@@ -255,7 +253,7 @@ namespace {
 
 std::string placeOfLine(int line) { return indexed("lines", static_cast<std::size_t>(line)); }
 
-/// Whoever names `gone` as its twin has none any more.
+/// Unlinks lines whose twin is `gone`.
 void dropTwin(Rig& rig, const std::string& gone) {
   for (MuscleLine& line : rig.lines) {
     if (line.mirror == gone) line.mirror.clear();

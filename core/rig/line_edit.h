@@ -1,6 +1,4 @@
-// core/rig/line_edit.h: changes of muscle lines, as pure functions rig -> rig.
-//
-// As in rig_edit.h: a rig is taken by value; indices must be in range (asserted).
+// core/rig/line_edit.h: edits of muscle lines as pure functions rig -> rig. Indices must be in range (asserted).
 #pragma once
 
 #include <functional>
@@ -18,39 +16,36 @@
 
 namespace sinew {
 
-// Muscle lines fitted to a character: rest and contraction from poses and clips, via points,
-// a second end. As in rig_edit.h: a rig is taken by value; indices must be in range.
+// Lines fitted to a character.
 
-// How long a muscle line gets in what a character does.
-
-/// Line stretches (lambda) over clips.
+/// Line stretches (lambda) over poses.
 struct LineLengths {
   float least = 1.0f;
-  float secondPercentile = 1.0f;  ///< Shorter is rare: what full contraction is learned from.
+  float secondPercentile = 1.0f;  ///< From which full contraction is learned, since shorter is rare.
   float most = 1.0f;
-  std::string longestIn;  ///< Names of the clips in which it is longest and shortest.
+  std::string longestIn;  ///< Clips in which the line is longest and shortest.
   std::string shortestIn;
-  int poses = 0;  ///< Looked at; 0: the rest says nothing.
+  int poses = 0;  ///< Number of poses; 0: the other members are not valid.
 };
 
-/// Samples 15 times a second; of more than an hour of clips, 60,000 times in all.
+/// Over clips, sampled 15 times per second; if there are hours of clips, 60,000 times in all.
 [[nodiscard]] LineLengths lengthsOver(const LineRest& rest, const Character& character,
                                       std::span<const AnimationClip> clips);
 
-/// The same of several lines, for the price of one: each pose is sampled once.  @return [rests]
+/// Over clips for several lines, sampling each pose once.  @return [rests]
 [[nodiscard]] std::vector<LineLengths> lengthsOver(std::span<const LineRest> rests, const Character& character,
                                                    std::span<const AnimationClip> clips);
 
-/// The same over poses.
+/// Over poses.
 [[nodiscard]] LineLengths lengthsOver(const LineRest& rest, const Skeleton& skeleton, std::span<const Pose> poses);
 
-// Outside of these a straight line probably passes through a joint.
+// Stretches outside of which a straight line probably passes through a joint.
 inline constexpr float kPlausibleLeast = 0.6f;
 inline constexpr float kPlausibleMost = 1.4f;
 
-/// The pose's length becomes the rest length. @param stretch  lambda in the pose
+/// Makes the length in a pose the rest length. @param stretch  lambda in the pose
 [[nodiscard]] Result<Rig> withRestNow(Rig rig, int line, float stretch);
-/// The pose's length becomes that of full contraction. Error: the line is not shorter than at rest.
+/// Makes the length in a pose that of full contraction. Error: the line is not shorter than at rest.
 [[nodiscard]] Result<Rig> withFullNow(Rig rig, int line, float stretch);
 
 /// The joint that the line crosses: the origin of the lower of its two bones, in the bind pose.
@@ -69,35 +64,36 @@ struct Learned {
 [[nodiscard]] Result<Rig> withViaPoint(Rig rig, int line, const Character& character);
 [[nodiscard]] Result<Rig> withoutViaPoint(Rig rig, int line);
 
-/// Puts a muscle that rides its bone on a new line to another bone; it stays where it is in the bind pose. The line
-/// begins at the muscle's far end and ends a little way along the other bone, both half way between skin and axis. Its
-/// twin stays as it is (core/rig/twins.h: withTwinOnLine). Error: a bone is not there, or the ends would
-/// meet.
+/// Puts a muscle without a line on a new line to another bone; its place in the bind pose stays. The line begins at the
+/// muscle's far end and ends a short distance along the other bone, both half way between skin and axis. Its twin is
+/// not changed (see withTwinOnLine). Error: a bone is missing, or the ends would coincide.
 [[nodiscard]] Result<Rig> withOtherEnd(Rig rig, int primitive, int bone, const Character& character);
 
-// What becomes of a muscle that moves to another bone.
+// Muscles that move to another bone.
 
-/// The placement in `to` that looks as `inFrom` does in `from`, in one pose: the same ellipsoid in the world, whatever
-/// the bones' scale and shear (affine_image.h). A flattened bone: the placement as it was.
+/// The placement on bone `to` of the same ellipsoid in the world, whatever the bones' scale and shear. For a flat bone
+/// the placement is not changed.
 [[nodiscard]] Placement carryToBone(const Placement& inFrom, const glm::mat4& fromInWorld, const glm::mat4& toInWorld);
 
-/// The primitive at the same place along another bone, as much larger as that bone is longer (keyed and driven lengths
-/// too), with its default territory. From a bone that is not there: as large as it was.
+/// The primitive at the same place along another bone, scaled with the length of the bone, keyed and driven lengths
+/// included, with the default territory. Not scaled if its own bone is missing.
 [[nodiscard]] Primitive scaleToBone(Primitive primitive, const Skeleton& skeleton, int bone);
 
-/// Appends; the name is made unique. If `mirror` names a line of the rig, the two become each other's twins.
+// Lines of a rig.
+
+/// Appends a line and makes its name unique. If `mirror` names a line of the rig, the two become twins.
 [[nodiscard]] Result<Rig> addLine(Rig rig, MuscleLine line);
-/// The same in place. Error: the rig is as it was.
+/// The same in place. Error: the rig is not changed.
 [[nodiscard]] Result<void> append(Rig& rig, MuscleLine line);
-/// `change` must leave name and mirror alone (asserted).
+/// `change` must not change name and mirror (asserted).
 [[nodiscard]] Result<Rig> editLine(Rig rig, int line, const std::function<void(MuscleLine&)>& change);
 [[nodiscard]] Result<Rig> renameLine(Rig rig, int line, const std::string& name);
-/// Puts primitives on a line, or with -1 on their bones alone. Lines that lose their last primitive go.
+/// Puts primitives on a line, or with -1 on none. Removes lines that lose their last primitive.
 [[nodiscard]] Rig setLineOfSeveral(Rig rig, std::span<const int> primitives, int line);
-/// Makes two different lines each other's twins; former twins are unlinked.
+/// Makes two different lines twins; former twins are unlinked.
 [[nodiscard]] Rig setLineMirror(Rig rig, int line, int twin);
 
-/// Without those of `lines` that carry no primitive.
+/// Removes those of `lines` that carry no primitive.
 [[nodiscard]] Rig withoutIdleLines(Rig rig, std::unordered_set<std::string> lines);
 
 /// Rig indices of the primitives on a line, ascending.

@@ -1,4 +1,4 @@
-// core/rig/line_pose.cpp: the virtual bone that two anchors span. docs/muscles.md.
+// core/rig/line_pose.cpp: the virtual bone between two anchors. docs/muscles.md.
 #include "core/rig/line_pose.h"
 
 #include <algorithm>
@@ -12,9 +12,6 @@
 #include "sinew/geometry/geometry.h"
 
 namespace sinew {
-
-// Polar decomposition of a bone's motion.
-
 namespace {
 
 double farthest(const glm::dmat3& a, const glm::dmat3& b) {
@@ -29,8 +26,8 @@ double farthest(const glm::dmat3& a, const glm::dmat3& b) {
 
 glm::dmat3 nearestRotation(glm::dmat3 matrix) {
   const double determinant = glm::determinant(matrix);
-  matrix *= 1.0 / std::cbrt(determinant);  // Also turns over what was turned over.
-  constexpr int kMostRounds = 60;          // About seven for a bone; scale of a million to one takes thirty.
+  matrix *= 1.0 / std::cbrt(determinant);  // Negates reflections.
+  constexpr int kMostRounds = 60;          // A bone takes about seven; a scale of a million to one takes thirty.
   for (int round = 0; round < kMostRounds; ++round) {
     const glm::dmat3 next = 0.5 * (matrix + glm::inverse(glm::transpose(matrix)));
     const double step = farthest(next, matrix);
@@ -56,29 +53,28 @@ BoneMotion boneMotion(const glm::mat4& bind, const glm::mat4& inverseBind, const
 
 namespace {
 
-constexpr double kOpposite = 1e-6;  // 1 + cosine below which two directions are opposite.
-constexpr double kSamePoint =
-    1e-6;  // Share of the length in the bind pose below which anchors meet: they have no direction.
+constexpr double kOpposite = 1e-6;   // 1 + cosine below which two directions are opposite.
+constexpr double kSamePoint = 1e-6;  // Distance of coinciding anchors, fraction of the length in the bind pose.
 constexpr double kMaxFloat = 3.4e38;
 
-/// Where a line runs. World.
+/// Points of a line. World.
 struct Course {
   glm::dvec3 origin{0.0};
-  glm::dvec3 via{0.0};  ///< The middle where the line has no via point.
+  glm::dvec3 via{0.0};  ///< The middle of a line without via point.
   glm::dvec3 insertion{0.0};
-  double length = 0.0;  ///< Over the via point.
+  double length = 0.0;  ///< Through the via point.
 };
 
-/// Unit vectors, square to each other. World.
+/// Perpendicular unit vectors. World.
 struct LineFrame {
   glm::dvec3 width{0.0};
   glm::dvec3 direction{0.0};
   glm::dvec3 height{0.0};
 };
 
-/// Lengths of a line now, and how hard it works.
+/// Lengths and activation of a line.
 struct Contraction {
-  double scale = 1.0;       ///< The bones' growth since the bind pose.
+  double scale = 1.0;       ///< Scale of the bones since the bind pose.
   double restLength = 0.0;  ///< With that scale.
   double stretch = 1.0;
   double bellyStretch = 1.0;
@@ -98,17 +94,15 @@ struct Deformation {
   }
 };
 
-/// The bind frame's height as one bone carries it, after the least rotation that takes the carried direction onto the
-/// line: what is square to a direction loses its part along the new one in the plane of both.
+/// Rotates a height, perpendicular to `from`, by the smallest rotation that takes `from` to the line's direction.
 glm::dvec3 swingHeight(const glm::dvec3& from, const glm::dvec3& height, const glm::dvec3& direction) {
   const double opening = 1.0 + glm::dot(from, direction);
-  if (opening < kOpposite) return height;  // A half turn about the height: any would do.
+  if (opening < kOpposite) return height;  // A half turn about the height.
   return height - (glm::dot(height, direction) / opening) * (from + direction);
 }
 
-/// The normalized mixture of the quaternions of two frames around one direction, as the height it gives. Half their
-/// angle apart, the mixture of their half-angle vectors is the half angle from the first.
-/// @param a, b  unit, square to the direction
+/// The height of the normalized mixture of the quaternions of two frames around one direction.
+/// @param a, b  unit, perpendicular to the direction
 glm::dvec3 mixHeights(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& direction, double share) {
   const double cosine = std::min(1.0, std::max(-1.0, glm::dot(a, b)));
   const glm::dvec3 beside = glm::cross(direction, a);
@@ -120,7 +114,7 @@ glm::dvec3 mixHeights(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3
   return ((c * c - s * s) * whole) * a + ((c + c) * s * whole) * beside;
 }
 
-/// Bones of one skeleton in one pose; their motions are found when first asked for.
+/// Bones of one skeleton in one pose; motions are computed on first use.
 class PosedBones {
  public:
   PosedBones(const Skeleton& skeleton, const Pose& pose, LineScratch& scratch)
@@ -137,7 +131,7 @@ class PosedBones {
     return *known;
   }
   [[nodiscard]] glm::dvec3 place(const BonePoint& point) const { return posedPoint(point, pose_); }
-  /// What a via point rides need not be usable as a line's end: it is only a place.
+  /// The bone of a via point only has to be finite.
   [[nodiscard]] bool canCarry(const LineRest& rest) const {
     return motion(rest.origin.bone).usable && motion(rest.insertion.bone).usable &&
            (!rest.via || isFinite(at(pose_.boneInWorld, rest.via->bone)));
@@ -162,7 +156,7 @@ Course courseOf(const LineRest& rest, const PosedBones& bones, bool moved) {
     course.via = 0.5 * (course.origin + course.insertion);
     course.length = glm::length(course.insertion - course.origin);
   }
-  if (!moved) course.length = rest.length;  // Not a rounding away from it: what is at rest must be loose.
+  if (!moved) course.length = rest.length;  // Exactly, so that a line at rest has no activation.
   return course;
 }
 
@@ -192,7 +186,7 @@ LineFrame frameOf(const LineRest& rest, const PosedBones& bones, const Course& c
   return frame;
 }
 
-/// What the via point adds to the shift since the bind pose.
+/// The via point's contribution to the shift since the bind pose.
 glm::dvec3 shiftAside(const LineRest& rest, const Course& course, const LineFrame& frame, const Contraction& now,
                       double tendon) {
   const auto& [width, direction, height] = frame;
@@ -229,7 +223,7 @@ PosedLine poseLine(const LineRest& rest, const PosedBones& bones, double flex) {
   const Course course = courseOf(rest, bones, moved);
   const Contraction now = contractionOf(rest, bones, course.length, flex);
   const LineFrame frame = frameOf(rest, bones, course);
-  // Where nothing has moved what the designer drew is there, bit for bit.
+  // If nothing has moved, muscles stay bit for bit as drawn.
   const bool asDrawn = !moved && now.activation == 0.0;
   const Deformation deformation = asDrawn ? Deformation{} : deformationOf(rest, course, frame, now);
   if (!deformation.isFinite()) return {};

@@ -1,8 +1,8 @@
-// core/rig/line_pose.h: muscle lines in a pose: how long, how hard, and what they make of their bellies.
+// core/rig/line_pose.h: length, activation and deformation of muscle lines in a pose.
 //
-// A muscle line is a virtual bone: its deformation takes the bind pose's world to the posed one, as a bone's motion
-// does, but stretches with the line and thickens as the line shortens. It is affine, so that an ellipsoid on it stays
-// one. Formulas: docs/muscles.md.
+// A muscle line is a virtual bone: its deformation takes the world of the bind pose to that of the pose, as the motion
+// of a bone, but stretches with the line and thickens as the line shortens. It is affine, so that ellipsoids stay
+// ellipsoids. Formulas: docs/muscles.md.
 #pragma once
 
 #include <algorithm>
@@ -20,18 +20,16 @@
 
 namespace sinew {
 
-// The muscle that a line gets where none was drawn: from under the line to over the skin.
-
-/// How far it stands out of the skin, of its half length.
+/// How far a new belly stands out of the skin, fraction of its half length.
 inline constexpr float kBellyBulge = 0.22f;
 
-/// Its long axis (y) lies along the line, its height (z) points out. World.
-/// @param middle  on the line  @param along, out  unit, square to each other
-/// @param top  from the middle to the highest point  @param half  half its length
+/// A new belly on a line, from below the line to above the skin: y along the line, z outwards. World.
+/// @param middle  on the line  @param along, out  unit, perpendicular
+/// @param top  from the middle to the highest point  @param half  half length
 [[nodiscard]] inline Placement bellyOnLine(const glm::vec3& middle, const glm::vec3& along, const glm::vec3& out,
                                            float top, float half) {
-  constexpr float kThick = 0.55f;      // Half thickness, of `top`.
-  constexpr float kLeastThick = 0.2f;  // Of the half length.
+  constexpr float kThick = 0.55f;      // Half thickness, fraction of `top`.
+  constexpr float kLeastThick = 0.2f;  // Fractions of the half length.
   constexpr float kMostThick = 0.5f;
   constexpr float kWide = 1.1f;  // Width over thickness.
   const float thick = std::clamp(kThick * top, kLeastThick * half, kMostThick * half);
@@ -42,51 +40,48 @@ inline constexpr float kBellyBulge = 0.22f;
   return belly;
 }
 
-// How far a bone has turned and grown since the bind pose.
-
+/// Rotation and scale of a bone since the bind pose.
 struct BoneMotion {
-  glm::dmat3 turn{1.0};  ///< World bind -> world now, the rotation nearest to the bone's motion.
-  double scale = 1.0;    ///< Cube root of the volume's growth.
-  bool moved = false;    ///< The bone's matrix is not that of the bind pose, bit for bit.
-  bool usable = true;    ///< False where the bone is flattened or not finite: `turn` is none then.
+  glm::dmat3 turn{1.0};  ///< World bind -> world now, the nearest rotation.
+  double scale = 1.0;    ///< Cube root of the change of volume.
+  bool moved = false;    ///< The bone's matrix differs from that of the bind pose.
+  bool usable = true;    ///< False: the bone is flat or not finite, and `turn` is not valid.
 };
 
-/// The rotation is that of the polar decomposition, so that scale and shear do not turn it.
+/// The rotation is that of the polar decomposition, so that scale and shear do not affect it.
 /// @param bind, inverseBind  bone -> world in the bind pose, and back.
 [[nodiscard]] BoneMotion boneMotion(const glm::mat4& bind, const glm::mat4& inverseBind, const glm::mat4& now);
 
-/// The rotation nearest to a matrix that is not flat (Higham's iteration). If it turns space over, the
-/// rotation nearest to its negative.
+/// The rotation nearest to a matrix that is not flat (Higham's iteration), or to its negative if it is a reflection.
 [[nodiscard]] glm::dmat3 nearestRotation(glm::dmat3 matrix);
 
 struct PosedLine {
-  glm::mat4 deformation{0.0f};  ///< World of the bind pose -> world now. Zeros: nothing on the line is to be seen.
-  glm::vec3 origin{0.0f};       ///< World, as all that follows.
-  glm::vec3 via{0.0f};          ///< The middle of the line where it has none.
+  glm::mat4 deformation{0.0f};  ///< World of the bind pose -> world now. Zeros: muscles on the line are invisible.
+  glm::vec3 origin{0.0f};       ///< World, as the following.
+  glm::vec3 via{0.0f};          ///< The middle of a line without via point.
   glm::vec3 insertion{0.0f};
-  glm::vec3 height{0.0f, 0.0f, 1.0f};  ///< Unit: z of the line's frame.
+  glm::vec3 height{0.0f, 0.0f, 1.0f};  ///< z of the line's frame, unit.
   float stretch = 1.0f;                ///< lambda: length / rest length.
-  float bellyStretch = 1.0f;           ///< lambda_b: the same of what is not tendon.
+  float bellyStretch = 1.0f;           ///< lambda_b: the same without the tendons.
   float activation = 0.0f;             ///< 0..1
-  glm::vec3 aside{0.0f};               ///< World: what the via point adds to the deformation's shift (via_bend.h).
-  bool usable = false;                 ///< False: missing or flattened bones; the rest is not to be read.
+  glm::vec3 aside{0.0f};               ///< World: shift of the deformation by the via point (core/rig/posed_rig.h).
+  bool usable = false;                 ///< False: bones are missing or flat; other members are not valid.
 };
 
 /// Memory that is reused from pose to pose.
 struct LineScratch {
-  std::vector<std::optional<BoneMotion>> motions;  ///< [bones] those that lines ride.
+  std::vector<std::optional<BoneMotion>> motions;  ///< [bones] that carry lines.
 };
 
-/// All lines of a rig in a pose; flexed by Pose::flex. Allocates nothing once `scratch` and `out` have grown.
-/// @param lines  [Rig::lines] on the same skeleton; nullopt where there is no line, which is not usable.
+/// All lines of a rig in a pose, with Pose::flex. Allocates nothing once `scratch` and `out` have grown.
+/// @param lines  [Rig::lines] on the same skeleton; nullopt gives a line that is not usable.
 void poseLines(std::span<const std::optional<LineRest>> lines, const Skeleton& skeleton, const Pose& pose,
                LineScratch& scratch, std::vector<PosedLine>& out);
 
-/// One line, for those who need no more; the same numbers. @param flex  Pose::flexOf it
+/// One line, with the same result. @param flex  Pose::flexOf() the line
 [[nodiscard]] PosedLine posedLine(const LineRest& rest, const Skeleton& skeleton, const Pose& pose, float flex = 0.0f);
 
-/// What a primitive rides: its bone's space in the bind pose -> world now.
-/// @param line  of the primitive, or -1
+/// Bone space in the bind pose -> world now, for primitives on a bone and a line. @param line  -1: none
 [[nodiscard]] glm::mat4 carrierInWorld(int bone, int line, const Skeleton& skeleton, const Pose& pose,
                                        std::span<const PosedLine> lines);
 

@@ -1,4 +1,4 @@
-// core/rig/line_rest.cpp: finds the anchors and sets up the frame of the bind pose.
+// core/rig/line_rest.cpp: finds anchors and sets up frames; girth and activation; curves of tendons and lines.
 #include "core/rig/line_rest.h"
 
 #include <algorithm>
@@ -15,18 +15,17 @@
 
 namespace sinew {
 
-// Girth and activation. Logarithm and exponential function are series, so that every
-// machine and every standard library gives the same bits.
+// Logarithm and exponential function are series, so that the results do not depend on the standard library.
 
 namespace {
 
-constexpr double kLn2High = 0x1.62e42feep-1;  ///< Its products with whole numbers below 2^21 are exact.
+constexpr double kLn2High = 0x1.62e42feep-1;  ///< Products with integers below 2^21 are exact.
 constexpr double kLn2Low = 0x1.a39ef35793c76p-33;
 
-/// `low` where x is not a number.
+/// `low` if x is NaN.
 double clamp(double x, double low, double high) { return std::min(high, std::max(low, x)); }
 
-/// ln x to 2e-15 + 1e-13 |ln x|, for normal numbers above 0; any number for others.
+/// ln x to 2e-15 + 1e-13 |ln x| for normal numbers above 0; arbitrary for others.
 double naturalLog(double x) {
   constexpr std::uint64_t kRootOfHalf = 0x3FE6A09E667F3BCD;
   constexpr std::uint64_t kOne = 0x3FF0000000000000;
@@ -44,9 +43,9 @@ double naturalLog(double x) {
   return k * kLn2High + (k * kLn2Low + (s + s) * series);
 }
 
-/// e^x to 4e-13 of itself; x beyond 700 counts as 700, below -700 as -700. Not finite: any number.
+/// e^x with a relative error of 4e-13; x is clamped to -700..700. Arbitrary if x is not finite.
 double exponential(double x) {
-  constexpr double kMagic = 0x1.8p52;  // Adding it rounds to a whole number, which is left in the lowest bits.
+  constexpr double kMagic = 0x1.8p52;  // Adding it rounds to an integer in the lowest bits.
   x = clamp(x, -700.0, 700.0);
   // x = k ln 2 + r.
   const double rounded = x * 0x1.71547652b82fep0 + kMagic;
@@ -61,7 +60,7 @@ double exponential(double x) {
   return series * std::bit_cast<double>((std::bit_cast<std::uint64_t>(rounded) + 1023) << 52);
 }
 
-/// ln of a stretch, leveling off at both limits; slope 1 at rest.
+/// ln of a stretch, leveling off at both limits; derivative 1 at rest.
 double softenedLog(double stretch, const GirthRest& rest) {
   const double x = naturalLog(stretch);
   const double limit = x < 0.0 ? rest.least : rest.most;
@@ -76,7 +75,7 @@ double bellyShare(const LineSettings& settings) {
 }
 
 double bellyStretch(double stretch, const LineSettings& settings) {
-  constexpr double kLeast = 0.1;  // Share of the rest length's belly that is left, however short the line.
+  constexpr double kLeast = 0.1;  // Smallest belly stretch.
   const double belly = bellyShare(settings);
   const double tendons = 1.0 - belly;
   return std::max(kLeast * belly, stretch - tendons) / belly;
@@ -101,11 +100,9 @@ double activation(double stretch, const LineSettings& settings, double added) {
   return clamp(base + static_cast<double>(settings.gain) * smooth, 0.0, 1.0);
 }
 
-// Soft curves through few points.
-
 namespace {
 
-constexpr float kBeside = 0.9f;  ///< Anchors must lie further out than this along the belly.
+constexpr float kBeside = 0.9f;  ///< Least position of anchors along the belly, in half lengths.
 constexpr int kPerCurve = 24;    ///< Segments of a drawn curve.
 
 glm::vec3 directionOr(const glm::vec3& v, const glm::vec3& otherwise) {
@@ -113,7 +110,7 @@ glm::vec3 directionOr(const glm::vec3& v, const glm::vec3& otherwise) {
   return length > 0.0f ? v / length : otherwise;
 }
 
-/// From a point in one direction to a point in another.
+/// A Bezier curve that leaves and arrives in the given directions.
 std::array<glm::vec3, 4> softCurve(const glm::vec3& from, const glm::vec3& leaves, const glm::vec3& to,
                                    const glm::vec3& arrives) {
   const float third = glm::distance(from, to) / 3.0f;
@@ -125,7 +122,7 @@ std::optional<Tendon> tendonTo(const glm::mat4& belly, const glm::vec2& bend, fl
   const glm::mat4 inBelly = glm::inverse(belly);
   const auto along = [&](const glm::vec3& point) { return side * (inBelly * glm::vec4(point, 1.0f)).y; };
   const float end = along(anchor);
-  if (!(end > kBeside)) return std::nullopt;  // Also where the belly is flat.
+  if (!(end > kBeside)) return std::nullopt;  // Also if the belly is flat.
   Tendon tendon;
   tendon.side = side;
   // On the belly's axis: (x, z) = bend (1 - y^2).
@@ -194,10 +191,10 @@ glm::dvec3 nearestSkin(const ControlMesh& mesh, const glm::dvec3& point) {
   return result;
 }
 
-/// What is left of v without its part along a unit vector.
+/// v without its component along a unit vector.
 glm::dvec3 partAcross(const glm::dvec3& v, const glm::dvec3& unit) { return v - glm::dot(v, unit) * unit; }
 
-/// Any direction across another; the same for the same.
+/// Some direction perpendicular to a unit vector.
 glm::dvec3 anyAcross(const glm::dvec3& unit) {
   const glm::dvec3 axis = std::abs(unit.z) < 0.9 ? glm::dvec3(0.0, 0.0, 1.0) : glm::dvec3(1.0, 0.0, 0.0);
   return glm::normalize(partAcross(axis, unit));
@@ -215,9 +212,8 @@ void setFrame(LineRest& rest, const Character& character) {
   rest.height = std::max(0.0, glm::dot(middle - bone, z));
 }
 
-/// How much farther out than the via point the middle of the belly goes, for a via point at y, -1 and 1 being the
-/// belly's ends: as a parabola through it, 1 / (1 - y^2), over the middle 0.6; towards the ends, where no parabola
-/// holds, the factor fades to 1, and stays that. C1, at most 1.94.
+/// Shift of the belly's middle over that of a via point at y, where the belly's ends are -1 and 1: that of a parabola,
+/// 1 / (1 - y^2), for |y| < 0.6, fading to 1 at the ends and beyond. C1, at most 1.94.
 double viaFactor(double y) {
   constexpr double kParabola = 0.6;
   const double away = std::min(1.0, std::abs(y));
@@ -250,7 +246,7 @@ glm::dvec3 posedPoint(const BonePoint& point, const Pose& pose) {
 
 glm::dvec3 viaShift(const glm::dvec3& origin, const glm::dvec3& direction, const glm::dvec3& via, double tendon,
                     double belly) {
-  constexpr double kMaxShift = 0.5;  // Share of the belly's length.
+  constexpr double kMaxShift = 0.5;  // Fraction of the belly's length.
   const glm::dvec3 there = via - origin;
   const double foot = glm::dot(there, direction);
   const glm::dvec3 beside = there - foot * direction;

@@ -1,4 +1,4 @@
-// core/rig/merge.cpp: names made free, references followed by index.
+// core/rig/merge.cpp: makes names free and follows references by index.
 #include "core/rig/merge.h"
 
 #include <algorithm>
@@ -16,8 +16,6 @@
 #include "sinew/rig/rig_edit.h"
 
 namespace sinew {
-
-// What a muscle takes along.
 
 Rig excerpt(const Rig& rig, std::span<const int> primitives) {
   using Names = std::unordered_set<std::string>;
@@ -61,7 +59,7 @@ namespace {
 
 Error lacksBone(const std::string& bone) { return errorAt("", "this character has no bone \"" + bone + '"'); }
 
-/// Groups of `from` that the rig lacks, and the links that join one of these to another.
+/// Adds groups of `from` that the rig lacks, with their links.
 Result<void> addGroups(Rig& rig, const Rig& from) {
   const auto former = static_cast<int>(rig.groups.size());
   for (const Group& group : from.groups) {
@@ -73,7 +71,7 @@ Result<void> addGroups(Rig& rig, const Rig& from) {
   return static_cast<int>(rig.groups.size()) > former ? validateLinks(rig) : Result<void>();
 }
 
-/// Channels that the rig lacks, with all their tracks.
+/// Adds channels that the rig lacks, with all their tracks.
 void addChannels(Rig& rig, const Rig& from) {
   const std::size_t former = rig.channels.size();
   for (const RigChannel& channel : from.channels) {
@@ -106,7 +104,7 @@ class Merge {
  private:
   Rig& rig() { return merged_.rig; }
 
-  /// A line that is added for a primitive which is then refused goes again.
+  /// Removes a line that was added for a primitive if that is then left out.
   Result<void> addWithLine(int index) {
     const int line = findLine(from_, at(from_.primitives, index).line);
     const bool isNew = line >= 0 && at(merged_.lines, line) < 0;
@@ -167,7 +165,7 @@ class Merge {
     }
   }
 
-  /// What a line that `from` names is called here: as it came, else as it was there before; null: it is not.
+  /// The name here of a line of `from`: that of the merged line, else of one that existed before; null: none.
   const std::string* lineNow(const std::string& name) {
     const int line = findLine(from_, name);
     const int came = line < 0 ? -1 : at(merged_.lines, line);
@@ -201,14 +199,14 @@ class Merge {
 
 // To another bone --------------------------------------------------------------------------------------------------
 
-/// Which side of the plane a bone begins on; 0: it is absent.
+/// Side of the plane of a bone's joint, 1 or -1; 0: the bone is missing.
 int sideOfBone(const MirrorPlan& plan, const Skeleton& skeleton, const std::string& bone) {
   const std::optional<int> index = skeleton.findBone(bone);
   if (!index) return 0;
   return distanceTo(plan.plane, glm::dvec3(at(skeleton.bones, *index).bindInWorld[3])) < 0.0 ? -1 : 1;
 }
 
-/// Indices of the primitives without twins, and of twins of the one on the side of `bone`, else the first by name.
+/// Indices of primitives without twins, and for twins of the one on the side of `bone`, else the first by name.
 std::vector<int> leaders(const Rig& rig, const Skeleton& skeleton, const std::string& bone, const MirrorPlan* plan) {
   const auto isThere = [&](int index) {
     return plan && sideOfBone(*plan, skeleton, at(rig.primitives, index).bone) == sideOfBone(*plan, skeleton, bone);

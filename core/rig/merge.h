@@ -1,7 +1,7 @@
-// core/rig/merge.h: the muscles of one rig brought into another.
+// core/rig/merge.h: merges muscles of one rig into another.
 //
-// References are followed by index, old -> new: a name in one rig says nothing of the same name in the other. Only what
-// the two are to share is found by its name: groups, channels, and lines that are read but carry nothing.
+// References are followed by index, since equal names in two rigs do not mean the same thing. Only shared things are
+// matched by name: groups, channels, and lines that drivers read but that carry no muscle.
 #pragma once
 
 #include <optional>
@@ -15,21 +15,18 @@
 
 namespace sinew {
 
-// Some muscles of a rig as a rig of their own.
-
-/// The primitives with the lines that they ride, the lines and channels that drivers of these read, their groups and
-/// the links between these. Links to twins that stay behind are left out, as are drivers of lines that are only read.
-/// @param primitives  rig indices, in the order that they get
+/// A rig of some primitives with their lines, the lines and channels that their drivers read, their groups and the
+/// links between these. Without links to other twins, and without drivers of lines that are only read.
+/// @param primitives  rig indices, in the order of the result
 [[nodiscard]] Rig excerpt(const Rig& rig, std::span<const int> primitives);
 
-/// What a merge has made.
 struct Merged {
-  /// A primitive that is left out.
+  /// A primitive that was left out.
   struct Refusal {
     int primitive = 0;  ///< Index into `from`.
     Error why;
   };
-  /// A driver that is left out: there is no such line.
+  /// A driver that was left out because its line does not exist.
   struct LostDriver {
     std::string owner;  ///< Name of the primitive or line in the result.
     std::string line;
@@ -37,22 +34,20 @@ struct Merged {
 
   Rig rig;
   std::vector<int> primitives;  ///< [primitives of `from`] index in `rig`, or -1.
-  std::vector<int> lines;       ///< [lines of `from`] the same; there are those that carry a primitive that is.
+  std::vector<int> lines;       ///< [lines of `from`] index in `rig`, or -1: carries no merged primitive.
   std::vector<Refusal> refusals;
   std::vector<LostDriver> lostDrivers;
 };
 
-/// `into` with the primitives of `from` at the end, in their order, under free names; twins that both come are twins,
-/// and the second is named after what the first has become. Their lines come with them and are not shared; groups and
-/// channels that are absent are made, and absent groups linked as in `from`. Left out: what is on a bone that the
-/// skeleton lacks, has no image, or finds no room. Error: the groups make too many cliques.
+/// Appends the primitives of `from` under free names, with their lines. Twins stay twins, and the second is named after
+/// the first. Missing groups and channels are added, and missing groups linked as in `from`. Primitives are left out if
+/// their bone is missing, they have no mirror image, or the rig is full. Error: the groups make too many cliques.
 /// @param from    valid
-/// @param mirror  null, or the plan by which all of it comes to the other side
+/// @param mirror  not null: merges the mirror images
 [[nodiscard]] Result<Merged> mergeRigs(Rig into, const Rig& from, const Skeleton& skeleton, const MirrorPlan* mirror);
 
-/// A rig whose primitives are all on one bone, or with their twins on a pair, on another bone (reparent.h): of twins
-/// the one on its side of the plane, and the other as its image. Nothing: they are on several, on `bone`, or ride
-/// lines.
+/// Moves all primitives from one bone to another (scaleToBone). Of a pair of twins it moves the one on the side of the
+/// new bone and mirrors it. Nothing: they are on several bones, already on `bone`, or on lines.
 /// @param plan  null: twins become single
 [[nodiscard]] std::optional<Rig> moveToBone(const Rig& rig, const Skeleton& skeleton, int bone, const MirrorPlan* plan);
 

@@ -1,4 +1,4 @@
-// core/rig/mesh_layers.cpp: layers of parts handed on to what they share; nearest triangles by a tree.
+// core/rig/mesh_layers.cpp: guesses the layers of parts; finds skin under cloth and cloth over skin by a tree.
 #include "core/rig/mesh_layers.h"
 
 #include <algorithm>
@@ -24,24 +24,9 @@
 
 namespace sinew {
 
-// Choices found by the parts' names.
-
-namespace {
-
-constexpr std::size_t kMostLayers = 65536;
-
-}  // namespace
-
 const char* nameOf(SkinLayer layer) {
-  switch (layer) {
-    case SkinLayer::kCloth:
-      return "cloth";
-    case SkinLayer::kRigid:
-      return "rigid";
-    case SkinLayer::kSkin:
-      break;
-  }
-  return "skin";
+  constexpr std::array kLayers{"skin", "cloth", "rigid"};
+  return kLayers[static_cast<std::size_t>(layer)];
 }
 
 std::optional<SkinLayer> skinLayerNamed(const std::string& name) {
@@ -86,12 +71,8 @@ Rig withoutLayers(Rig rig) {
 }
 
 Result<void> validateLayers(const Rig& rig) {
-  if (rig.layers.size() > kMostLayers) {
-    return errorAt(
-        "layers",
-        "expected at most " + std::to_string(kMostLayers) + " parts, got " + std::to_string(rig.layers.size()),
-        "the rig");
-  }
+  constexpr std::size_t kMostLayers = 65536;
+  if (auto count = validateCount("layers", "parts", rig.layers.size(), kMostLayers); !count) return count;
   std::unordered_set<std::string> known;
   for (const LayerChoice& choice : rig.layers) {
     const std::string place = "layers." + choice.part;
@@ -119,14 +100,14 @@ namespace {
 constexpr std::size_t kPartSamples = 160;       ///< Triangles of a part that are looked at, at most,
 constexpr std::size_t kFewPartSamples = 8;      ///< and where there are very many parts,
 constexpr std::size_t kAllPartSamples = 8'000;  ///< of all parts together.
-constexpr float kOverWithin = 0.05f;    ///< Fraction of H: how far a garment lies off the skin under it, at most.
-constexpr float kOverAlong = 0.4f;      ///< Cosine between normals, and between a normal and the way to the skin.
-constexpr float kOverShare = 0.5f;      ///< Of its area over another part: cloth.
-constexpr float kNamedShare = 0.25f;    ///< The same if its name is a garment's.
-constexpr float kInsideShare = 0.5f;    ///< Of its area inside of others: rigid.
-constexpr float kInsideWinding = 0.4f;  ///< An eye looks out of its socket.
-constexpr float kSmallPart = 0.25f;     ///< Of the body's area: more is no eye.
-constexpr float kSewnShare = 0.5f;      ///< Of its border.
+constexpr float kOverWithin = 0.05f;    ///< Largest distance of a garment from the skin under it, fraction of H.
+constexpr float kOverAlong = 0.4f;      ///< Cosine between normals, and between a normal and the direction to the skin.
+constexpr float kOverShare = 0.5f;      ///< Fraction of the area over another part, from which a part is cloth.
+constexpr float kNamedShare = 0.25f;    ///< The same for parts named as garments.
+constexpr float kInsideShare = 0.5f;    ///< Fraction of the area inside others, from which a part is rigid.
+constexpr float kInsideWinding = 0.4f;  ///< Below 0.5, since part of an eye is outside its socket.
+constexpr float kSmallPart = 0.25f;     ///< Largest area of a part inside others, fraction of the body's.
+constexpr float kSewnShare = 0.5f;      ///< Fraction of the border.
 
 constexpr std::array<std::string_view, 16> kRigidWords{"eye",   "eyes",   "eyeball", "eyeballs", "iris",  "cornea",
                                                        "pupil", "pupils", "sclera",  "tooth",    "teeth", "tongue",
@@ -145,7 +126,7 @@ bool hasWordOf(const std::vector<std::string>& words, const std::array<std::stri
                              [&](const std::string& word) { return std::ranges::find(wanted, word) != wanted.end(); });
 }
 
-/// A point in the middle of a triangle that stands for some of its part's area.
+/// The middle of a triangle, a sample of its part's surface.
 struct PartSample {
   glm::vec3 middle{0.0f};
   glm::vec3 normal{0.0f};  ///< Unit.
@@ -157,10 +138,10 @@ struct PartFacts {
   std::vector<PartSample> samples;
   float area = 0.0f;
   std::set<int> bones;
-  int border = 0;         ///< Edges with a single triangle of this part,
-  int sewn = 0;           ///< and those of them with one of another.
-  float over = 0.0f;      ///< Share of its area.
-  float nearSkin = 0.0f;  ///< Share of its area close to other parts.
+  int border = 0;         ///< Edges with one triangle of this part.
+  int sewn = 0;           ///< Those that also have one of another part.
+  float over = 0.0f;      ///< Fraction of the area over other parts.
+  float nearSkin = 0.0f;  ///< Fraction of the area close to other parts.
   std::vector<std::string> words;
 
   [[nodiscard]] bool isSewn() const {
@@ -258,7 +239,7 @@ class LayerGuesser {
     return {corners, triangles};
   }
 
-  /// The triangles of all parts that `isIn`.
+  /// The triangles of all parts for which isIn() is true.
   template <class IsIn>
   [[nodiscard]] std::vector<int> trianglesOf(IsIn isIn) const {
     std::vector<int> triangles;
@@ -273,7 +254,7 @@ class LayerGuesser {
     return normalizeOr(glm::cross(c[1] - c[0], c[2] - c[0]), glm::vec3(0.0f));
   }
 
-  /// How much of a part has skin of others under it, that faces as it does.
+  /// Measures how much of a part has other parts under it that face the same way.
   void measureOver(int p) {
     PartFacts& part = at(facts_, p);
     const TriangleTree& all = wholeTree();
@@ -321,7 +302,7 @@ class LayerGuesser {
     for (const std::size_t p : inside) layers[p] = SkinLayer::kRigid;
   }
 
-  /// Without the part's own winding: just off it on either side, that is the same but for 1.
+  /// Fraction of the part's area inside others. Subtracts the part's own winding number.
   [[nodiscard]] float shareInside(std::size_t p, const TriangleTree& tree) const {
     float inside = 0.0f;
     float whole = 0.0f;
@@ -353,10 +334,10 @@ std::vector<SkinLayer> guessLayers(const Character& character) {
 
 namespace {
 
-/// The layer that wins where parts meet: the enumerators' order.
+// Where parts meet, the first of these wins.
 static_assert(SkinLayer::kSkin < SkinLayer::kCloth && SkinLayer::kCloth < SkinLayer::kRigid);
 
-/// 0..1: how much of a vertex's weight is on bones that a triangle's corners follow as much.
+/// 0..1: agreement of a vertex's weights with those of a triangle's corners.
 float weightLikeness(const Character& character, int vertex, int triangle) {
   float shared = 0.0f;
   for (const int corner : at(character.mesh.triangles, triangle).vertices) {

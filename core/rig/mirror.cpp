@@ -1,4 +1,4 @@
-// core/rig/mirror.cpp: what a plane makes of a placement, and of a primitive.
+// core/rig/mirror.cpp: mirror images of placements and primitives.
 #include "core/rig/mirror.h"
 
 #include <algorithm>
@@ -16,7 +16,7 @@
 namespace sinew {
 namespace {
 
-constexpr double kTidy = 2e-7;  // Fraction of a map's size: what differs less from a permutation of axes is one.
+constexpr double kTidy = 2e-7;  // Tolerance of maps that are permutations of axes with signs.
 
 bool isFinite(const glm::dmat4& m) {
   for (int column = 0; column < 4; ++column) {
@@ -37,7 +37,7 @@ glm::dmat4 reflectionMatrix(const MirrorPlane& plane) {
   return m;
 }
 
-/// Rounds what is a permutation of axes with signs, but for the digits a file of floats loses, to exactly that.
+/// Rounds a map that is a permutation of axes with signs up to float precision.
 void tidy(AffineMap& mirror) {
   glm::dmat3 rounded(0.0);
   for (int column = 0; column < 3; ++column) {
@@ -52,8 +52,8 @@ void tidy(AffineMap& mirror) {
 
 const Bone& boneAt(const MirrorPlan& plan, int bone) { return at(plan.skeleton.bones, bone); }
 
-/// Whether equal ellipsoids, each the other's image, have equal shapes too. What tells them apart are vectors: the axis
-/// y, and numbers along axes. @param allowed  world units.
+/// Whether equal ellipsoids also have equal shapes. Compares the axis y, and the vectors of numbers along axes.
+/// @param allowed  world units.
 bool sameShape(const Placement& a, const Placement& b, const glm::dmat3& bone, double allowed) {
   if (a.shape.isPlain() && b.shape.isPlain()) return true;
   const auto axis = [&](const Placement& placement, int i) {
@@ -83,10 +83,8 @@ double distanceTo(const MirrorPlane& plane, const glm::dvec3& pointInWorld) {
   return glm::dot(plane.normal, pointInWorld) - plane.offset;
 }
 
-/// The map from a bone's space to its twin's: to the world, across the plane, and back from the world. It is computed
-/// in double. Exporters usually make twin bones mirror images along their own axes; then the map is a permutation of
-/// axes with signs, and rounding it to exactly that makes the image of an image equal to the original, bit for bit
-/// (mirror.h, Canonical form).
+/// Exporters usually make twin bones mirror images along their own axes. Then the map is a permutation of axes with
+/// signs, and is rounded so that the image of an image equals the original bit for bit (mirror.h, Canonical form).
 std::optional<AffineMap> boneMirror(const glm::mat4& boneInBind, const glm::mat4& twinBoneInBind,
                                     const MirrorPlane& plane) {
   const glm::dmat4 bone(boneInBind);
@@ -97,7 +95,7 @@ std::optional<AffineMap> boneMirror(const glm::mat4& boneInBind, const glm::mat4
   if (!isFinite(map)) return std::nullopt;
   AffineMap mirror{glm::dmat3(map), glm::dvec3(map[3])};
   tidy(mirror);
-  // A center that a tidy map moves by less than its own rounding is not moved.
+  // Drops offsets below the rounding of centers.
   const double reach = glm::length(glm::dvec3(boneInBind[3])) / glm::length(glm::dvec3(twinBoneInBind[0]));
   for (int i = 0; i < 3; ++i) {
     if (std::abs(mirror.offset[i]) < kTidy * reach) mirror.offset[i] = 0.0;
@@ -151,14 +149,12 @@ Result<Primitive> mirroredPrimitive(const MirrorPlan& plan, const Primitive& pri
   return image;
 }
 
-/// Compares a primitive with its own image. An ellipsoid has many placements (axes may be exchanged or turned round),
-/// so ellipsoids are compared by their quadratic forms, the sums of the outer products of their half axes in the world.
-/// Shapes have directions besides, which sameShape() compares.
+/// Compares a primitive with its image. Since an ellipsoid has many placements, it compares quadratic forms, the sums
+/// of the outer products of half axes in the world, and then shapes.
 bool liesInPlane(const MirrorPlan& plan, const Primitive& primitive, float tolerance) {
   const std::optional<int> bone = plan.skeleton.findBone(primitive.bone);
   if (!bone || at(plan.twinOf, *bone) != *bone) return false;
   const Placement image = imageOf(primitive.placement, *at(plan.mirrors, *bone));
-  // Two ellipsoids are equal if their quadratic forms are: six points of one against the other's half widths.
   const glm::dmat4 bind(boneAt(plan, *bone).bindInWorld);
   const double allowed = static_cast<double>(tolerance) * static_cast<double>(plan.characterHeight);
   const auto form = [&](const Placement& placement) {
@@ -192,7 +188,7 @@ std::optional<Placement> snappedToPlane(const MirrorPlan& plan, const Primitive&
   const glm::dmat3 back = glm::inverse(linear);
   Placement snapped = primitive.placement;
   snapped.center = glm::vec3(glm::dvec3(snapped.center) - back * (off * plan.plane.normal));
-  // The axis nearest to the plane's normal is laid across the plane, the longer of the others into it.
+  // The axis nearest to the plane's normal becomes the normal; the others lie in the plane.
   const glm::dvec3 across = glm::normalize(glm::transpose(linear) * plan.plane.normal);
   const glm::dmat3 axes = glm::mat3_cast(glm::dquat(primitive.placement.rotation));
   int nearest = 0;

@@ -1,4 +1,4 @@
-// core/rig/mirror_plan.cpp: finding the plane of a character and the counterpart of each bone.
+// core/rig/mirror_plan.cpp: finds the mirror plane of a character and the counterpart of each bone.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -20,14 +20,10 @@
 namespace sinew {
 namespace {
 
-// Which bones belong together, by name and by place.
-// Which bones belong together.
-
 // Fractions of H.
-constexpr double kNamedReach = 0.25;  // Named pairs further from being opposite than this are not believed.
-
-constexpr double kPlaceReach = 0.04;   // Bones paired by place lie this near to each other's image.
-constexpr double kCenterReach = 0.02;  // Bones this near to the plane, origin and tip, may be center bones.
+constexpr double kNamedReach = 0.25;   // Largest distance of a bone from the image of its counterpart by name.
+constexpr double kPlaceReach = 0.04;   // The same for counterparts by place.
+constexpr double kCenterReach = 0.02;  // Largest distance of center bones from the plane.
 constexpr char kAnySide = '\x01';
 
 // By name ---------------------------------------------------------------------------------------------------------
@@ -50,7 +46,7 @@ std::string sideless(std::string_view name, const SideMarker& marker) {
   return std::string(name.substr(0, marker.begin)) + kAnySide + std::string(name.substr(marker.begin + marker.length));
 }
 
-/// A key for each marker, the bone's side in it left open.
+/// A key for each marker, with the side replaced.
 std::vector<SidedKey> keysOf(std::string_view name, bool numbers) {
   std::vector<SidedKey> keys;
   for (const SideMarker& marker : sideMarkers(name)) {
@@ -60,7 +56,7 @@ std::vector<SidedKey> keysOf(std::string_view name, bool numbers) {
   return keys;
 }
 
-/// One key for the whole path, if all its markers mean one side.
+/// One key for the whole path, if all its markers are of one side.
 std::vector<SidedKey> pathKeysOf(const Bone& bone) {
   std::string key;
   std::optional<Side> side;
@@ -82,7 +78,7 @@ std::vector<SidedKey> pathKeysOf(const Bone& bone) {
   return side ? std::vector<SidedKey>{{key, *side}} : std::vector<SidedKey>{};
 }
 
-/// Pairs the bones that are alone with their key on either side.
+/// Pairs bones whose key is unique on either side.
 template <class Keys>
 void pairLevel(const Skeleton& skeleton, std::vector<bool>& taken, std::vector<std::array<int, 2>>& pairs, Keys keys) {
   std::map<std::string, std::array<std::vector<int>, 2>> sides;
@@ -104,7 +100,7 @@ void pairLevel(const Skeleton& skeleton, std::vector<bool>& taken, std::vector<s
 
 // By place --------------------------------------------------------------------------------------------------------
 
-/// Bind pose, world, in double as the plane is.
+/// Bind pose, world.
 struct BoneEnds {
   glm::dvec3 origin;
   glm::dvec3 tip;
@@ -124,7 +120,7 @@ struct Placing {
     at(plan.twinOf, b) = a;
     at(plan.pairedBy, a) = at(plan.pairedBy, b) = by;
   }
-  /// How far two bones are from being mirror images; of H.
+  /// Distance of two bones from being mirror images, fraction of H.
   [[nodiscard]] double misfit(int a, int b) const {
     const double origins = glm::distance(reflected(plan.plane, endsOf(a).origin), endsOf(b).origin);
     const double tips = glm::distance(reflected(plan.plane, endsOf(a).tip), endsOf(b).tip);
@@ -152,9 +148,9 @@ std::vector<BoneEnds> endsOfBones(const Skeleton& skeleton) {
   return ends;
 }
 
-bool saysASide(const Bone& bone) { return !sideMarkers(bone.name).empty(); }
+bool hasSide(const Bone& bone) { return !sideMarkers(bone.name).empty(); }
 
-/// Bones a and b may be counterparts in the tree: their parents are, or neither has one.
+/// The parents of bones a and b are counterparts, or both are roots.
 bool parentsAgree(const Placing& placing, int a, int b) {
   const int parentA = placing.bone(a).parent;
   const int parentB = placing.bone(b).parent;
@@ -162,10 +158,10 @@ bool parentsAgree(const Placing& placing, int a, int b) {
   return at(placing.plan.twinOf, parentA) == parentB;
 }
 
-/// @param whole  the tip must lie in the plane too: what only begins there may be one of a pair.
+/// @param whole  the tip must lie in the plane, too: otherwise the bone may be one of a pair
 void placeCenters(Placing& placing, bool whole) {
   for (int a = 0; a < static_cast<int>(placing.ends.size()); ++a) {
-    if (!placing.isFree(a) || saysASide(placing.bone(a))) continue;
+    if (!placing.isFree(a) || hasSide(placing.bone(a))) continue;
     if ((whole ? placing.offPlane(a) : placing.originOffPlane(a)) < kCenterReach) placing.pair(a, a, PairedBy::kCenter);
   }
 }
@@ -176,7 +172,7 @@ struct Couple {
   int b = 0;
 };
 
-/// Pairs what fits best first. @param kin  only bones whose parents are counterparts.
+/// Pairs bones by place, the best fit first. @param kin  only bones whose parents are counterparts
 bool placePairs(Placing& placing, bool kin) {
   std::vector<Couple> couples;
   for (int a = 0; a < static_cast<int>(placing.ends.size()); ++a) {
@@ -199,8 +195,8 @@ bool placePairs(Placing& placing, bool kin) {
   return any;
 }
 
-/// {left, right} bone indices, one to one, from names alone: equal but for the side marker, then also but for the
-/// number at the end, then with the marker in the name of an ancestor. What is ambiguous is left out.
+/// {left, right} bone indices, one to one, by names that are equal except for the side marker, then also for the number
+/// at the end, then with the marker in the name of an ancestor. Ambiguous names are left out.
 std::vector<std::array<int, 2>> pairsByName(const Skeleton& skeleton) {
   std::vector<bool> taken(skeleton.bones.size(), false);
   std::vector<std::array<int, 2>> pairs;
@@ -210,12 +206,10 @@ std::vector<std::array<int, 2>> pairsByName(const Skeleton& skeleton) {
   return pairs;
 }
 
-/// Fills twinOf and pairedBy of a plan that has its plane: named pairs that lie opposite each other, roughly; then
-/// center bones and pairs by place, parents first, a pair's children among themselves before strangers.
-/// Pairs by name come first, unless the bones are far from opposite: a name that lies should not win against the
-/// skeleton. The rest is paired by place. Center bones go first, so that none is paired with another one near the
-/// plane; then the children of counterparts, best fit first, as long as a new pair makes its children eligible; bones
-/// without such kin come last. docs/muscles.md, The plane and the pairs.
+/// Fills twinOf and pairedBy of a plan with a plane. Pairs by name come first, unless the bones are far from opposite.
+/// The rest is paired by place: center bones first, so that none is paired with another one near the plane; then
+/// children of counterparts, as long as new pairs make their children eligible; then all others. docs/muscles.md, The
+/// plane and the pairs.
 void pairAll(MirrorPlan& plan, const std::vector<std::array<int, 2>>& named) {
   Placing placing{plan, endsOfBones(plan.skeleton), static_cast<double>(plan.characterHeight)};
   for (const auto& [left, right] : named) {
@@ -231,22 +225,22 @@ void pairAll(MirrorPlan& plan, const std::vector<std::array<int, 2>>& named) {
 // All lengths are fractions of H.
 constexpr double kGridCell = 0.02;
 constexpr std::size_t kMirrorPlanSamples = 2000;
-constexpr double kMisfitCap = 0.06;      // A vertex without counterpart counts as much as one this far away.
-constexpr double kSymmetric = 0.025;     // Mean misfit of skin and bones below which a character is symmetric.
-constexpr double kNoticeable = 0.0015;   // A plane must fit better by this to be preferred to a simpler one.
-constexpr double kShortestPair = 0.005;  // Paired bones nearer than this say nothing of the plane.
+constexpr double kMisfitCap = 0.06;      // Largest misfit of a vertex.
+constexpr double kSymmetric = 0.025;     // Largest mean misfit of skin and bones of a symmetric character.
+constexpr double kNoticeable = 0.0015;   // Improvement of the misfit that makes up for a less simple plane.
+constexpr double kShortestPair = 0.005;  // Shortest distance between paired bones that gives a direction.
 constexpr double kNearAxis = 0.9962;     // Cosine of 5 degrees.
 
 glm::dvec3 originOf(const Bone& bone) { return glm::dvec3(bone.bindInWorld[3]); }
 
-/// Vertices by cells, to find those near a point.
+/// Vertices by grid cells, to find those near a point.
 class VertexGrid {
  public:
   VertexGrid(const std::vector<glm::vec3>& points, double cell) : points_(points), cell_(cell) {
     for (std::size_t i = 0; i < points.size(); ++i) cells_[keyOf(cellOf(points[i]))].push_back(static_cast<int>(i));
   }
 
-  /// Distance to the nearest vertex, or `cap` if there is none within.
+  /// Distance to the nearest vertex, at most `cap`.
   [[nodiscard]] double nearest(const glm::dvec3& point, double cap) const {
     const std::array<long long, 3> center = cellOf(point);
     const auto shells = static_cast<long long>(std::ceil(cap / cell_));
@@ -304,7 +298,7 @@ struct Finder {
 
 // Candidates ------------------------------------------------------------------------------------------------------
 
-/// The direction that the named pairs lie apart in, if they agree on one.
+/// The common direction between named pairs, if there is one.
 std::optional<glm::dvec3> acrossNamedPairs(const Finder& finder) {
   glm::dvec3 sum(0.0);
   double lengths = 0.0;
@@ -318,7 +312,7 @@ std::optional<glm::dvec3> acrossNamedPairs(const Finder& finder) {
   return glm::normalize(sum);
 }
 
-/// Normals, the simplest first. With named pairs only what lies along them; an axis goes before what is nearly one.
+/// Candidate normals, the simplest first. With named pairs only their direction, after an axis close to it.
 std::vector<glm::dvec3> normals(const Finder& finder) {
   constexpr std::array<glm::dvec3, 3> axes = {glm::dvec3(1, 0, 0), glm::dvec3(0, 0, 1), glm::dvec3(0, 1, 0)};
   const std::optional<glm::dvec3> across = acrossNamedPairs(finder);
@@ -338,8 +332,8 @@ double middleOf(std::vector<double> values) {
   return *middle;
 }
 
-/// Offsets for a normal, the simplest first: through the origin, the root, half way between named pairs, and the middle
-/// of the skin.
+/// Candidate offsets for a normal, the simplest first: of the origin, the root, the middle of named pairs, and the
+/// middle of the skin.
 std::vector<double> offsets(const Finder& finder, const glm::dvec3& normal) {
   std::vector<double> result{0.0};
   if (!finder.character.skeleton.bones.empty()) result.push_back(glm::dot(normal, originOf(finder.bone(0))));
@@ -360,7 +354,7 @@ std::vector<double> offsets(const Finder& finder, const glm::dvec3& normal) {
 
 // Their fit -------------------------------------------------------------------------------------------------------
 
-/// @param most  as soon as the sum reaches it, the plane has lost, and what there is so far is returned.
+/// @param most  stops when the misfit reaches this
 double skinMisfit(const Finder& finder, const MirrorPlane& plane, double most) {
   const std::vector<glm::vec3>& positions = finder.character.mesh.positions;
   if (positions.empty()) return 0.0;
@@ -374,7 +368,7 @@ double skinMisfit(const Finder& finder, const MirrorPlane& plane, double most) {
   return sum / count / finder.height;
 }
 
-/// How far bones stand from where their counterparts say: the named ones, or else the nearest of all.
+/// Mean distance of bones from the images of their counterparts by name, or else of the nearest bones.
 double boneMisfit(const Finder& finder, const MirrorPlane& plane) {
   const std::vector<Bone>& bones = finder.character.skeleton.bones;
   const double cap = kMisfitCap * finder.height;
@@ -402,11 +396,10 @@ struct Found {
   double misfit = std::numeric_limits<double>::infinity();
 };
 
-/// Tries a few planes: each likely normal with each likely offset. The misfit of one is the mean distance of skin
-/// samples and bones from their mirror images' counterparts; a distance counts up to a cap, so that a bag on one
-/// shoulder does not decide. The simplest plane comes first and stays unless another fits noticeably better: in a plane
-/// through the origin across an axis, mirrored numbers are the originals with other signs. docs/muscles.md, The plane
-/// and the pairs.
+/// Tries each candidate normal with each candidate offset. The misfit is the mean distance of the images of skin
+/// samples and bones from the nearest ones, each limited so that a bag on one shoulder does not matter. Simple planes
+/// are preferred unless another fits noticeably better: in a plane through the origin normal to an axis, mirrored
+/// numbers are the originals with other signs. docs/muscles.md, The plane and the pairs.
 Found bestPlane(const Finder& finder) {
   Found best;
   for (const glm::dvec3& normal : normals(finder)) {
@@ -444,7 +437,7 @@ MirrorPlan pairBones(const Skeleton& skeleton, const MirrorPlane& plane, float c
     const Bone& twin = at(skeleton.bones, plan.twinOf[i]);
     plan.mirrors[i] = boneMirror(skeleton.bones[i].bindInWorld, twin.bindInWorld, plane);
   }
-  // A flattened bone mirrors nothing, and so its counterpart neither.
+  // Flat bones and their counterparts cannot be mirrored.
   for (std::size_t i = 0; i < plan.twinOf.size(); ++i) {
     if (plan.twinOf[i] < 0 || plan.mirrors[i]) continue;
     plan.twinOf[i] = -1;

@@ -1,4 +1,4 @@
-// core/rig/morphs.cpp: entries of morph weights, found by name.
+// core/rig/morphs.cpp: finds entries of morph weights by name.
 #include "core/rig/morphs.h"
 
 #include <algorithm>
@@ -73,10 +73,7 @@ Rig withoutMorphWeights(Rig rig) {
 
 Result<void> validateMorphs(const Rig& rig) {
   const auto used = rig.morphs.size() - static_cast<std::size_t>(std::ranges::count_if(rig.morphs, isIdle));
-  if (used > kMostMorphs) {
-    return errorAt("shapes", "expected at most " + std::to_string(kMostMorphs) + " shapes, got " + std::to_string(used),
-                   "the rig");
-  }
+  if (auto count = validateCount("shapes", "shapes", used, kMostMorphs); !count) return count;
   std::unordered_set<std::string> known;
   for (std::size_t i = 0; i < rig.morphs.size(); ++i) {
     const MorphWeight& morph = rig.morphs[i];

@@ -1,4 +1,4 @@
-// core/rig/morphs.h: what a rig adds to the weights of a character's morph targets. Pure functions, as in rig_edit.h.
+// core/rig/morphs.h: weights that a rig adds to a character's morph targets. Pure functions, as in rig_edit.h.
 #pragma once
 
 #include <string>
@@ -12,22 +12,22 @@ namespace sinew {
 
 enum class KeepIdle { kNo, kYes };
 
-/// The names of a character's expressions and morph targets, each once, in the order of the file.
+/// Names of a character's expressions and morph targets, each once, in the order of the file.
 [[nodiscard]] std::vector<std::string> morphNames(const Character& character);
 
-/// An entry for every name of the character, in its order; then those that it does not know. Entries that do nothing
-/// are not written to files.
-/// @param idle  whether unknown ones that do nothing stay: while a document is edited no entry may vanish
+/// Makes an entry for every name of the character, in its order, followed by the rig's other entries. Idle entries are
+/// not written to files.
+/// @param idle  kYes: keeps other entries that are idle, since no entry may vanish while a document is edited
 [[nodiscard]] Rig withMorphsOf(Rig rig, const Character& character, KeepIdle idle = KeepIdle::kNo);
-/// Whether it adds nothing and is not animated.
+/// Weight 0 and not animated.
 [[nodiscard]] bool isIdle(const MorphWeight& morph);
 
-/// @param weight  kLeastMorphWeight..kMostMorphWeight, else refused; makes the entry where there is none.
+/// Adds the entry if there is none. Error: not in kLeastMorphWeight..kMostMorphWeight.
 [[nodiscard]] Result<Rig> setMorphWeight(Rig rig, const std::string& name, float weight);
-/// All weights 0; keys and drivers stay.
+/// Sets all weights to 0; keys and drivers stay.
 [[nodiscard]] Rig withoutMorphWeights(Rig rig);
 
-/// Names, each once; weights in range; sound keys and drivers.
+/// Unique names; weights in range; valid keys and drivers.
 [[nodiscard]] Result<void> validateMorphs(const Rig& rig);
 
 }  // namespace sinew

@@ -13,7 +13,7 @@
 
 namespace sinew {
 
-/// What rangeOfMotion() takes besides the skeleton.
+/// Arguments of rangeOfMotion() besides the skeleton.
 [[nodiscard]] RangeOfMotionHints motionHints(const Character& character);
 
 /// The character with a clip "Range of motion" (core/character/range_of_motion.h) after its own clips; the same

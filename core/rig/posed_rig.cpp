@@ -1,4 +1,4 @@
-// core/rig/posed_rig.cpp: numbers first, then the lines they set, then the muscles on bones and lines.
+// core/rig/posed_rig.cpp: computes numbers first, then lines, then muscles on bones and lines.
 #include "core/rig/posed_rig.h"
 
 #include <algorithm>
@@ -14,16 +14,12 @@
 #include "core/geometry/at.h"
 
 namespace sinew {
-
-// A shift of the middle alone is a bend.
-
 namespace {
 
-constexpr double kAlong =
-    0.9;  ///< Cosine between a muscle's axis and the line from which it bends with it: 26 degrees.
-constexpr double kAcross = 0.7;  ///< Below it, not at all.
-// Bends in radii from which a muscle bends at all, and from which wholly: slighter ones are hardly seen, and plain
-// ellipsoids are much faster.
+// Cosines between a muscle's axis and the line: from kAlong (26 degrees) it bends fully, up to kAcross not at all.
+constexpr double kAlong = 0.9;
+constexpr double kAcross = 0.7;
+// The same for bends in radii: slight ones are hardly visible, and plain ellipsoids are much faster.
 constexpr double kSlight = 0.25;
 constexpr double kPlain = 0.5;
 
@@ -32,7 +28,7 @@ double smoothstep(double from, double to, double x) {
   return t * t * (3.0 - 2.0 * t);
 }
 
-/// A plain ellipsoid has no first axis: y becomes the one that lies nearest to the line.
+/// Renames the axes of a plain ellipsoid so that y is the one nearest to the line.
 Placement alongLine(const Placement& placement, const glm::dmat3& axes, const glm::dvec3& direction) {
   if (!placement.shape.isPlain()) return placement;
   const auto cosine = [&](int i) { return std::abs(glm::dot(glm::normalize(axes[i]), direction)); };
@@ -64,7 +60,7 @@ ViaBend viaBend(const LineRest& rest, const Placement& placement, const glm::mat
       rest.bellyStretch * (1.0 - tendons.x - tendons.y) * static_cast<double>(rest.settings.rest) * rest.length;
   if (!(radius > 0.0) || !(belly > 0.0)) return bend;
   const double cosine = std::abs(glm::dot(axis, rest.direction)) / radius;
-  // A muscle of a share h of the belly's length sees the share h^2 of a parabola over the belly as a bend.
+  // A muscle with a fraction h of the belly's length bends by h^2 of a parabola over the belly.
   const double share = std::min(2.0 * radius * cosine / belly, 1.0);
   bend.share = static_cast<float>(share * share * smoothstep(kAcross, kAlong, cosine));
   return bend;

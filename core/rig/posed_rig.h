@@ -1,7 +1,6 @@
-// core/rig/posed_rig.h: a rig on a character in one pose: numbers, lines, and where every muscle is.
+// core/rig/posed_rig.h: a rig on a character in one pose: its numbers, lines and muscles.
 //
-// Made once per pose and read by all that shows or measures a rig: the surface, shells, gizmo, picking, inspector,
-// state log and exports. What is made once per edit is the RigPoser.
+// A RigPoser is made once per edit, a PosedRig once per pose and read by everything that shows or measures a rig.
 #pragma once
 
 #include <optional>
@@ -16,50 +15,45 @@
 
 namespace sinew {
 
-// A via point bends the muscles on its line. docs/muscles.md, Via point.
-
-/// How a muscle takes what its via point adds to the line's shift (PosedLine::aside).
+/// How much a muscle bends with the shift by a via point (PosedLine::aside). docs/muscles.md, Via point.
 struct ViaBend {
-  Placement placement;  ///< The muscle's, its y axis along the line where a plain ellipsoid's other axis was.
-  float share = 0.0f;   ///< Part of the shift that is a bend; the rest moves the muscle as a whole. 0..1: 1 for a
-                        ///< muscle along the line and as long as its belly.
+  Placement placement;  ///< The muscle's; for a plain ellipsoid with y as the axis nearest to the line.
+  float share = 0.0f;  ///< Fraction of the shift that bends, 0..1; the rest moves the muscle as a whole. 1 for a muscle
+                       ///< along the line and as long as its belly.
 };
-/// @param boneInBind  of the bone in whose space the placement is
+/// @param boneInBind  of the placement's bone
 [[nodiscard]] ViaBend viaBend(const LineRest& rest, const Placement& placement, const glm::mat4& boneInBind);
 
-/// What places a bent muscle in a pose.
 struct BentMuscle {
   glm::mat4 carrier{1.0f};
   Placement placement;
 };
-/// Its middle is where the carrier that shifts it whole has it. Continuous in the shift; without one, the muscle
-/// itself.
+/// The middle of the muscle is where the carrier moves it. Continuous in the shift; without shift the muscle itself.
 /// @param carrier  bone space in the bind pose -> world now, with the whole shift  @param shift  world
 [[nodiscard]] BentMuscle bentMuscle(const ViaBend& bend, const glm::mat4& carrier, const glm::vec3& shift);
 
 /// One muscle in a pose.
 struct PosedMuscle {
-  bool usable = false;      ///< False: its bone or its line's are missing or flattened; nothing of it is to be seen.
-  int line = -1;            ///< Index into Rig::lines; -1: it rides its bone.
-  bool isBent = false;      ///< By its line's via point: body differs from what carrier makes of the placement.
-  glm::mat4 carrier{0.0f};  ///< Its bone's space in the bind pose -> world now, moved whole by the line's via point.
-  BentMuscle body;          ///< As the field has it.
+  bool usable = false;      ///< False: its bone or those of its line are missing or flat; it is invisible.
+  int line = -1;            ///< Index into Rig::lines, or -1.
+  bool isBent = false;      ///< By its line's via point; then `body` differs from the placement moved by `carrier`.
+  glm::mat4 carrier{0.0f};  ///< Bone space in the bind pose -> world now, with the whole shift by a via point.
+  BentMuscle body;          ///< The muscle in the field.
 };
 
 struct PosedRig {
   RigNumbers numbers;
   std::vector<PosedLine> lines;      ///< [Rig::lines]
   std::vector<PosedMuscle> muscles;  ///< [Rig::primitives]
-  std::vector<float> morphWeights;   ///< [Character::morphTargets] the pose's with what the rig adds.
+  std::vector<float> morphWeights;   ///< [Character::morphTargets] the pose's plus the rig's.
 
-  // Memory kept from pose to pose; not to be read.
+  // Memory that is reused from pose to pose.
   DriverScratch drivers;
   LineScratch posing;
   std::vector<std::optional<LineRest>> rests;
 };
 
-/// Poses one rig on one skeleton. Immutable: several threads may share it, each with a PosedRig of its own. The same
-/// pose gives the same PosedRig, whatever it held before.
+/// Poses one rig on one skeleton. Immutable, so that several threads may share it, each with its own PosedRig.
 class RigPoser {
  public:
   /// @param character  its skeleton must outlive this
@@ -69,13 +63,13 @@ class RigPoser {
   void pose(const Pose& pose, PosedRig& out) const;
   [[nodiscard]] PosedRig pose(const Pose& pose) const;
 
-  /// Without keys and drivers.
+  /// The numbers without keys and drivers.
   [[nodiscard]] const RigNumbers& drawn() const { return drawn_; }
   /// Whether keys or drivers change numbers of primitives.
   [[nodiscard]] bool drivesMuscles() const { return drivesMuscles_; }
 
  private:
-  /// What carries a primitive; -1: it is not there.
+  /// Bone and line of a primitive; -1: none.
   struct Ride {
     int bone = -1;
     int line = -1;
@@ -97,7 +91,7 @@ class RigPoser {
   std::vector<std::optional<LineRest>> rests_;  ///< [Rig::lines]
   std::vector<Ride> rides_;                     ///< [Rig::primitives]
   std::vector<float> morphWeights_;             ///< [Character::morphTargets] as in the file.
-  std::vector<MorphShare> morphShares_;         ///< What numbers of the rig add to which targets.
+  std::vector<MorphShare> morphShares_;
 };
 
 }  // namespace sinew

@@ -1,10 +1,9 @@
-// core/rig/references.cpp: identities for what edits have added or copied.
+// core/rig/references.cpp: assigns identities to items that edits have added or copied.
 
 #include <algorithm>
 #include <string_view>
 #include <unordered_map>
 #include <utility>
-#include <vector>
 
 #include "core/rig/references.h"
 
@@ -20,7 +19,7 @@ void complete(std::vector<Item>& items, const std::vector<Item>& before, std::ui
     nameOf.emplace(item.id().value, item.name);
     idOf.emplace(item.name, item.id().value);
   }
-  // Where several share an identity, the one with the old name is the original; without one, the first.
+  // If several share an identity, the one with the old name is the original, else the first.
   std::unordered_map<std::uint32_t, const Item*> ownerOf;
   for (const Item& item : items) {
     const std::uint32_t id = item.id().value;
@@ -42,7 +41,7 @@ void complete(std::vector<Item>& items, const std::vector<Item>& before, std::ui
   }
 }
 
-/// `edited` begins with what was there before, under the same names.
+/// `edited` begins with all items of `before`, under the same names.
 template <class Item>
 bool onlyAdded(const std::vector<Item>& before, const std::vector<Item>& edited) {
   const auto same = [](const Item& a, const Item& b) { return a.id() == b.id() && a.name == b.name; };
@@ -51,7 +50,7 @@ bool onlyAdded(const std::vector<Item>& before, const std::vector<Item>& edited)
 
 using Renames = std::unordered_map<std::string, std::string>;
 
-/// Gives items the names that they have in `edited`; those that are gone there go, for their names may be taken.
+/// Gives items the names that they have in `edited` and removes those that are gone there, whose names may be in use.
 /// @return former name -> name
 template <class Item>
 Renames rename(std::vector<Item>& items, const std::vector<Item>& edited) {

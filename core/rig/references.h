@@ -1,8 +1,7 @@
-// core/rig/references.h: the names by which parts of a rig refer to each other, in one place.
+// core/rig/references.h: names by which parts of a rig refer to each other, and identities that outlive the names.
 //
-// A reference is a name, in memory as in the file, and within one rig a name means one thing of its kind. Between two
-// rigs it does not: there things go by identity (identity.h) or index, and references are renamed before they are
-// compared or move over.
+// Names are unique within one rig. Between two rigs, parts are matched by identity or index, and references are renamed
+// before rigs are compared or merged.
 #pragma once
 
 #include <cstdint>
@@ -14,30 +13,28 @@
 
 namespace sinew {
 
-// Gives primitives, groups and lines identities that outlive their names.
-
-/// Source of identities: each is given once.
+/// Assigns identities, each once.
 class IdentitySource {
  public:
-  /// Completes a rig that edits have made from `before`: every primitive, group and line has an identity of its own
-  /// afterwards. One that has none, or shares its with another (a copy), keeps the identity that its name had in
-  /// `before` if nobody else has it, else gets a new one.
+  /// Gives every primitive, group and line of a rig that was edited from `before` an identity of its own. An item
+  /// without identity, or with that of another (a copy), takes the one that its name had in `before` if it is free,
+  /// else a new one.
   void identify(Rig& rig, const Rig& before);
 
  private:
   std::uint32_t lastPrimitive_ = 0;
-  std::uint32_t lastGroup_ = 0;  ///< Counts groups alone: of a rig just read they are 1, 2, 3 ... in its order.
+  std::uint32_t lastGroup_ = 0;  ///< Counts only groups: those of a rig just read are 1, 2, 3 ... in its order.
   std::uint32_t lastLine_ = 0;
 };
 
-/// `before` as it would be had what `edited` still has been called as there, without primitives, groups and lines that
-/// it has no more. Nothing: `edited` at most adds. What has no identity stays as it is; channels have none.
+/// `before` with the names that items have in `edited`, without primitives, groups and lines that were removed there.
+/// Nothing: `edited` only adds. Items without identity, such as channels, stay as they are.
 [[nodiscard]] std::optional<Rig> withNamesOf(const Rig& before, const Rig& edited);
 
-/// What a reference names.
+/// The kind of thing that a reference names.
 enum class Named { kPrimitive, kGroup, kLine, kChannel };
 
-/// visit(Named, std::string&) for each reference that is not empty. It may change the name.
+/// Calls visit(Named, std::string&) for each reference that is not empty; it may change the name.
 template <class Visit>
 void eachReference(std::vector<AnimatedNumber>& animated, Visit visit) {
   for (AnimatedNumber& number : animated) {
@@ -73,7 +70,6 @@ void eachReference(Rig& rig, Visit visit) {
   for (MorphWeight& morph : rig.morphs) eachReference(morph.animated, visit);
 }
 
-/// References to `from` become references to `to`.
 inline void renameReferences(Rig& rig, Named kind, const std::string& from, const std::string& to) {
   eachReference(rig, [&](Named named, std::string& name) {
     if (named == kind && name == from) name = to;

@@ -1,7 +1,8 @@
-// core/rig/rig.cpp: look-ups and names of the document.
+// core/rig/rig.cpp: finds parts of a rig; free names; names of settings.
 #include "sinew/rig/rig.h"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <span>
 #include <string_view>
@@ -13,6 +14,12 @@ namespace {
 template <class Named>
 int findNamed(std::span<const Named> items, const std::string& name) {
   const auto found = std::ranges::find(items, name, &Named::name);
+  return found == items.end() ? -1 : static_cast<int>(found - items.begin());
+}
+
+template <class Item, class Id>
+int findId(const std::vector<Item>& items, Id id) {
+  const auto found = std::ranges::find_if(items, [id](const Item& item) { return id && item.id() == id; });
   return found == items.end() ? -1 : static_cast<int>(found - items.begin());
 }
 
@@ -72,20 +79,11 @@ const MuscleLine* lineOf(const Rig& rig, const Primitive& primitive) {
   return line < 0 ? nullptr : &rig.lines[static_cast<std::size_t>(line)];
 }
 
-int findPrimitive(const Rig& rig, PrimitiveId id) {
-  const auto found = std::ranges::find_if(rig.primitives, [id](const Primitive& p) { return id && p.id() == id; });
-  return found == rig.primitives.end() ? -1 : static_cast<int>(found - rig.primitives.begin());
-}
+int findPrimitive(const Rig& rig, PrimitiveId id) { return findId(rig.primitives, id); }
 
-int findGroup(const Rig& rig, GroupId id) {
-  const auto found = std::ranges::find_if(rig.groups, [id](const Group& group) { return id && group.id() == id; });
-  return found == rig.groups.end() ? -1 : static_cast<int>(found - rig.groups.begin());
-}
+int findGroup(const Rig& rig, GroupId id) { return findId(rig.groups, id); }
 
-int findLine(const Rig& rig, LineId id) {
-  const auto found = std::ranges::find_if(rig.lines, [id](const MuscleLine& line) { return id && line.id() == id; });
-  return found == rig.lines.end() ? -1 : static_cast<int>(found - rig.lines.begin());
-}
+int findLine(const Rig& rig, LineId id) { return findId(rig.lines, id); }
 
 std::string freePrimitiveName(const Rig& rig, const std::string& wanted) {
   return freeName(std::span<const Primitive>(rig.primitives), wanted);
@@ -106,17 +104,8 @@ std::string freeChannelName(const Rig& rig, const std::string& wanted) {
 const char* nameOf(SurfaceMode mode) { return mode == SurfaceMode::kSwell ? "swell" : "replace"; }
 
 const char* nameOf(PatchKind patch) {
-  switch (patch) {
-    case PatchKind::kPn:
-      return "pn";
-    case PatchKind::kPhong:
-      return "phong";
-    case PatchKind::kSpherigon:
-      return "spherigon";
-    case PatchKind::kFlat:
-      break;
-  }
-  return "flat";
+  constexpr std::array kPatches{"pn", "phong", "spherigon", "flat"};
+  return kPatches[static_cast<std::size_t>(patch)];
 }
 
 const char* nameOf(DetailKind detail) { return detail == DetailKind::kAdaptive ? "adaptive" : "uniform"; }

@@ -1,4 +1,4 @@
-// core/rig/rig_edit.cpp: several primitives changed in one rig.
+// core/rig/rig_edit.cpp: edits primitives, groups, links and settings, and validates what has changed.
 #include "core/rig/rig_edit.h"
 
 #include <algorithm>
@@ -13,8 +13,6 @@
 #include "sinew/rig/rig_edit.h"
 
 namespace sinew {
-
-// The numbers of a rig, read out of it and found among themselves.
 
 RigNumbers drawnNumbers(const Rig& rig) {
   RigNumbers numbers;
@@ -44,8 +42,20 @@ float& numberIn(RigNumbers& numbers, const NumberRef& ref) {
 }
 
 float numberOf(const RigNumbers& numbers, const NumberRef& ref) {
-  return numberIn(const_cast<RigNumbers&>(numbers), ref);  // Finding changes nothing.
+  return numberIn(const_cast<RigNumbers&>(numbers), ref);  // Only reads.
 }
+
+namespace {
+
+std::string placeOf(int index) { return indexed("primitives", static_cast<std::size_t>(index)); }
+
+Result<void> checkGroup(const Rig& rig, const Primitive& primitive, int index) {
+  if (findGroup(rig, primitive.group) >= 0) return {};
+  return errorAt(placeOf(index) + ".group", "there is no group \"" + primitive.group + '"',
+                 quoted("muscle", primitive.name) + ", group");
+}
+
+}  // namespace
 
 Result<Rig> editPrimitives(Rig rig, std::span<const int> indices, const std::function<void(Primitive&)>& change) {
   for (const int index : indices) {
@@ -54,12 +64,8 @@ Result<Rig> editPrimitives(Rig rig, std::span<const int> indices, const std::fun
     [[maybe_unused]] const std::pair names(primitive.name, primitive.mirror);
     change(primitive);
     assert(names == std::pair(primitive.name, primitive.mirror));
-    const std::string place = "primitives[" + std::to_string(index) + ']';
-    if (const auto valid = validatePrimitive(primitive, place); !valid) return valid.error();
-    if (findGroup(rig, primitive.group) < 0) {
-      return errorAt(place + ".group", "there is no group \"" + primitive.group + '"',
-                     "muscle \"" + primitive.name + "\", group");
-    }
+    if (const auto valid = validatePrimitive(primitive, placeOf(index)); !valid) return valid.error();
+    if (const auto group = checkGroup(rig, primitive, index); !group) return group.error();
   }
   return rig;
 }
@@ -90,8 +96,6 @@ std::vector<int> membersOf(const Rig& rig, const std::string& group) {
   return members;
 }
 
-// Each edit changes the rig that it was given and checks what it changed.
-
 namespace {
 
 const Primitive& primitiveAt(const Rig& rig, int index) {
@@ -106,9 +110,7 @@ const Group& groupAt(const Rig& rig, int index) {
   return at(rig.groups, index);
 }
 
-std::string placeOf(int index) { return "primitives[" + std::to_string(index) + ']'; }
-
-/// The rig with one primitive changed by `change`, if that primitive stands up by itself.
+/// Changes one primitive, which must be valid by itself afterwards.
 template <class Change>
 Result<Rig> withPrimitive(Rig rig, int index, Change change) {
   Primitive& edited = primitiveAt(rig, index);
@@ -121,7 +123,7 @@ Error nameTaken(std::string place, const std::string& name) {
   return errorAt(std::move(place), "the name \"" + name + "\" is taken", "name");
 }
 
-/// Whoever names one of `gone` as its twin has none any more.
+/// Unlinks primitives whose twin is one of `gone`.
 void dropTwins(Rig& rig, const std::unordered_set<std::string>& gone) {
   for (Primitive& primitive : rig.primitives) {
     if (gone.contains(primitive.mirror)) primitive.mirror.clear();
@@ -138,15 +140,6 @@ bool joins(const std::array<std::string, 2>& link, const std::string& a, const s
   return (link[0] == a && link[1] == b) || (link[0] == b && link[1] == a);
 }
 
-std::vector<bool> marked(const Rig& rig, std::span<const int> indices) {
-  std::vector<bool> marks(rig.primitives.size(), false);
-  for (const int index : indices) {
-    assert(index >= 0 && static_cast<std::size_t>(index) < marks.size());
-    at(marks, index) = true;
-  }
-  return marks;
-}
-
 }  // namespace
 
 Result<void> append(Rig& rig, Primitive primitive) {
@@ -158,18 +151,17 @@ Result<void> append(Rig& rig, Primitive primitive) {
   primitive.name = freePrimitiveName(rig, primitive.name.empty() ? "muscle" : primitive.name);
   const int index = static_cast<int>(rig.primitives.size());
   if (const auto valid = validatePrimitive(primitive, placeOf(index)); !valid) return valid.error();
-  if (!makesGroup && findGroup(rig, primitive.group) < 0) {
-    return errorAt(placeOf(index) + ".group", "there is no group \"" + primitive.group + '"',
-                   "muscle \"" + primitive.name + "\", group");
+  if (!makesGroup) {
+    if (auto group = checkGroup(rig, primitive, index); !group) return group;
   }
   if (!primitive.line.empty() && findLine(rig, primitive.line) < 0) {
     return errorAt(placeOf(index) + ".line", "there is no muscle line \"" + primitive.line + '"',
-                   "muscle \"" + primitive.name + "\", line");
+                   quoted("muscle", primitive.name) + ", line");
   }
   const int twin = primitive.mirror.empty() ? -1 : findPrimitive(rig, primitive.mirror);
   if (!primitive.mirror.empty() && twin < 0) {
     return errorAt(placeOf(index) + ".mirror", "there is no primitive \"" + primitive.mirror + '"',
-                   "muscle \"" + primitive.name + "\", twin");
+                   quoted("muscle", primitive.name) + ", twin");
   }
   if (makesGroup) rig.groups.push_back({primitive.group, {}});
   rig.primitives.push_back(std::move(primitive));
@@ -183,7 +175,11 @@ Result<Rig> addPrimitive(Rig rig, Primitive primitive) {
 }
 
 Rig removePrimitives(Rig rig, std::span<const int> indices) {
-  const std::vector<bool> leaves = marked(rig, indices);
+  std::vector<bool> leaves(rig.primitives.size(), false);
+  for (const int index : indices) {
+    assert(index >= 0 && static_cast<std::size_t>(index) < leaves.size());
+    at(leaves, index) = true;
+  }
   std::unordered_set<std::string> gone;
   std::unordered_set<std::string> lines;
   std::vector<Primitive> kept;
@@ -232,7 +228,7 @@ Result<Rig> addGroup(Rig rig, const std::string& name) {
   if (const auto valid = validateName(name, place); !valid) return valid.error();
   if (findGroup(rig, name) >= 0) return nameTaken(place, name);
   rig.groups.push_back({name, {}});
-  // A group without links is a clique of its own, so that many groups alone can be too many cliques.
+  // A group without links is a clique of its own, so even adding groups can give too many cliques.
   if (const auto valid = validateLinks(rig); !valid) return valid.error();
   return rig;
 }
@@ -273,7 +269,7 @@ Result<Rig> setLink(Rig rig, int groupA, int groupB, bool linked) {
   } else {
     std::erase_if(rig.links, [&](const auto& link) { return joins(link, a, b); });
   }
-  // Both ways: what a link held together may fall into more cliques than it was.
+  // Also after removing a link, which may increase the number of cliques.
   if (const auto valid = validateLinks(rig); !valid) return valid.error();
   return rig;
 }

@@ -1,6 +1,5 @@
-// core/rig/rig_edit.h: changes of several primitives at once, as pure functions rig -> rig.
-//
-// As in rig_edit.h: a rig is taken by value; indices must be in range (asserted).
+// core/rig/rig_edit.h: edits of several primitives at once as pure functions rig -> rig, like sinew/rig/rig_edit.h, and
+// the numbers of a rig that keys and drivers may change. Indices must be in range (asserted).
 #pragma once
 
 #include <functional>
@@ -14,9 +13,7 @@
 
 namespace sinew {
 
-// The numbers of a rig that keys and drivers may change, without the rig around them.
-
-/// Which number of a rig.
+/// Refers to a number of a rig.
 struct NumberRef {
   Parameter parameter = Parameter::kAmount;
   int owner = 0;  ///< Index into Rig::primitives, Rig::lines or Rig::morphs; not read for the surface.
@@ -33,7 +30,7 @@ struct MuscleNumbers {
   friend bool operator==(const MuscleNumbers&, const MuscleNumbers&) = default;
 };
 
-/// A rig's numbers as drawn, or as they are in a pose (core/rig/posed_rig.h). Copying them copies no names.
+/// A rig's numbers as drawn, or in a pose (core/rig/posed_rig.h).
 struct RigNumbers {
   float skinBlend = kDefaultSkinBlend;    ///< SurfaceSettings::skinBlend
   std::vector<LineSettings> lines;        ///< [Rig::lines]
@@ -43,24 +40,21 @@ struct RigNumbers {
   friend bool operator==(const RigNumbers&, const RigNumbers&) = default;
 };
 
-/// The numbers as the rig has them.
 [[nodiscard]] RigNumbers drawnNumbers(const Rig& rig);
 
-/// The number itself, or null where the owner is another.
+/// Null: the parameter has another owner.
 [[nodiscard]] float* numberIn(MuscleNumbers& numbers, Parameter parameter);
 [[nodiscard]] float& numberIn(RigNumbers& numbers, const NumberRef& ref);
 [[nodiscard]] float numberOf(const RigNumbers& numbers, const NumberRef& ref);
 
-/// Changes each of several primitives; every one must stand up by itself afterwards, and its group must exist. `change`
-/// must leave name and mirror alone (asserted). One refusal, and nothing is changed.
+/// Changes several primitives. `change` must not change name and mirror (asserted). Error: any of them is invalid
+/// afterwards, or its group does not exist; then none is changed.
 [[nodiscard]] Result<Rig> editPrimitives(Rig rig, std::span<const int> indices,
                                          const std::function<void(Primitive&)>& change);
 
-/// Puts several primitives into a group.
 [[nodiscard]] Result<Rig> setGroupOfSeveral(Rig rig, std::span<const int> indices, const std::string& group);
-/// The same with a group that is made for it.
 [[nodiscard]] Result<Rig> moveToNewGroup(Rig rig, std::span<const int> indices, const std::string& name);
-/// Removes a group whose primitives go to another one. Error: the two are the same.
+/// Removes a group and moves its primitives to another one. Error: the two are the same.
 [[nodiscard]] Result<Rig> dissolveGroup(Rig rig, int group, int into);
 
 /// Rig indices of a group's primitives, ascending.

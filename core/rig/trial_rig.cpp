@@ -1,4 +1,4 @@
-// core/rig/trial_rig.cpp: bones ranked by their skin; an ellipsoid half under the skin of each.
+// core/rig/trial_rig.cpp: ranks bones by the area of their skin and places an ellipsoid at each.
 #include "core/rig/trial_rig.h"
 
 #include <algorithm>
@@ -12,7 +12,7 @@
 namespace sinew {
 namespace {
 
-/// A vertex beside the middle of the bone, if there is one.
+/// A vertex beside the middle of the bone, if there is any.
 int chosenVertex(const Character& character, const Skin& skin, const Segment& segment, std::uint64_t seed) {
   std::vector<int> beside;
   for (const int v : skin.vertices) {

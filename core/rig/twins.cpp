@@ -1,4 +1,4 @@
-// core/rig/twins.cpp: what one of a linked pair does, the other does on its side.
+// core/rig/twins.cpp: mirrors animation and lines; makes, links and keeps twins.
 #include "core/rig/twins.h"
 
 #include <algorithm>
@@ -23,19 +23,16 @@
 #include "sinew/rig/rig_edit.h"
 
 namespace sinew {
-
-// Inputs through the plane, values through the image's own axes.
-
 namespace {
 
-/// value there = factor * value here + offset.
+/// value of the image = factor * value + offset.
 struct NumberMap {
   Parameter parameter = Parameter::kAmount;
   float factor = 1.0f;
   float offset = 0.0f;
 };
 
-constexpr float kStray = 1e-3f;  // How much of a step along one axis may appear on another.
+constexpr float kStray = 1e-3f;  // Largest fraction of a step along one axis that appears on another.
 
 bool mirrorBone(const MirrorPlan& plan, std::string& bone) {
   Result<std::string> twin = twinBone(plan, bone);
@@ -63,7 +60,7 @@ void reverse(Curve& curve) {
   for (glm::vec2& point : points) point.x = -point.x;
   std::ranges::reverse(points);
   if (curve.kind != CurveKind::kStep) return;
-  // A step's value holds after its point; now it must hold before it.
+  // The value of a step holds after its point, and of the reversed curve before it.
   for (std::size_t i = points.size() - 1; i > 0; --i) points[i].x = points[i - 1].x;
   points.front().x -= std::max(1.0f, 1e-3f * std::abs(points.front().x));
 }
@@ -77,7 +74,7 @@ float stepFor(const Primitive& primitive, Parameter parameter) {
 constexpr int kFirst = static_cast<int>(Parameter::kCenterX);
 constexpr int kLast = static_cast<int>(shapeParameter(kShapeNumbers - 1));
 
-/// What a number of a primitive is on its image, found by taking a step: exactly one number of the image may move.
+/// Finds how a number of a primitive changes its image by a small step: exactly one number of the image may change.
 std::optional<NumberMap> mapOf(const MirrorPlan& plan, const Primitive& primitive, Parameter parameter) {
   if (parameter == Parameter::kAmount || parameter == Parameter::kReach) return NumberMap{parameter, 1.0f, 0.0f};
   const std::optional<int> bone = plan.skeleton.findBone(primitive.bone);
@@ -105,7 +102,7 @@ std::optional<NumberMap> mapOf(const MirrorPlan& plan, const Primitive& primitiv
     if (other == found->parameter) continue;
     if (std::abs(numberOf(stepped, other) - numberOf(before, other)) > kStray * most) return std::nullopt;
   }
-  // What a float's step says of 1 and -1 is not exact.
+  // Rounds inexact factors 1 and -1.
   const float rounded = std::round(found->factor);
   if (std::abs(found->factor - rounded) < kStray) found->factor = rounded;
   found->offset = numberOf(before, found->parameter) - found->factor * numberOf(primitive, parameter);
@@ -117,7 +114,7 @@ void mapValues(Curve& curve, float factor, float offset) {
   for (glm::vec2& point : curve.points) point.y = factor * point.y + offset;
 }
 
-/// False where a product has no counterpart.
+/// False: a multiplying driver has no counterpart.
 bool mapDriver(const NumberMap& map, Driver& driver) {
   switch (driver.mode) {
     case DriverMode::kAdd:
@@ -164,7 +161,7 @@ std::optional<Driver> mirroredDriver(const MirrorPlan& plan, const Driver& drive
   if (input.kind == DriverInputKind::kTwist) reverse(image.curve);
   if (input.kind == DriverInputKind::kPose) input.rotation = mirroredTurn(plan, driver.input.rotation, *bone);
   if (input.kind == DriverInputKind::kAxis) {
-    // A half turn about the axis is one about its image.
+    // The image of a half turn about the axis.
     const glm::vec3& axis = driver.input.axis;
     const glm::quat turn = mirroredTurn(plan, glm::quat(0.0f, axis.x, axis.y, axis.z), *bone);
     input.axis = glm::vec3(turn.x, turn.y, turn.z);
@@ -199,8 +196,6 @@ void readTwinLines(const Rig& rig, std::vector<AnimatedNumber>& animated) {
   }
 }
 
-// Images of lines, made and kept.
-
 namespace {
 
 constexpr float kOwnImage = 1e-4f;  // Fraction of H.
@@ -213,7 +208,7 @@ bool anchorInPlane(const MirrorPlan& plan, const LineAnchor& anchor, float toler
   return std::abs(off) <= static_cast<double>(tolerance * plan.characterHeight);
 }
 
-/// The side of the line's middle.
+/// The side of the line's origin.
 bool isLeft(const MirrorPlan& plan, const MuscleLine& line) {
   Primitive there;
   there.bone = line.origin.bone;
@@ -242,7 +237,7 @@ void follow(const Rig& rig, const MuscleLine& leader, MuscleLine& follower, cons
   follower.via = image->via;
 }
 
-/// Whether the second of a pair leads: it changed, and the first did not, or not since the gesture began.
+/// The second of a pair leads: it changed, and the first did not, or not since the gesture began.
 bool secondLeads(const Rig& atStart, const Rig& shown, const MuscleLine& first, const MuscleLine& second) {
   const auto changed = [](const Rig& since, const MuscleLine& now) {
     const MuscleLine* then = named(since, now.name);
@@ -333,20 +328,15 @@ void keepLineTwins(const Rig& atStart, const Rig& shown, Rig& edited, const Mirr
     MuscleLine& second = at(edited.lines, twin);
     const MuscleLine* firstThen = named(shown, first.name);
     const MuscleLine* secondThen = named(shown, second.name);
-    // New links and new lines are left alone, as are pairs that nobody touched.
+    // Ignores new links, new lines and unchanged pairs.
     if (!firstThen || !secondThen || firstThen->mirror != second.name) continue;
     if (sameShape(*firstThen, first) && sameShape(*secondThen, second)) continue;
-    if (secondLeads(atStart, shown, first, second)) {
-      follow(edited, second, first, plan);
-    } else {
-      follow(edited, first, second, plan);
-    }
+    const bool swapped = secondLeads(atStart, shown, first, second);
+    follow(edited, swapped ? second : first, swapped ? first : second, plan);
   }
 }
 
 namespace {
-
-constexpr float kOwnTwin = 1e-4f;  // Fraction of H.
 
 using Index = std::unordered_map<std::string_view, const Primitive*>;
 
@@ -364,11 +354,11 @@ const Primitive* find(const Index& index, const std::string& name) {
 
 bool samePlace(const Primitive& a, const Primitive& b) { return a.bone == b.bone && a.placement == b.placement; }
 
-/// One of a pair, through the edit.
+/// One of a pair of twins.
 struct Half {
   Primitive& now;
   const Primitive* shown;    ///< Not null.
-  const Primitive* atStart;  ///< Null: it was not there.
+  const Primitive* atStart;  ///< Null: it did not exist.
 };
 
 /// 1: a leads, -1: b leads, 0: neither changed.
@@ -387,7 +377,7 @@ bool nearlySame(const Shape& a, const Shape& b) {
                              [&](const ShapeNumber& number) { return std::abs(number.of(a) - number.of(b)) <= 1e-5f; });
 }
 
-/// Two placements that differ by what rounding and the sign of a quaternion may do.
+/// Two placements are equal up to rounding and the sign of the quaternion.
 bool nearlySame(const Placement& a, const Placement& b) {
   const float size = glm::length(a.radii);
   const float turn = std::abs(glm::dot(glm::normalize(a.rotation), glm::normalize(b.rotation)));
@@ -395,8 +385,8 @@ bool nearlySame(const Placement& a, const Placement& b) {
          glm::length(a.radii - b.radii) <= 1e-5f * size && nearlySame(a.shape, b.shape);
 }
 
-/// Bone and placement of the follower. What the image of the leader did not change stays to the bit.
-/// @param both  both were edited: rounding between them is left.
+/// Makes bone and placement of the follower those of the leader's image. Unchanged parts stay bit for bit.
+/// @param both  both were edited: differences by rounding stay
 void followPlace(const Half& leads, Primitive& follower, bool both, const MirrorPlan& plan) {
   const Result<Primitive> image = mirroredPrimitive(plan, leads.now);
   if (!image) return;
@@ -434,7 +424,7 @@ void keepPair(const Rig& edited, const Half& a, const Half& b, const MirrorPlan&
   };
   copyField(&Primitive::reach);
   copyField(&Primitive::amount);
-  // Each by itself: the belly of one may be too much for the other's reach.
+  // The shape of one may not be legal with the other's reach.
   for (const Half* half : {&a, &b}) {
     half->now.placement.shape = legalShape(half->now.placement.shape, half->now.reach);
   }
@@ -462,7 +452,7 @@ void keepPair(const Rig& edited, const Half& a, const Half& b, const MirrorPlan&
   }
 }
 
-/// The image of `leader` under another's name and link.
+/// The image of `leader` with the follower's name and link.
 Result<Primitive> imageAs(const MirrorPlan& plan, const Primitive& leader, const Primitive& follower) {
   Result<Primitive> image = mirroredPrimitive(plan, leader);
   if (!image) return image;
@@ -472,7 +462,7 @@ Result<Primitive> imageAs(const MirrorPlan& plan, const Primitive& leader, const
   return image;
 }
 
-/// "belly" -> "belly L": free, as is the name of its other side if there is a way.
+/// "belly" -> "belly L": a free name whose mirroredName() is free, too, if possible.
 std::string nameWithSide(const Rig& rig, const Primitive& primitive, const MirrorPlan& plan) {
   const bool left = sideOf(plan, primitive) == Side::kLeft;
   std::string name = freePrimitiveName(rig, primitive.name + (left ? " L" : " R"));
@@ -485,7 +475,7 @@ std::string nameWithSide(const Rig& rig, const Primitive& primitive, const Mirro
   return name;
 }
 
-/// Whether the side that the plane's normal points to is the left one.
+/// The plane's normal points to the left.
 bool leftIsPositive(const MirrorPlan& plan) {
   double sum = 0.0;
   for (std::size_t i = 0; i < plan.skeleton.bones.size(); ++i) {
@@ -509,7 +499,7 @@ Side sideOf(const MirrorPlan& plan, const Primitive& primitive) {
 }
 
 Rig keepTwins(const Rig& rigAtStart, const Rig& rigShown, Rig edited, const MirrorPlan& plan) {
-  // A new name is no change: what it names is looked for, and compared, under the name that it has now.
+  // Renames the items of the former rigs, so that renaming is no change.
   const std::optional<Rig> startRenamed = withNamesOf(rigAtStart, edited);
   const std::optional<Rig> shownRenamed = withNamesOf(rigShown, edited);
   const Rig& atStart = startRenamed ? *startRenamed : rigAtStart;
@@ -552,14 +542,14 @@ std::vector<int> withTwins(const Rig& rig, std::span<const int> indices) {
 Result<Rig> addPair(Rig rig, Primitive primitive, const MirrorPlan& plan) {
   const auto index = static_cast<int>(rig.primitives.size());
   if (const auto added = append(rig, std::move(primitive)); !added) return added.error();
-  if (liesInPlane(plan, at(rig.primitives, index), kOwnTwin)) return rig;
+  if (liesInPlane(plan, at(rig.primitives, index), kOwnImage)) return rig;
   return mirrorToOtherSide(std::move(rig), index, plan);
 }
 
 Result<Rig> mirrorToOtherSide(Rig rig, int index, const MirrorPlan& plan) {
   if (const int twin = twinOf(rig, index); twin >= 0) return linkTwins(std::move(rig), index, twin, plan);
   const Primitive& original = at(rig.primitives, index);
-  if (liesInPlane(plan, original, kOwnTwin)) {
+  if (liesInPlane(plan, original, kOwnImage)) {
     return errorAt("", '"' + original.name + "\" lies in the middle: it is its own mirror image");
   }
   Result<Primitive> image = mirroredPrimitive(plan, original);
@@ -596,7 +586,7 @@ Result<Rig> linkTwins(Rig rig, int leader, int follower, const MirrorPlan& plan)
 
 namespace {
 
-/// The lines of flipped primitives, each turned over in its own name.
+/// Replaces the lines of flipped primitives by their images, but keeps their names.
 Result<Rig> withFlippedLines(Rig rig, std::span<const int> indices, const MirrorPlan& plan) {
   std::vector<int> done{-1};
   for (const int index : indices) {
@@ -642,7 +632,7 @@ Rig duplicatePairs(Rig rig, std::span<const int> indices) {
     Primitive copy = at(rig.primitives, source);
     const int twin = twinOf(rig, source);
     const auto twinsCopy = copyOf.find(twin);
-    // The second of a pair is named after the first one's copy.
+    // Names the second of a pair after the first one's copy.
     copy.name = twinsCopy != copyOf.end() && mirroredName(copy.mirror) == copy.name
                     ? twinName(rig, at(rig.primitives, twinsCopy->second).name)
                     : freePrimitiveName(rig, copy.name);

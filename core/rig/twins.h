@@ -1,7 +1,5 @@
-// core/rig/twins.h: muscles linked across the plane: made, linked, and kept each other's image.
-//
-// A link (Primitive::mirror) says that two muscles are mirror images; keepTwins makes what is edited on one happen on
-// the other. As all of rig_edit.h these are pure: rigs by value, indices in range (asserted).
+// core/rig/twins.h: twins, pairs of muscles that are linked as mirror images (Primitive::mirror): making and linking
+// them, and keeping them mirrored. Pure functions rig -> rig; indices must be in range (asserted).
 #pragma once
 
 #include <span>
@@ -15,62 +13,58 @@
 
 namespace sinew {
 
-// Keys and drivers on the other side of the mirror plane. docs/muscles.md.
+// Mirror images of keys and drivers. docs/muscles.md.
 
-/// The same motion seen in the mirror: bones by their counterparts, a twist the other way round. Lines and channels are
-/// named as they are. nullopt: a bone has no counterpart.
+/// Takes the counterparts of bones and reverses a twist; names of lines and channels stay. nullopt: a bone has no
+/// counterpart.
 [[nodiscard]] std::optional<Driver> mirroredDriver(const MirrorPlan& plan, const Driver& driver);
 
-/// What drives a primitive's image: numbers along an axis go to the axis that it has become, with its sign and offset.
-/// What has no exact counterpart there (an axis that is not along one of the other bone's) is left out, as are drivers
-/// by bones without counterpart.
+/// Keys and drivers of a primitive's image, with numbers along an axis moved to the image of that axis. Without those
+/// that have no exact counterpart (an axis that is not along one of the other bone's) and drivers by bones without
+/// counterpart.
 [[nodiscard]] std::vector<AnimatedNumber> mirroredAnimation(const MirrorPlan& plan, const Primitive& primitive);
-/// The same of a line's numbers, which are the same on both sides.
+/// Keys and drivers of a line's image.
 [[nodiscard]] std::vector<AnimatedNumber> mirroredAnimation(const MirrorPlan& plan, const MuscleLine& line);
 
-/// Lengths are read off the twins of lines that have one.
+/// Makes drivers read the lengths of twin lines.
 void readTwinLines(const Rig& rig, std::vector<AnimatedNumber>& animated);
 
-// Muscle lines on the other side of the mirror plane.
+// Mirror images of muscle lines.
 
-/// On the other side. Error: see twinBone.
+/// Error: see twinBone.
 [[nodiscard]] Result<LineAnchor> mirroredAnchor(const MirrorPlan& plan, const LineAnchor& anchor);
-/// Anchors mirrored, settings as they are, name by the other side's bone or by the side it says, `mirror` empty. Error:
-/// see twinBone.
+/// The mirror image of a line, named by imageName(), with the same settings and `mirror` empty. Error: see twinBone.
 [[nodiscard]] Result<MuscleLine> mirroredLine(const MirrorPlan& plan, const MuscleLine& line);
 
-/// Every anchor lies on a center bone and within `tolerance` (fraction of H) of the plane: the line is its own image.
+/// The line is its own image: every anchor is on a center bone and within `tolerance` (fraction of H) of the plane.
 [[nodiscard]] bool liesInPlane(const MirrorPlan& plan, const MuscleLine& line, float tolerance);
 
-/// A rig, and what an image of a primitive of it names as its line.
+/// A rig and the name of a line in it.
 struct TwinLine {
   Rig rig;
-  std::string name;  ///< Empty for a primitive without a line.
+  std::string name;  ///< Empty: none.
 };
 
-/// The line on the other side: the linked twin, made and linked if there is none; the line itself if it lies in the
-/// plane. Where the name says no side, both get theirs. Error: see mirroredLine.
+/// Finds the twin of a line, or makes and links it; the line itself if it lies in the plane. If the name has no side,
+/// both get one. Error: see mirroredLine.
 [[nodiscard]] Result<TwinLine> withTwinLine(Rig rig, std::string line, const MirrorPlan& plan);
 
-/// The twin of a primitive rides the twin line of its line (withTwinLine). The rig as it is: it has no twin, rides no
-/// line, or its line has no image.
+/// Puts the twin of a primitive on the twin of its line (withTwinLine). Unchanged if there is no twin, no line, or the
+/// line has no image.
 [[nodiscard]] Rig withTwinOnLine(Rig rig, int primitive, const MirrorPlan& plan);
 
-/// The name of the line that an image of a primitive rides, of those that are there: the twin, or the line itself if it
-/// has none.
+/// The name of a line's twin, or of the line itself if it has none.
 [[nodiscard]] std::string twinLineName(const Rig& rig, const std::string& line);
 
-/// Lines of a pair follow each other as primitives do (twins.h, keepTwins): anchors and settings of the one that was
-/// edited go to the other.
+/// keepTwins() for lines: copies mirrored anchors and settings of the edited one to the other.
 void keepLineTwins(const Rig& atStart, const Rig& shown, Rig& edited, const MirrorPlan& plan);
 
-/// `edited`, where linked twins follow what changed since `shown` on one of the two: bone, placement, reach, sign,
-/// group, line and territory, each by itself, so that a pair that never was exact is not torn about by an edit of its
-/// reach. Of the placement too only what changed follows, so that centers stay to the bit while radii are pulled.
-/// Where both changed and are no longer images of each other, the one that differs from `atStart` (before the
-/// gesture) leads; if both do, the first in the rig. A bone or placement without counterpart is not followed; the
-/// link stays. Muscles and links that are new are left alone. What is the same in two of the rigs is told by identity,
-/// where there is one, so that a new name changes nothing.
+/// Makes linked twins in `edited` follow changes of one of them since `shown`: of bone, placement, reach, sign, group,
+/// line and territory, each by itself, so that an edit of the reach does not change an inexact pair otherwise. Within
+/// the placement, too, only what changed follows, so that centers stay bit for bit while radii change. If both changed
+/// and are no longer images, the one that differs from `atStart` (before the gesture) leads; if both do, the first in
+/// the rig. Bones and placements without counterpart are not followed; the link stays. New muscles and links are
+/// ignored. Items of the rigs are matched by identity, so that renaming has no effect.
 [[nodiscard]] Rig keepTwins(const Rig& atStart, const Rig& shown, Rig edited, const MirrorPlan& plan);
 
 /// Index of the twin, or -1.
@@ -78,33 +72,31 @@ void keepLineTwins(const Rig& atStart, const Rig& shown, Rig& edited, const Mirr
 /// The indices with their twins, ascending, each once.
 [[nodiscard]] std::vector<int> withTwins(const Rig& rig, std::span<const int> indices);
 
-/// A primitive and its mirror image, linked. A single one where the image would be itself: on a center bone, in the
-/// plane within 1e-4 H. The image is named by the side; where the name says none, as on a center bone, both get theirs:
-/// "belly L", "belly R". Error: see twinBone, addPrimitive.
+/// Adds a primitive and its linked mirror image, or only the primitive if it is its own image: on a center bone, in the
+/// plane within 1e-4 H. If the name has no side, both get one: "belly L", "belly R". Error: see twinBone, addPrimitive.
 [[nodiscard]] Result<Rig> addPair(Rig rig, Primitive primitive, const MirrorPlan& plan);
-/// Appends the image of one that has no twin yet, linked to it and both named as by addPair; its twin, if it has one,
-/// becomes its image. Error: it lies in the plane, or see twinBone.
+/// Makes the twin of a primitive its image, or adds one, named as by addPair(). Error: it lies in the plane, or see
+/// twinBone.
 [[nodiscard]] Result<Rig> mirrorToOtherSide(Rig rig, int index, const MirrorPlan& plan);
-/// Links two different primitives; the second becomes the image of the first but for its name. Former twins are
+/// Links two different primitives and makes the second the image of the first, except for its name. Former twins are
 /// unlinked. Error: see twinBone.
 [[nodiscard]] Result<Rig> linkTwins(Rig rig, int leader, int follower, const MirrorPlan& plan);
-/// Each becomes its own image, name and link kept; of a linked pair both, once. Error: the first that has no
+/// Replaces primitives and their twins by their images, but keeps names and links. Error: the first one without
 /// counterpart.
 [[nodiscard]] Result<Rig> flipPrimitives(Rig rig, std::span<const int> indices, const MirrorPlan& plan);
 
-/// Copies, appended in rig order (the first at rig.primitives.size()), with free names; twins that are both copied are
-/// linked as copies. Stops at kMaxPrimitives.
+/// Appends copies in rig order, the first at rig.primitives.size(), with free names; copies of twins are linked. Stops
+/// at kMaxPrimitives.
 [[nodiscard]] Rig duplicatePairs(Rig rig, std::span<const int> indices);
 
-/// Renames; if the new name says a side, clearly, and the same name of the other side is free, its twin gets that.
-/// Error: see renamePrimitive.
+/// Renames a primitive, and its twin if mirroredName() of the new name exists and is free. Error: see renamePrimitive.
 [[nodiscard]] Result<Rig> renameWithTwin(Rig rig, int index, const std::string& name);
 
-/// The side of the plane that a muscle's center is on, in the bind pose. Bones with names say which side is left; where
-/// none does it is +X, as glTF has it.
+/// The side of the plane on which a muscle's center lies in the bind pose. Left follows from the names of bones, else
+/// it is +X, as in glTF.
 [[nodiscard]] Side sideOf(const MirrorPlan& plan, const Primitive& primitive);
 
-/// `name` with its other side if that is free, else a free name like it.
+/// mirroredName() of a name if that is free, else a similar free name.
 [[nodiscard]] std::string twinName(const Rig& rig, const std::string& name);
 
 }  // namespace sinew

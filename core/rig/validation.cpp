@@ -1,4 +1,4 @@
-// core/rig/validation.cpp: the checks, each naming the JSON path of what it refuses.
+// core/rig/validation.cpp: the checks of a rig; errors name JSON paths.
 #include "core/rig/validation.h"
 
 #include <array>
@@ -19,8 +19,6 @@
 
 namespace sinew {
 
-// Numbers and names as refusals say them.
-
 std::string numberText(float value) {
   if (std::isnan(value)) return "NaN";
   if (std::isinf(value)) return value > 0.0f ? "infinity" : "-infinity";
@@ -33,8 +31,6 @@ Error outOfRange(std::string place, const std::string& expected, float value, st
   return errorAt(std::move(place), "expected " + expected + ", got " + numberText(value), std::move(subject));
 }
 
-std::string ofAxis(const std::string& what, int axis) { return what + ' ' + "XYZ"[axis]; }
-
 std::string quoted(const char* what, const std::string& name) { return what + (" \"" + name + '"'); }
 
 Error named(const char* subject, Error error) {
@@ -46,9 +42,12 @@ std::string indexed(const char* list, std::size_t index) { return list + ('[' + 
 
 namespace {
 
-constexpr double kValidationUnitTolerance = 1e-3;  // On a quaternion's length; files written by hand have few digits.
+constexpr double kValidationUnitTolerance = 1e-3;  // Of a quaternion's length; files written by hand have few digits.
 
-/// Bytes of the UTF-8 sequence that begins at `text`, 0 if it is ill-formed (overlong, surrogate, past U+10FFFF).
+/// "radius Y"
+std::string ofAxis(const std::string& what, int axis) { return what + ' ' + "XYZ"[axis]; }
+
+/// Bytes of the UTF-8 sequence at the beginning of `text`; 0: ill-formed (overlong, surrogate, beyond U+10FFFF).
 std::size_t utf8Length(std::string_view text) {
   const auto byte = [&](std::size_t i) { return i < text.size() ? static_cast<unsigned char>(text[i]) : 0u; };
   const auto follows = [&](std::size_t i) { return (byte(i) & 0xC0u) == 0x80u; };
@@ -87,7 +86,7 @@ Result<void> validateRotation(const glm::quat& rotation, const std::string& plac
   return outOfRange(place, "a quaternion x, y, z, w of length 1", static_cast<float>(length), "rotation");
 }
 
-/// @param reach  none: all but the limits that are the reach's too
+/// @param reach  none: without limits that depend on the reach
 Result<void> validateShape(const Shape& shape, const std::string& place, std::optional<float> reach = {}) {
   for (const std::span<const ShapeNumber> key : shapeKeys()) {
     for (std::size_t i = 0; i < key.size(); ++i) {
@@ -95,7 +94,7 @@ Result<void> validateShape(const Shape& shape, const std::string& place, std::op
       const float value = number.of(shape);
       const bool open = !reach && number.most != nullptr;
       const auto [low, high] = reach ? number.range(shape, *reach) : std::pair(number.low, number.high);
-      // A little more than the limit: it is computed anew on every machine, and has room.
+      // A little more than the limit, which is computed and rounded.
       const float room = reach ? 1.0f + 1e-5f : 1.0f;
       if (open ? std::isfinite(value) : value >= low * room && value <= high * room) continue;
       const std::string range = "a number from " + numberText(low) + " to " + numberText(high);
@@ -133,11 +132,11 @@ Result<NameIndex> indexNames(const std::vector<Named>& items, const char* list, 
   return index;
 }
 
-/// How refusals call the items of a list of the rig.
+/// Words for the items of a list of the rig.
 struct Called {
   const char* list;
-  const char* one;     ///< In the file's words.
-  const char* muscle;  ///< In the interface's words.
+  const char* one;     ///< In files.
+  const char* muscle;  ///< In the user interface.
 };
 
 template <class Twinned>
@@ -189,6 +188,12 @@ Result<void> validateLinksAmong(const Rig& rig, const NameIndex& groups, Blendin
 Result<void> validateName(const std::string& name, const std::string& place) {
   if (name.empty()) return errorAt(place, "expected a name, got nothing", "name");
   return validateText(name, place);
+}
+
+Result<void> validateCount(const char* list, const char* items, std::size_t count, std::size_t most) {
+  if (count <= most) return {};
+  return errorAt(list, "expected at most " + std::to_string(most) + ' ' + items + ", got " + std::to_string(count),
+                 "the rig");
 }
 
 Result<void> validatePlacement(const Placement& placement, const std::string& place) {
@@ -271,12 +276,7 @@ Result<void> validateSmoothing(const SmoothingSettings& smoothing) {
 namespace {
 
 Result<NameIndex> validateLines(const Rig& rig) {
-  if (rig.lines.size() > static_cast<std::size_t>(kMaxPrimitives)) {
-    return errorAt(
-        "lines",
-        "expected at most " + std::to_string(kMaxPrimitives) + " lines, got " + std::to_string(rig.lines.size()),
-        "the rig");
-  }
+  if (auto count = validateCount("lines", "lines", rig.lines.size(), kMaxPrimitives); !count) return count.error();
   auto names = indexNames(rig.lines, "lines", "muscle line");
   if (!names) return names;
   for (std::size_t i = 0; i < rig.lines.size(); ++i) {
@@ -287,11 +287,6 @@ Result<NameIndex> validateLines(const Rig& rig) {
   return names;
 }
 
-}  // namespace
-
-namespace {
-
-/// Of the character's bones nothing is known here.
 Result<void> validateSlots(const Rig& rig) {
   for (std::size_t i = 0; i < rig.slots.size(); ++i) {
     const auto& [slot, bone] = rig.slots[i];
@@ -307,15 +302,14 @@ Result<void> validateSlots(const Rig& rig) {
   return {};
 }
 
-/// Of the files nothing is known here.
 Result<void> validateClipFiles(const Rig& rig) {
   for (std::size_t i = 0; i < rig.clipFiles.size(); ++i) {
     const std::string& file = rig.clipFiles[i];
     const std::string place = "clips[" + std::to_string(i) + ']';
     if (file.empty()) return errorAt(place, "expected the path of a file, got nothing", "clip files");
     if (auto text = validateText(file, place); !text) return about("clip files", text.error());
-    if (std::find(rig.clipFiles.begin(), rig.clipFiles.begin() + static_cast<std::ptrdiff_t>(i), file) !=
-        rig.clipFiles.begin() + static_cast<std::ptrdiff_t>(i)) {
+    const auto own = rig.clipFiles.begin() + static_cast<std::ptrdiff_t>(i);
+    if (std::find(rig.clipFiles.begin(), own, file) != own) {
       return errorAt(place, "the file \"" + file + "\" is named twice", "clip files");
     }
   }
@@ -352,25 +346,21 @@ Result<void> validate(const Rig& rig, BlendingGraphMemo& graphs) {
   if (auto morphs = validateMorphs(rig); !morphs) return morphs;
   const auto lines = validateLines(rig);
   if (!lines) return lines.error();
-  if (rig.primitives.size() > static_cast<std::size_t>(kMaxPrimitives)) {
-    return errorAt("primitives",
-                   "expected at most " + std::to_string(kMaxPrimitives) + " primitives, got " +
-                       std::to_string(rig.primitives.size()),
-                   "the rig");
-  }
+  auto count = validateCount("primitives", "primitives", rig.primitives.size(), kMaxPrimitives);
+  if (!count) return count;
   const auto primitives = indexNames(rig.primitives, "primitives", "muscle");
   if (!primitives) return primitives.error();
   for (std::size_t i = 0; i < rig.primitives.size(); ++i) {
+    const Primitive& primitive = rig.primitives[i];
     const std::string place = indexed("primitives", i);
-    if (auto own = validatePrimitive(rig.primitives[i], place); !own) return own;
-    if (!groups->contains(rig.primitives[i].group)) {
-      return errorAt(place + ".group",
-                     "expected the name of a group, but there is no \"" + rig.primitives[i].group + '"',
-                     quoted("muscle", rig.primitives[i].name) + ", group");
+    if (auto own = validatePrimitive(primitive, place); !own) return own;
+    if (!groups->contains(primitive.group)) {
+      return errorAt(place + ".group", "expected the name of a group, but there is no \"" + primitive.group + '"',
+                     quoted("muscle", primitive.name) + ", group");
     }
-    if (!rig.primitives[i].line.empty() && !lines->contains(rig.primitives[i].line)) {
-      return errorAt(place + ".line", "expected the name of a line, but there is no \"" + rig.primitives[i].line + '"',
-                     quoted("muscle", rig.primitives[i].name) + ", line");
+    if (!primitive.line.empty() && !lines->contains(primitive.line)) {
+      return errorAt(place + ".line", "expected the name of a line, but there is no \"" + primitive.line + '"',
+                     quoted("muscle", primitive.name) + ", line");
     }
     const Called called{"primitives", "primitive", "muscle"};
     if (auto mirror = validateMirror(rig.primitives, i, primitives.value(), called); !mirror) return mirror;

@@ -1,4 +1,4 @@
-// core/rig/validation.h: what makes a rig a rig, in one place for files and editor alike.
+// core/rig/validation.h: validates rigs, for files and editor alike.
 #pragma once
 
 #include <cstddef>
@@ -11,49 +11,49 @@
 
 namespace sinew {
 
-// The words of what is refused.
+// Texts of errors.
 
 [[nodiscard]] std::string numberText(float value);
 /// "expected ..., got ..."
 [[nodiscard]] Error outOfRange(std::string place, const std::string& expected, float value, std::string subject);
-/// "radius Y"
-[[nodiscard]] std::string ofAxis(const std::string& what, int axis);
 /// muscle "biceps L"
 [[nodiscard]] std::string quoted(const char* what, const std::string& name);
-/// The same about something else.
+/// The error with another subject.
 [[nodiscard]] Error named(const char* subject, Error error);
 /// primitives[3]
 [[nodiscard]] std::string indexed(const char* list, std::size_t index);
 
 inline constexpr int kMaxPrimitives = 65536;
 
-/// Checks ranges, finiteness, unique names, that groups and lines exist, that twins name each other, and the blending
-/// graph's size. Bones are not checked: a rig may meet another character. The Error's place is a JSON path such as
-/// "primitives[2].radii[1]"; its reason says what was expected.
+/// Checks ranges, finiteness, unique names, references to groups and lines, twins, and the size of the blending graph.
+/// Bones are not checked, since a rig may be used with another character. The Error's place is a JSON path such as
+/// "primitives[2].radii[1]"; its reason names what was expected.
 [[nodiscard]] Result<void> validate(const Rig& rig);
-/// The same for whoever validates again and again: cliques are enumerated only where groups or links have changed.
+/// For repeated validation: cliques are enumerated only if groups or links have changed.
 [[nodiscard]] Result<void> validate(const Rig& rig, BlendingGraphMemo& graphs);
 
-// Its parts, for edits that can break no more than one of them. The Error's place begins with `place`.
+// Parts of validate(), for edits. The Error's place begins with `place`.
 
+/// At most so many items in a list of the rig. @param items  "primitives"
+[[nodiscard]] Result<void> validateCount(const char* list, const char* items, std::size_t count, std::size_t most);
 /// Center and rotation finite, rotation within 1e-3 of unit length, radii finite and > 0, core and bend in range.
 [[nodiscard]] Result<void> validatePlacement(const Placement& placement, const std::string& place);
-/// All of a primitive that needs no look at the rest of the rig.
+/// Everything that does not depend on the rest of the rig.
 [[nodiscard]] Result<void> validatePrimitive(const Primitive& primitive, const std::string& place);
-/// All of a line that needs no look at the rest of the rig.
+/// Everything that does not depend on the rest of the rig.
 [[nodiscard]] Result<void> validateLine(const MuscleLine& line, const std::string& place);
 [[nodiscard]] Result<void> validateSurface(const SurfaceSettings& surface);
 [[nodiscard]] Result<void> validateSmoothing(const SmoothingSettings& smoothing);
 /// Links name two different groups that exist, and the blending graph has few enough cliques.
 [[nodiscard]] Result<void> validateLinks(const Rig& rig);
-/// Parameters of the owner's kind, each once; curves with rising x and finite numbers; ranges of inputs.
+/// Parameters of this owner, each once; curves with ascending x and finite numbers; inputs in range.
 [[nodiscard]] Result<void> validateAnimated(const std::vector<AnimatedNumber>& animated, ParameterOwner owner,
                                             const std::string& place);
-/// Channels have names and sound tracks, one of a name for a clip.
+/// Channels have names and valid tracks, one for each name and clip.
 [[nodiscard]] Result<void> validateChannels(const Rig& rig);
 /// The lines and channels that inputs name exist.
 [[nodiscard]] Result<void> validateInputs(const Rig& rig);
-/// A name is not empty and UTF-8. Whether it is unique is validate()'s affair.
+/// A name is not empty and in UTF-8.
 [[nodiscard]] Result<void> validateName(const std::string& name, const std::string& place);
 
 }  // namespace sinew

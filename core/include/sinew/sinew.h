@@ -1,5 +1,5 @@
-// core/include/sinew/sinew.h: what most programs need: load a rig, import its character, pose it, smooth it, write the
-// surface. Exports for games (sinew/export) are headers of their own.
+// core/include/sinew/sinew.h: headers for most programs: load a rig, import its character, pose it, smooth it, write
+// the surface. Exports for games have their own headers in sinew/files.
 #pragma once
 
 #include "sinew/character/character.h"

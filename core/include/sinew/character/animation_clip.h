@@ -18,36 +18,36 @@ struct Channel {
   ChannelPath path = ChannelPath::kTranslation;
   Interpolation interpolation = Interpolation::kLinear;
   std::vector<float> times;  ///< [K]
-  std::vector<glm::vec4>
-      values;  ///< [K], or [3K] for cubic splines: in-tangent, value, out-tangent. Rotations x,y,z,w.
+  /// [K], or [3K] for cubic splines: in-tangent, value, out-tangent. Rotations x, y, z, w.
+  std::vector<glm::vec4> values;
 };
 
 /// The animated weights of all morph targets of one node. Times as for Channel.
 struct MorphChannel {
   int firstTarget = 0;  ///< Index into Character::morphTargets.
-  int targets = 0;      ///< How many; > 0.
+  int targets = 0;      ///< Their number; > 0.
   Interpolation interpolation = Interpolation::kLinear;
   std::vector<float> times;  ///< [K]
-  std::vector<float>
-      values;  ///< [K][targets], or [K][3][targets] for cubic splines: in-tangents, values, out-tangents.
+  /// [K][targets], or [K][3][targets] for cubic splines: in-tangents, values, out-tangents.
+  std::vector<float> values;
 };
 
 struct AnimationClip {
   std::string name;
   float duration = 0.0f;  ///< Largest key time of any channel, seconds.
   std::vector<Channel> channels;
-  /// The rotations turn joints of the bind pose (pose_override.h), where a file's clip places nodes. Made in memory
-  /// alone (range_of_motion.h); no file holds such a clip.
+  /// Rotations are turns of joints of the bind pose (core/character/pose_override.h), not transforms of nodes. Only for
+  /// the range of motion (core/character/range_of_motion.h); never in files.
   bool turnsBindPose = false;
   std::vector<MorphChannel> morphChannels{};
-  std::string addedFrom{};  ///< The file it was added from (Rig::clipFiles); empty: the character's own.
+  std::string addedFrom{};  ///< File of an additional clip (Rig::clipFiles); empty: the character's own.
 };
 
-/// The weights of a channel's targets at a time, seconds; before the first key the first, after the last the last.
+/// Weights at a time in seconds, clamped to the first and last key.
 /// @param out [targets]
 void sampleMorphs(const MorphChannel& channel, float time, std::span<float> out);
 
-/// Value at a time, seconds; before the first key the first value, after the last the last. Rotations come back unit.
+/// Value at a time in seconds, clamped to the first and last key. Rotations are unit.
 [[nodiscard]] glm::vec4 sampleChannel(const Channel& channel, float time);
 
 }  // namespace sinew

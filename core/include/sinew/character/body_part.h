@@ -1,4 +1,4 @@
-// core/include/sinew/character/body_part.h: what a .vrm file says of its character beyond glTF.
+// core/include/sinew/character/body_part.h: body parts and expressions in .vrm files.
 #pragma once
 
 #include <string>
@@ -8,13 +8,13 @@
 
 namespace sinew {
 
-/// The file says which bone is this part of the body.
+/// The bone of a body part, as given in the file.
 struct BodyPart {
   std::string slot;  ///< "hips", "upperArm.L": a name of core/character/body_slots.h.
   int bone = 0;      ///< Index into Skeleton::bones.
 };
 
-/// Morph targets that are set together: an expression. Its weight times `share` is added to each.
+/// An expression: morph targets that are set together. Its weight times `share` is added to each.
 struct MorphSet {
   struct Share {
     int target = 0;  ///< Index into Character::morphTargets.

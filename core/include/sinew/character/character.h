@@ -1,4 +1,4 @@
-// core/include/sinew/character/character.h: what a glTF file becomes: read-only after import.
+// core/include/sinew/character/character.h: a character imported from a file; read-only after import.
 #pragma once
 
 #include <string>
@@ -18,15 +18,15 @@ namespace sinew {
 struct Character {
   std::string name;                       ///< File name without folder and ending.
   ControlMesh mesh;                       ///< With every morph target at 0.
-  std::vector<MorphTarget> morphTargets;  ///< Those of one node in the order of its mesh.
-  std::vector<MorphSet> morphSets;        ///< Expressions; their names are unlike those of targets.
+  std::vector<MorphTarget> morphTargets;  ///< For each node in the order of its mesh.
+  std::vector<MorphSet> morphSets;        ///< Expressions; their names differ from those of targets.
   Skeleton skeleton;
-  std::vector<BodyPart> bodyParts;  ///< Each part once; empty where the file names none.
+  std::vector<BodyPart> bodyParts;  ///< Each part at most once; empty if the file names none.
   std::vector<AnimationClip> clips;
   std::vector<Material> materials;  ///< At least one.
   std::vector<Texture> textures;
-  std::vector<MeshPart> parts;       ///< Of ControlTriangle::part, in file order.
-  std::vector<std::string> ignored;  ///< What the file holds and Sinew does not use, each with the reason.
+  std::vector<MeshPart> parts;       ///< For ControlTriangle::part, in file order.
+  std::vector<std::string> ignored;  ///< Contents of the file that Sinew does not use, each with the reason.
   float height = 1.0f;               ///< H: y extent of the welded mesh in the bind pose (largest extent if flat); > 0.
 };
 

@@ -1,4 +1,4 @@
-// core/include/sinew/character/character_pose.h: a clip at a time, for bones and morph targets alike.
+// core/include/sinew/character/character_pose.h: samples a clip for bones and morph targets.
 #pragma once
 
 #include "sinew/character/character.h"
@@ -6,7 +6,7 @@
 
 namespace sinew {
 
-/// samplePose of skeleton/pose.h with the weights of the character's morph targets; without any, the same.
+/// samplePose() of pose.h with the weights of the character's morph targets.
 /// @param clip  one of the character's
 [[nodiscard]] Pose samplePose(const Character& character, const AnimationClip& clip, float time);
 

@@ -1,4 +1,4 @@
-// core/include/sinew/character/local_pose.h: bones as an animation system has them, against their parents.
+// core/include/sinew/character/local_pose.h: poses from local transforms of bones, as in animation systems.
 #pragma once
 
 #include <span>
@@ -9,21 +9,20 @@
 
 namespace sinew {
 
-/// How every bone stands to its node's parent, as in glTF: T R S. An empty list: as at rest. Nodes that are no bones
-/// rest.
+/// Transforms of bones relative to the parents of their nodes, as in glTF: T R S. Empty list: as at rest. Other nodes
+/// are at rest.
 struct BoneLocals {
   std::span<const glm::quat> rotations{};     ///< [bones] unit.
   std::span<const glm::vec3> translations{};  ///< [bones]
   std::span<const glm::vec3> scales{};        ///< [bones]
 };
 
-/// Matrices of a pose from locals; the rest of `out` stays as it is. Allocates nothing once `out` and `scratch` have
-/// grown. Error: a list is of another length, a number is not finite, or a bone whose rest is a matrix in the file is
-/// given some lists and not all; then `out` stays as it is.
-/// @param scratch  memory that is kept from pose to pose
+/// Fills the matrices of a pose; other members of `out` stay. Allocates nothing once `out` and `scratch` have grown.
+/// Error: a list has the wrong length, a number is not finite, or some but not all lists are given although the rest of
+/// a bone is a matrix in the file; then `out` is not changed.
+/// @param scratch  memory that is reused from pose to pose
 [[nodiscard]] Result<void> poseFromLocals(const Skeleton& skeleton, const BoneLocals& locals,
                                           std::vector<glm::dmat4>& scratch, Pose& out);
-/// The same as a pose of its own.
 [[nodiscard]] Result<Pose> poseFromLocals(const Skeleton& skeleton, const BoneLocals& locals);
 
 }  // namespace sinew

@@ -1,4 +1,4 @@
-// core/include/sinew/character/material.h: what a character's surface is made of.
+// core/include/sinew/character/material.h: materials and textures of a character.
 #pragma once
 
 #include <array>
@@ -12,13 +12,13 @@ namespace sinew {
 
 enum class TextureWrap { kRepeat, kClampToEdge, kMirroredRepeat };
 
-/// Image of 8 bits, RGBA, top row first; width * height * 4 bytes. Colors are sRGB, what else a map holds is linear.
+/// 8-bit RGBA image, top row first; width * height * 4 bytes. Colors are sRGB, other data is linear.
 struct Texture {
   std::string name;
   int width = 0;
   int height = 0;
   std::vector<std::uint8_t> rgba;
-  std::vector<std::uint8_t> encoded;  ///< The PNG, JPEG or WebP it came from, for export.
+  std::vector<std::uint8_t> encoded;  ///< The original PNG, JPEG or WebP, for export.
   std::string mimeType;               ///< "image/png", "image/jpeg" or "image/webp".
   TextureWrap wrapU = TextureWrap::kRepeat;
   TextureWrap wrapV = TextureWrap::kRepeat;
@@ -27,7 +27,7 @@ struct Texture {
 
 enum class AlphaMode { kOpaque, kMask, kBlend };
 
-/// A texture that says more about a material than its base color, and where a point of the surface lies on it.
+/// A texture other than the base color, and its texture coordinates.
 struct TextureMap {
   int texture = -1;                                                          ///< Index into Character::textures, or -1.
   std::array<glm::vec3, 2> place{{{1.0f, 0.0f, 0.0f}, {0.0f, 1.0f, 0.0f}}};  ///< Rows: Wedge::uv and 1 -> u, v.
@@ -43,17 +43,17 @@ struct Material {
   int baseColorTexture = -1;  ///< Index into Character::textures, or -1.
   float metallic = 0.0f;      ///< 0..1
   float roughness = 1.0f;     ///< 0..1
-  glm::vec3 emissive{0.0f};   ///< With the strength; may be above 1.
+  glm::vec3 emissive{0.0f};   ///< Times the strength; may be above 1.
   AlphaMode alphaMode = AlphaMode::kOpaque;
   float alphaCutoff = 0.5f;
   bool doubleSided = false;
-  bool shownOpaque = false;  ///< Drawn as kOpaque: its alpha would hide the whole character. Exports keep the alpha.
-  bool unlit = false;        ///< The base color as it is, in any light.
+  bool shownOpaque = false;  ///< Drawn as kOpaque, since its alpha would hide the whole character. Exports keep alpha.
+  bool unlit = false;        ///< Shows the base color in any light.
   TextureMap metallicRoughnessMap{};  ///< Linear: green times roughness, blue times metallic.
   TextureMap normalMap{};             ///< Linear: 2 rgb - 1 along u, against v and along the normal.
   float normalScale = 1.0f;           ///< Factor on the first two.
-  TextureMap occlusionMap{};          ///< Linear: red is the share of the light from all around that arrives.
-  float occlusionStrength = 1.0f;     ///< 0..1: how much of that is believed.
+  TextureMap occlusionMap{};          ///< Linear: red is the fraction of ambient light that arrives.
+  float occlusionStrength = 1.0f;     ///< 0..1
   TextureMap emissiveMap{};           ///< sRGB, times emissive.
 };
 

@@ -1,4 +1,4 @@
-// core/include/sinew/character/mesh_part.h: a piece of the mesh that has a name: body, shirt, eyes.
+// core/include/sinew/character/mesh_part.h: a named part of the mesh: body, shirt, eyes.
 #pragma once
 
 #include <string>
@@ -7,9 +7,9 @@
 
 namespace sinew {
 
-/// The triangles of one mesh of the file with one material, each time a node shows it.
+/// The triangles of one mesh of the file with one material, for each node that shows it.
 struct MeshPart {
-  std::string name;  ///< The mesh's, or the material's where the mesh has several; made unique. Not empty.
+  std::string name;  ///< The mesh's, or the material's if the mesh has several; made unique. Not empty.
   int material = 0;  ///< Index into Character::materials.
 };
 

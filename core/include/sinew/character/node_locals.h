@@ -1,5 +1,4 @@
-// core/include/sinew/character/node_locals.h: how nodes stand to their parents, at rest, in a clip, and changed by
-// hand.
+// core/include/sinew/character/node_locals.h: local transforms of nodes at rest and in a clip, and poses from them.
 #pragma once
 
 #include <span>
@@ -11,15 +10,14 @@
 
 namespace sinew {
 
-/// [nodes] when nothing is animated.
+/// [nodes] without animation.
 [[nodiscard]] std::vector<LocalTransform> restLocals(const Skeleton& skeleton);
 
-/// [nodes] at a time of a file's clip, seconds; nodes without a channel rest.
+/// [nodes] at a time in seconds of a file's clip; nodes without a channel are at rest.
 [[nodiscard]] std::vector<LocalTransform> sampleLocals(const Skeleton& skeleton, const AnimationClip& clip, float time);
 
-/// Where all bones are if the nodes stand so: whoever turns one node moves all that hangs on it. A bone's node is
-/// Bone::node.
-/// @param locals [nodes] parents before children, as Skeleton::nodes (asserted)
+/// The pose of all bones for local transforms of nodes. A bone's node is Bone::node.
+/// @param locals [nodes] as Skeleton::nodes (asserted)
 [[nodiscard]] Pose poseFromLocals(const Skeleton& skeleton, std::span<const LocalTransform> locals);
 
 }  // namespace sinew

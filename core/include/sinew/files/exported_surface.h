@@ -1,4 +1,4 @@
-// core/include/sinew/files/exported_surface.h: where an exported file puts its vertices, as a program plays it.
+// core/include/sinew/files/exported_surface.h: plays the vertices of an exported file.
 #pragma once
 
 #include <array>
@@ -10,17 +10,17 @@
 
 namespace sinew {
 
-/// The joints, weights, keys and targets that an export has written, without the file.
+/// The joints, weights, keys and targets of an export, without the file.
 class ExportedSurface {
  public:
   virtual ~ExportedSurface() = default;
 
-  /// At any time of a clip, between keys as glTF says: linear. Joints without keys in the clip rest.
-  /// @param pose  of the character's skeleton then  @param out  [vertices] world
+  /// Positions at any time of a clip, linear between keys as in glTF. Joints without keys in the clip are at rest.
+  /// @param pose  of the character's skeleton at that time  @param out  [vertices] world
   virtual void place(const Pose& pose, const std::string& clip, float time, std::vector<glm::vec3>& out) const = 0;
 
-  std::vector<glm::vec3> rest;                ///< [vertices] bind pose, world. The live surface's first so many.
-  std::vector<std::array<int, 3>> triangles;  ///< Between them.
+  std::vector<glm::vec3> rest;  ///< [vertices] bind pose, world; the first vertices of the live surface.
+  std::vector<std::array<int, 3>> triangles;
   std::vector<float> largest;  ///< [vertices] largest distance to the live surface in the clips, percent of the height.
 };
 

@@ -1,4 +1,4 @@
-// core/include/sinew/files/formats.h: which file formats hold which form of a character.
+// core/include/sinew/files/formats.h: file formats for the forms of an exported character.
 #pragma once
 
 #include <filesystem>
@@ -14,16 +14,16 @@ enum class ExportForm {
   kSkin,     ///< Joints and weights, all clips.
   kTargets,  ///< One clip: joints, weights and animated morph targets.
   kStage,    ///< One clip: every vertex in every frame, with materials.
-  kCache,    ///< The same as bare points, beside a mesh.
+  kCache,    ///< One clip: every vertex in every frame as bare points, next to a mesh.
 };
 
-/// Endings of the formats that hold one of the forms, lower case, each once; the first is the usual one.
+/// Endings of the formats for these forms, lower case, each once; the first is the default.
 [[nodiscard]] std::vector<std::string> exportEndings(const std::vector<ExportForm>& forms);
 
-/// Whether the name has one of these endings; capitals too.
+/// The name has one of these endings, in any case.
 [[nodiscard]] bool hasExportEnding(const std::filesystem::path& file, const std::vector<ExportForm>& forms);
 
-/// The files that an export consists of, the one named last; without textures: how many there are is not known before.
+/// Files of an export without textures, whose number is not known before; the named one is last.
 [[nodiscard]] std::vector<std::filesystem::path> exportedFiles(const std::filesystem::path& file);
 
 }  // namespace sinew

@@ -1,4 +1,4 @@
-// core/include/sinew/files/progress.h: how far a long export is, and how its caller ends it.
+// core/include/sinew/files/progress.h: progress of long exports, and cancelling them.
 #pragma once
 
 #include <functional>
@@ -8,8 +8,8 @@
 
 namespace sinew {
 
-/// Called on the exporting thread with the share that is done, 0..1, never falling. False cancels: nothing is written,
-/// and the export returns an error whose reason is kCanceled. Empty: nobody wants to know.
+/// Called on the exporting thread with the finished fraction, 0..1, never decreasing. False cancels: nothing is
+/// written, and the export returns an error with the reason kCanceled. May be empty.
 using ExportProgress = std::function<bool(double share)>;
 
 inline constexpr std::string_view kCanceled = "cancelled";

@@ -9,22 +9,21 @@
 
 namespace sinew {
 
-/// Rig -> text: keys in the order of docs/formats.md, shortest decimals that read back bit-equal, unknown keys after
-/// the known ones.
+/// Keys in the order of docs/formats.md, shortest decimals that read back bit-equal, unknown keys after the known ones.
 [[nodiscard]] std::string rigToJson(const Rig& rig);
 
-/// Text -> validated rig. Error: place is the JSON path (or the byte, if it is no JSON), reason what was expected.
+/// A validated rig. Error: place is the JSON path (or the byte if it is no JSON), reason what was expected.
 [[nodiscard]] Result<Rig> rigFromJson(const std::string& text);
 
-/// File -> validated rig; refuses files over 64 MiB.
+/// A validated rig; refuses files over 64 MiB.
 [[nodiscard]] Result<Rig> loadRig(const std::filesystem::path& file);
 
-/// Writes atomically (io/atomic_file.h): on an Error the old file is as it was.
+/// Writes atomically: after an Error the old file is unchanged.
 [[nodiscard]] Result<void> saveRig(const Rig& rig, const std::filesystem::path& file);
 
-/// Where the rig's character lies, given where the rig file lies.
+/// Path of the rig's character.
 [[nodiscard]] std::filesystem::path characterPath(const Rig& rig, const std::filesystem::path& rigFile);
-/// The reverse, for saving: `character` relative to the rig file's folder if that is possible.
+/// For Rig::character: the path relative to the rig file's folder if possible.
 [[nodiscard]] std::string relativeCharacterPath(const std::filesystem::path& character,
                                                 const std::filesystem::path& rigFile);
 

@@ -1,4 +1,4 @@
-// core/include/sinew/files/skinned_export.h: a character with its muscles at rest as glTF that any engine plays.
+// core/include/sinew/files/skinned_export.h: exports a character with its muscles as glTF for any engine.
 #pragma once
 
 #include <cstdint>
@@ -16,25 +16,25 @@
 namespace sinew {
 
 enum class ExportMesh {
-  kRefined,   ///< Every triangle of the file as the rig's depth splits it.
-  kOriginal,  ///< The file's own vertices, in its order; moved, with other weights.
+  kRefined,   ///< Every triangle of the file, split by the rig's depth.
+  kOriginal,  ///< The file's own vertices in the same order, moved and with other weights.
 };
 
 enum class ExportWeights {
-  kTransferred,  ///< The file's, interpolated over the triangles; the four largest.
+  kTransferred,  ///< The file's, interpolated over triangles; the four largest.
   kRefitted,     ///< Fitted to the live surface over poses (docs/export.md).
 };
 
 enum class ExportJoints {
   kOwn,      ///< The character's own joints.
-  kHelpers,  ///< And joints that move as muscles do, keyed in every clip.
+  kHelpers,  ///< Also joints that move like muscles, with keys in every clip.
 };
 
-/// How a muscle line's joint may scale, for engines that cannot do all.
+/// Allowed scale of the joint of a muscle line, for engines with limitations.
 enum class JointScale {
-  kFull,     ///< Along each of its axes.
-  kUniform,  ///< Alike along all.
-  kNone,     ///< Not at all: two joints a line, one under the belly, one on top.
+  kFull,     ///< Any.
+  kUniform,  ///< The same along all axes.
+  kNone,     ///< None: two joints for each line, one below the belly, one on top.
 };
 
 /// "refined", "refitted", "full" ...
@@ -49,66 +49,64 @@ struct SkinnedExportSettings {
   ExportJoints joints = ExportJoints::kOwn;
   ExportMesh mesh = ExportMesh::kRefined;
   ExportWeights weights = ExportWeights::kRefitted;
-  std::vector<std::string> clips{};  ///< Names of those to keep; empty: all.
-  int helpers = kDefaultHelpers;     ///< Joints that kHelpers may add, 0..kMostHelpers.
+  std::vector<std::string> clips{};  ///< Names of the exported clips; empty: all.
+  int helpers = kDefaultHelpers;     ///< Largest number of joints added by kHelpers, 0..kMostHelpers.
   JointScale jointScale = JointScale::kFull;
-  bool morphs = true;  ///< Morph targets come along, with their weights in the clips.
+  bool morphs = true;  ///< Exports morph targets and their weights in the clips.
 };
 
-/// The vertex and the moment of a largest distance.
+/// Vertex and time of a largest distance.
 struct ErrorPlace {
   std::string clip;    ///< Empty: nothing was measured.
-  float time = 0.0f;   ///< Seconds into it.
-  int vertex = -1;     ///< Of the refined vertices of the live surface.
-  std::string bone{};  ///< That the vertex follows most.
+  float time = 0.0f;   ///< Seconds in the clip.
+  int vertex = -1;     ///< Refined vertex of the live surface.
+  std::string bone{};  ///< Bone with the largest weight at the vertex.
 };
 
 /// Distances between exported and live vertices, percent of the character's height.
 struct ErrorFigures {
   double rms = 0.0;
-  double percentile999 = 0.0;  ///< At most this in 99.9 of 100 vertices and poses; read from classes 0.1 % wide.
+  double percentile999 = 0.0;  ///< Largest in 99.9 % of vertices and poses, from a histogram with classes of 0.1 %.
   double largest = 0.0;
-  int poses = 0;  ///< 0: nothing was measured, the others are 0.
+  int poses = 0;  ///< 0: nothing was measured, and the other figures are 0.
   ErrorPlace farthest{};
 };
 
 struct ClipError {
   std::string clip;
   ErrorFigures error;      ///< At the keys.
-  ErrorFigures between{};  ///< Between keys, where a program interpolates them; not measured of further clips.
+  ErrorFigures between{};  ///< Between keys, where programs interpolate; not measured for further clips.
 };
 
 struct SkinnedExportReport {
-  int joints = 0;             ///< Those of all skins in the file, each node once.
-  int lineJoints = 0;         ///< Among them those of muscle lines ...
-  int rigidHelpers = 0;       ///< ... and those fitted where most error was left.
-  std::int64_t vertices = 0;  ///< As the file splits them.
+  int joints = 0;             ///< Of all skins in the file, each node once.
+  int lineJoints = 0;         ///< Joints of muscle lines among them.
+  int rigidHelpers = 0;       ///< Joints among them fitted to the largest remaining errors.
+  std::int64_t vertices = 0;  ///< Split as in the file.
   std::int64_t triangles = 0;
-  std::uint64_t bytes = 0;         ///< All files that were written.
-  std::vector<ClipError> clips;    ///< Those exported, at 30 poses a second.
+  std::uint64_t bytes = 0;         ///< All written files.
+  std::vector<ClipError> clips;    ///< Exported clips, at 30 poses per second.
   ErrorFigures allClips;           ///< The same poses together.
-  ErrorFigures allBetween;         ///< All clips between their keys, at 47 poses a second.
-  std::vector<ClipError> further;  ///< Clips that are not exported (`moving`), at 10 poses a second.
-  ErrorFigures fitted;            ///< The poses that refitted weights are fitted to; measured for transferred ones too.
-  ErrorFigures heldOut;           ///< Poses of the same kind, but kept from the fit.
-  std::vector<std::string> left;  ///< What of the source file is not in the export, each with the reason.
-  std::shared_ptr<const ExportedSurface> played;  ///< What the file shows.
+  ErrorFigures allBetween;         ///< All clips between their keys, at 47 poses per second.
+  std::vector<ClipError> further;  ///< Clips that are not exported (`moving`), at 10 poses per second.
+  ErrorFigures fitted;             ///< The poses to which refitted weights are fitted; also for transferred weights.
+  ErrorFigures heldOut;            ///< Similar poses that are not used by the fit.
+  std::vector<std::string> left;   ///< Contents of the source file that are not exported, each with the reason.
+  std::shared_ptr<const ExportedSurface> played;  ///< The exported surface as played.
 };
 
-/// Morph targets: the refined mesh has each as the surface with it at 1 less that with none, in the bind pose; the
-/// file's own vertices keep theirs. Where the rig changes weights of a node, keys replace the file's. What is printed
-/// of errors includes them.
-/// Writes `characterFile` again with the surface of the bind pose in place of its meshes; nodes, clips, materials,
-/// images, extensions and extras stay as they are there. A .gltf has NAME.bin beside it; a .usda, which holds what USD
-/// can say of it (docs/export.md), its textures NAME_N.png or .jpg. All are whole or not written.
-/// Same inputs give the same bytes.
+/// Writes `characterFile` again with the surface of the bind pose instead of its meshes; nodes, clips, materials,
+/// images, extensions and extras stay. A .gltf comes with NAME.bin, a .usda (see docs/export.md) with its textures
+/// NAME_N.png or .jpg. Writes all files or none. The same inputs give the same bytes.
+/// Morph targets of the refined mesh are differences of surfaces in the bind pose; the file's own vertices keep theirs.
+/// If the rig changes weights of a node, keys replace the file's weights. Errors are measured with morph targets.
 /// @param file       its ending is one of ExportForm::kSkin (sinew/files/formats.h)
-/// @param character  as importGltf(characterFile) gave it.
-/// @param moving     the same character, with the clips that weights are also fitted to (the range of motion) at the
-///                   end of its own.
-/// Error: the file is no longer what `character` was imported from, unknown clip, clips of more than an hour together,
-/// an invalid rig, more than a .glb holds, a file cannot be written, or canceled. Muscles whose bone is missing are
-/// left out (core/rig/attachment.h, missingBones). Never throws.
+/// @param character  from importGltf(characterFile).
+/// @param moving     the same character with additional clips (the range of motion) at the end, to which weights are
+///                   fitted as well.
+/// Error: the file has changed since `character` was imported, unknown clip, more than an hour of clips, an invalid
+/// rig, more than a .glb can hold, a file cannot be written, or canceled. Muscles whose bone is missing are left out
+/// (core/rig/attachment.h, missingBones). Never throws.
 [[nodiscard]] Result<SkinnedExportReport> exportSkinned(const std::filesystem::path& characterFile,
                                                         const std::shared_ptr<const Character>& character,
                                                         const Character& moving, const Rig& rig,

@@ -9,30 +9,30 @@
 
 namespace sinew {
 
-/// Share of a vertex that follows one binding (skeleton/skeleton.h). Weights of a vertex sum to 1.
+/// Weight of a binding (skeleton.h) at a vertex. Weights of a vertex sum to 1.
 struct Influence {
   int binding = 0;
   float weight = 0.0f;
 };
 
-/// A corner as drawn: one geometric vertex with its own texture coordinate and color and, at creases, its own normal.
-/// Seams, colors and creases split wedges, never vertices.
+/// A geometric vertex as drawn, with texture coordinate, color and, at creases, normal. Seams, colors and creases split
+/// wedges, never vertices.
 struct Wedge {
   int vertex = 0;
   glm::vec2 uv{0.0f};
-  glm::vec4 color{1.0f};  ///< Vertex color, linear RGBA, 0..1: a factor on the material's base color.
-  bool creased = false;   ///< Shaded with `normal`, not with the vertex's. Made by creased (mesh/creases.h).
-  glm::vec3 normal{0.0f, 1.0f, 0.0f};  ///< Bind pose, unit; read only where creased.
-  int fan = -1;  ///< Where creased: which normal, numbered from 0. Wedges with the same fan share it.
+  glm::vec4 color{1.0f};               ///< Vertex color, linear RGBA, 0..1: a factor on the material's base color.
+  bool creased = false;                ///< Shaded with `normal`, not with the vertex's (core/geometry/normals.h).
+  glm::vec3 normal{0.0f, 1.0f, 0.0f};  ///< Bind pose, unit; only if creased.
+  int fan = -1;                        ///< Number of the normal, from 0; only if creased.
 };
 
 /// Edge between two geometric vertices; vertices[0] < vertices[1].
 struct Edge {
   std::array<int, 2> vertices{};
-  int triangleCount = 0;  ///< 2 on a closed manifold, 1 on a border, more where non-manifold.
+  int triangleCount = 0;  ///< 2 on a closed manifold, 1 on a border, more if non-manifold.
 };
 
-/// One triangle. Counter-clockwise seen from outside. Corner i is vertices[i]; edges[i] joins corners i and (i+1)%3.
+/// Counter-clockwise from outside. Corner i is vertices[i]; edges[i] joins corners i and (i+1)%3.
 struct ControlTriangle {
   std::array<int, 3> vertices{};
   std::array<int, 3> wedges{};
@@ -41,7 +41,7 @@ struct ControlTriangle {
   int part = 0;  ///< Index into Character::parts.
 };
 
-/// The control mesh in the bind pose, welded (mesh/weld.h). Positions in world space, character units.
+/// The control mesh in the bind pose, welded (core/geometry/weld.h). World space, character units.
 struct ControlMesh {
   std::vector<glm::vec3> positions;  ///< [V]
   std::vector<glm::vec3> normals;    ///< [V] unit, angle-weighted over the faces (Thuermer & Wuethrich 1998).
@@ -49,8 +49,8 @@ struct ControlMesh {
   std::vector<Influence> influences;
   std::vector<Wedge> wedges;               ///< [W] sorted by first use.
   std::vector<Edge> edges;                 ///< [E] in order of first use by the triangles.
-  std::vector<ControlTriangle> triangles;  ///< [T] in file order, sorted by nothing.
-  int trianglesDropped = 0;                ///< Lost a corner to welding, or had an index twice.
+  std::vector<ControlTriangle> triangles;  ///< [T] in file order.
+  int trianglesDropped = 0;                ///< Lost a corner by welding, or had an index twice.
 
   [[nodiscard]] std::span<const Influence> influencesOf(int vertex) const {
     const auto v = static_cast<std::size_t>(vertex);

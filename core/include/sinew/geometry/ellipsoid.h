@@ -1,5 +1,4 @@
-// core/include/sinew/geometry/ellipsoid.h: an oriented ellipsoid on a bone, or a shape made of one, and the same in
-// world space.
+// core/include/sinew/geometry/ellipsoid.h: an oriented ellipsoid or shape on a bone and in world space.
 #pragma once
 
 #include <cstdint>
@@ -12,8 +11,8 @@
 
 namespace sinew {
 
-/// Where an ellipsoid sits and how it is shaped: typed parts, never a matrix, so that nothing ever needs decomposing.
-/// Bone space, character units.
+/// Place and shape of an ellipsoid, never as a matrix, so that nothing needs to be decomposed. Bone space, character
+/// units.
 struct Placement {
   glm::vec3 center{0.0f};
   glm::quat rotation{1.0f, 0.0f, 0.0f, 0.0f};  ///< Unit; primitive axes -> bone axes.
@@ -30,21 +29,19 @@ struct RayQuadratic {
   double c = 0.0;
 };
 
-/// What an influence is in the world: which way its r^2 is computed.
+/// Form of an influence in the world, by which r^2 is computed.
 enum class UnitForm : std::uint8_t { kEllipsoid, kSphere, kShape };
 
-/// An influence in the world as the affine map that takes an ellipsoid's to the unit ball, |toUnit (x - center)| < 1
-/// inside, and any other's to its unit space. Center and map are kept apart: x^T Q x about a far origin would cancel.
+/// The affine map from the world to the unit space of an influence; for an ellipsoid |toUnit (x - center)| < 1 inside.
+/// Center and map are separate, since x^T Q x about a far origin would cancel.
 struct UnitBallMap {
   glm::mat3 toUnit{1.0f};
   glm::vec3 center{0.0f};       ///< World.
-  float boundingRadius = 0.0f;  ///< World; a ball around center of this radius holds the influence.
-  /// 1 / radius where the ellipsoid is a sphere in the world: then toUnit is only this factor, and distances come
-  /// without a matrix. 0 otherwise.
-  float inverseRadius = 0.0f;
-  float meanRadius = 0.0f;  ///< World: of the ball with the visible body's volume, times the reach.
+  float boundingRadius = 0.0f;  ///< World; radius of a ball around center that contains the influence.
+  float inverseRadius = 0.0f;   ///< 1 / radius for a sphere, the factor in toUnit; 0 otherwise.
+  float meanRadius = 0.0f;      ///< World; radius of the ball with the visible body's volume, times the reach.
   UnitForm form = UnitForm::kEllipsoid;
-  UnitShape shape{};  ///< Where form is kShape.
+  UnitShape shape{};  ///< For kShape.
 
   /// An ellipsoid or a sphere.
   [[nodiscard]] bool isPlain() const { return form != UnitForm::kShape; }
@@ -58,7 +55,7 @@ struct UnitBallMap {
     return glm::dot(y, y);
   }
 
-  /// d(r^2)/dx, inside the influence = 2 A^T A (x - c) of an ellipsoid; on a sphere A^T A is a number.
+  /// d(r^2)/dx inside the influence; for an ellipsoid 2 A^T A (x - c).
   [[nodiscard]] glm::vec3 rSquaredSlope(const glm::vec3& point) const {
     const glm::vec3 d = point - center;
     if (form == UnitForm::kShape) return shapedSlope(d);
@@ -66,7 +63,7 @@ struct UnitBallMap {
     return 2.0f * (glm::transpose(toUnit) * (toUnit * d));
   }
 
-  /// r^2 at origin + t direction, world. Of an ellipsoid alone (isPlain()).
+  /// r^2 at origin + t direction, world. Only for ellipsoids (isPlain()).
   [[nodiscard]] RayQuadratic alongRay(const glm::vec3& origin, const glm::vec3& direction) const {
     glm::dvec3 y(origin - center);
     glm::dvec3 yd(direction);
@@ -81,19 +78,19 @@ struct UnitBallMap {
     return {scale * glm::dot(yd, yd), scale * glm::dot(y, yd), scale * glm::dot(y, y)};
   }
 
-  // Apart, so that ellipsoids keep the short way.
+  // Not inline, to keep the code for ellipsoids short.
   [[nodiscard]] float shapedRSquared(const glm::vec3& fromCenter) const;
   [[nodiscard]] glm::vec3 shapedSlope(const glm::vec3& fromCenter) const;
 
-  /// Whether the influence holds a point; a flattened one holds none.
+  /// Whether the influence contains a point; a flat one contains none.
   [[nodiscard]] bool holds(const glm::vec3& point) const { return boundingRadius > 0.0f && rSquared(point) < 1.0f; }
 };
 
-/// World -> unit space of the influence, after the whole 3x4 bone matrix, uneven scale included.
-/// A flattened bone gives a map of zeros and boundingRadius 0: such a primitive reaches nothing.
+/// World -> unit space of the influence, for any 3x4 bone matrix. A flat bone gives a map of zeros and boundingRadius
+/// 0: no influence.
 [[nodiscard]] UnitBallMap unitBallMap(const Placement& inBone, float reach, const glm::mat4& boneInWorld);
 
-/// Unit ball -> world for drawing: boneInWorld * T * R * S(radii * scale). Shapes are onShape() before it.
+/// Unit ball -> world for drawing: boneInWorld * T * R * S(radii * scale), after onShape() for shapes.
 [[nodiscard]] glm::mat4 shapeInWorld(const Placement& inBone, float scale, const glm::mat4& boneInWorld);
 
 }  // namespace sinew

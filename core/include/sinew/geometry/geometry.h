@@ -1,4 +1,4 @@
-// core/include/sinew/geometry/geometry.h: the vector types and the few shapes every room shares.
+// core/include/sinew/geometry/geometry.h: vector types, boxes and small functions on vectors.
 #pragma once
 
 #include <limits>
@@ -32,11 +32,11 @@ struct Bounds {
 /// Smallest box around points; empty for none.
 [[nodiscard]] Bounds boundsOf(std::span<const glm::vec3> points);
 
-/// v / |v|, or fallback where v is too short (or not finite) to have a direction.
+/// v / |v|, or fallback if v is too short or not finite.
 [[nodiscard]] glm::vec3 normalizeOr(const glm::vec3& v, const glm::vec3& fallback);
 
-/// The matrix that carries normals when `m` carries points: inverse transpose up to a positive factor,
-/// by cofactors, so that a flattened bone (determinant 0) still gives a direction.
+/// The matrix for normals if `m` is that for points: inverse transpose up to a positive factor, by cofactors, so that a
+/// flat bone (determinant 0) still gives a direction.
 [[nodiscard]] glm::mat3 normalMatrix(const glm::mat3& m);
 
 [[nodiscard]] bool isFinite(const glm::vec3& v);

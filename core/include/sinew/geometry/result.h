@@ -1,4 +1,4 @@
-// core/include/sinew/geometry/result.h: an outcome that is either a value or a reason a person can act on.
+// core/include/sinew/geometry/result.h: results that are either a value or an error for people.
 #pragma once
 
 #include <cassert>
@@ -10,27 +10,26 @@
 
 namespace sinew {
 
-/// Why untrusted data was refused: which file, where in it, what was expected. Each part may be empty.
+/// Why data was refused. Each part may be empty.
 struct Error {
   std::string file;    ///< Path as the user gave it.
   std::string place;   ///< JSON path, accessor, byte offset, joint name ...
   std::string reason;  ///< What is wrong and what was expected.
-  /// What it is about, in the interface's words: `muscle "biceps L", reach`. Instead of place where people read it who
-  /// do not know the file from the inside. Empty: file and reason say it.
+  /// The affected thing in words of the user interface: `muscle "biceps L", reach`. Shown instead of `place`.
   std::string subject = {};
 
   /// "file: place: reason" on one line; empty parts are left out, control characters become spaces.
   [[nodiscard]] std::string text() const;
-  /// The same for the interface: "File name: subject: reason". Without a subject it is text().
+  /// For the user interface: "File name: subject: reason"; text() if there is no subject.
   [[nodiscard]] std::string plainText() const;
 };
 
-/// Error without a file or with a place only; the io layer adds the file.
+/// An error without file, which is added by the caller.
 [[nodiscard]] Error errorAt(std::string place, std::string reason, std::string subject = {});
-/// What the error is about is part of something larger: `reach` of `muscle "biceps L"`.
+/// Adds the larger thing to the subject: `muscle "biceps L"` to `reach`.
 [[nodiscard]] Error about(const std::string& whole, Error error);
 
-/// Value or Error, for users' data. Callers' mistakes are asserts, never Results. No exception leaves core.
+/// Value or Error, for users' data. Mistakes of callers are asserts, never Results. No exception leaves core.
 template <class T>
 class [[nodiscard]] Result {
  public:

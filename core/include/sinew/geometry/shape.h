@@ -1,4 +1,4 @@
-// core/include/sinew/geometry/shape.h: what makes a capsule, an egg or a bent spindle of an ellipsoid. docs/design.md.
+// core/include/sinew/geometry/shape.h: shapes between ellipsoid, capsule, egg and bent spindle. docs/design.md.
 #pragma once
 
 #include <algorithm>
@@ -15,43 +15,43 @@ namespace sinew {
 inline constexpr float kMostCore = 0.95f;
 inline constexpr float kMostBend = 1.0f;
 
-/// How a primitive differs from an ellipsoid, along its own y axis. In its space divided by the radii (x, y, z), with
+/// Difference of a primitive from an ellipsoid, along its y axis. In its space divided by the radii (x, y, z), with
 /// e = 1 - core and S(y) = 1 - 2 belly y + belly^2, the distance measure is
 ///     rho^2 = nu S(y) |(x, z) - bend (1 - y^2)|^2 + (max(|y| - core, 0) / e)^2,
-/// visible where rho = 1. nu makes the largest lateral radius 1.
+/// visible at rho = 1. nu makes the largest lateral radius 1.
 struct Shape {
-  float core = 0.0f;     ///< Straight part: half its length over the radius y, 0..kMostCore.
-  float belly = 0.0f;    ///< Where the thickest place is: at y = belly if core = 0. At most mostBelly() either way.
-  glm::vec2 bend{0.0f};  ///< By how much the middle of the axis is moved, in radii x and z; -kMostBend..kMostBend each.
+  float core = 0.0f;     ///< Half the length of the straight part over the radius y, 0..kMostCore.
+  float belly = 0.0f;    ///< Place of the thickest section: y = belly if core = 0. At most mostBelly(), +-.
+  glm::vec2 bend{0.0f};  ///< Displacement of the middle of the axis in radii x and z; -kMostBend..kMostBend each.
 
   /// An ellipsoid.
   [[nodiscard]] bool isPlain() const { return *this == Shape{}; }
   friend bool operator==(const Shape&, const Shape&) = default;
 };
 
-/// How many numbers a shape has: core/geometry/affine_image.h describes each.
+/// Count of a shape's numbers, which core/geometry/affine_image.h describes.
 inline constexpr int kShapeNumbers = sizeof(Shape) / sizeof(float);
 
-/// The most that `belly` may be either way: S stays positive wherever the influence reaches. reach > 1.
+/// Largest absolute value of `belly`, so that S is positive in the whole influence. reach > 1.
 [[nodiscard]] float mostBelly(float core, float reach);
-/// The shape with each number brought into its range. A number that is not finite becomes 0.
+/// The shape with each number clamped to its range; numbers that are not finite become 0.
 [[nodiscard]] Shape legalShape(const Shape& shape, float reach);
 
-/// y of the thickest section, where the lateral radii are exactly 1.
+/// y of the thickest section, whose lateral radii are exactly 1.
 [[nodiscard]] float thickestAt(const Shape& shape);
-/// Radius of the visible section at y, over the radii across.
+/// Radius of the visible section at y, relative to the lateral radii.
 [[nodiscard]] float sectionAt(const Shape& shape, float y);
-/// Where the axis is at y, in radii x and z.
+/// Place of the axis at y, in radii x and z.
 [[nodiscard]] glm::vec2 axisAt(const Shape& shape, float y);
 
-/// The point of the surface rho = scale that belongs to a point of the unit sphere, in the primitive's space divided by
-/// its radii; onto, continuous, and the identity times `scale` for an ellipsoid. Poles go to the ends of the axis, the
-/// points next to the equator to the straight part.
+/// Maps the unit sphere onto the surface rho = scale, in the primitive's space divided by its radii; continuous, and
+/// the identity times `scale` for an ellipsoid. Poles map to the ends of the axis, points next to the equator to the
+/// straight part.
 [[nodiscard]] glm::vec3 onShape(const Shape& shape, float scale, const glm::vec3& onSphere);
 
-/// A shape in the unit space of its influence, where all lengths are divided by radii times reach: r^2 = (rho / k)^2.
+/// A shape in the unit space of its influence, with lengths divided by radii times reach: r^2 = (rho / k)^2.
 struct UnitShape {
-  bool isPlain = true;   ///< r^2 is the squared length; the rest is not read.
+  bool isPlain = true;   ///< r^2 is the squared length; other members do not apply.
   float lateral = 1.0f;  ///< nu S(y) = lateral + taper y.
   float taper = 0.0f;
   glm::vec2 bend{0.0f};  ///< The axis is at bend + curve y^2.
@@ -91,7 +91,7 @@ struct UnitShape {
 /// @param shape  legal for the reach.
 [[nodiscard]] UnitShape unitShape(const Shape& shape, float reach);
 
-/// Radius of a ball around the center that holds the influence. @param axes  images of the unit space's axes.
+/// Radius of a ball around the center that contains the influence. @param axes  images of the unit space's axes.
 [[nodiscard]] double ballAround(const UnitShape& shape, const glm::dmat3& axes);
 
 }  // namespace sinew

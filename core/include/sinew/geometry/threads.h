@@ -1,12 +1,12 @@
-// core/include/sinew/geometry/threads.h: how many threads work on one call.
+// core/include/sinew/geometry/threads.h: the number of threads for one call.
 #pragma once
 
 #include "sinew/geometry/same_version.h"
 
 namespace sinew {
 
-/// As long as it lives, calls from this thread work on so many threads at most, itself among them. Without one, on as
-/// many as the process has cores. Results do not depend on it, to the last bit.
+/// Limits the threads of calls from this thread, itself included, for its lifetime; the default is the number of cores.
+/// Results do not depend on it, bit for bit.
 class ThreadLimit {
  public:
   /// @param most  at least 1; 0: no limit
@@ -19,7 +19,7 @@ class ThreadLimit {
   int before_ = 0;
 };
 
-/// Threads of calls from this thread: the cores that the process may use, at most this thread's limit.
+/// Number of threads of calls from this thread: the cores of the process, at most this thread's limit.
 [[nodiscard]] int threadCount();
 
 }  // namespace sinew

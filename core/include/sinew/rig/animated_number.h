@@ -1,4 +1,4 @@
-// core/include/sinew/rig/animated_number.h: keys and drivers of a number, and channels that drive. docs/muscles.md.
+// core/include/sinew/rig/animated_number.h: keys and drivers of numbers, and channels for drivers. docs/muscles.md.
 #pragma once
 
 #include <cstddef>
@@ -13,7 +13,7 @@
 namespace sinew {
 
 enum class CurveKind {
-  kSmooth,  ///< Monotone cubic: never beyond its points.
+  kSmooth,  ///< Monotone cubic: never overshoots its points.
   kLinear,
   kStep,  ///< The value of the point before.
 };
@@ -38,7 +38,7 @@ struct KeyTrack {
   friend bool operator==(const KeyTrack&, const KeyTrack&) = default;
 };
 
-/// A track of the designer's own, for drivers to read. Several tracks of one name are one channel in several clips.
+/// A custom track for drivers to read. Tracks with the same name are one channel in several clips.
 struct RigChannel {
   std::string name;
   KeyTrack track;
@@ -47,12 +47,12 @@ struct RigChannel {
 };
 
 enum class DriverInputKind {
-  kBend,      ///< Degrees: the bone against its parent, less what that is in the bind pose.
+  kBend,      ///< Degrees between the bone and its parent, minus the same in the bind pose.
   kTwist,     ///< Degrees about the bone's own direction, from the bind pose, -180..180.
-  kAxis,      ///< Degrees about `axis`, the same.
-  kPose,      ///< 0..1: how near the joint's turn is to `rotation`.
-  kLength,    ///< Stretch of a muscle line, without what drives that line.
-  kDistance,  ///< Between two anchors, over that in the bind pose.
+  kAxis,      ///< Degrees about `axis`, from the bind pose, -180..180.
+  kPose,      ///< 0..1: nearness of the joint's rotation to `rotation`.
+  kLength,    ///< Stretch of a muscle line, without drivers of that line.
+  kDistance,  ///< Distance between two anchors over that in the bind pose.
   kChannel,   ///< Value of a channel; 0 in clips where it has no track.
 };
 
@@ -60,12 +60,12 @@ inline constexpr float kDefaultPoseWidth = 35.0f;
 inline constexpr float kLeastPoseWidth = 1.0f;
 inline constexpr float kMostPoseWidth = 180.0f;
 
-/// What a driver reads off the pose. Members that the kind does not name are not read and stay at their defaults.
+/// Input that a driver reads from the pose. Members that the kind does not use stay at their defaults.
 struct DriverInput {
   DriverInputKind kind = DriverInputKind::kBend;
   std::string bone;                            ///< Bend, twist, axis, pose.
-  glm::vec3 axis{1.0f, 0.0f, 0.0f};            ///< Unit; of the joint's turn frame (skeleton/pose_override.h).
-  glm::quat rotation{1.0f, 0.0f, 0.0f, 0.0f};  ///< Unit; the joint's turn from the bind pose, in that frame.
+  glm::vec3 axis{1.0f, 0.0f, 0.0f};            ///< Unit, in the joint's frame (core/character/pose_override.h).
+  glm::quat rotation{1.0f, 0.0f, 0.0f, 0.0f};  ///< Unit; the joint's rotation from the bind pose, in that frame.
   float width = kDefaultPoseWidth;             ///< Degrees: standard deviation of the nearness.
   std::string line;
   std::string channel;
@@ -87,11 +87,11 @@ struct Driver {
   friend bool operator==(const Driver&, const Driver&) = default;
 };
 
-/// What changes one number of its owner. The value is the keyed one where the clip has keys, else the owner's number;
-/// drivers join it in order; the result is brought into the parameter's range.
+/// Keys and drivers of one number of its owner. The value is the keyed one if the clip has keys, else the owner's
+/// number; drivers are applied in order; the result is clamped to the parameter's range.
 struct AnimatedNumber {
-  Parameter parameter = Parameter::kAmount;  ///< A parameter of the owner's kind; one entry each.
-  std::vector<KeyTrack> keys;                ///< One a clip.
+  Parameter parameter = Parameter::kAmount;  ///< A parameter of the owner; at most one entry for each.
+  std::vector<KeyTrack> keys;                ///< At most one for each clip.
   std::vector<Driver> drivers;
   std::string unknownKeys;
 
@@ -105,12 +105,11 @@ struct AnimatedNumber {
 [[nodiscard]] std::optional<DriverInputKind> driverInputKindNamed(const std::string& name);
 [[nodiscard]] std::optional<DriverMode> driverModeNamed(const std::string& name);
 
-/// The curve at x.
 [[nodiscard]] float valueAt(const Curve& curve, float x);
 
 /// The entry of a parameter, or null.
 [[nodiscard]] const AnimatedNumber* animationOf(const std::vector<AnimatedNumber>& animated, Parameter parameter);
-/// The track that counts in a clip: its own before one for every clip; null: none, or no clip.
+/// The track for a clip, or else the one for every clip; null: none, or no clip.
 [[nodiscard]] const KeyTrack* trackIn(const std::vector<KeyTrack>& tracks, const std::string& clip);
 
 }  // namespace sinew

@@ -7,7 +7,7 @@
 
 namespace sinew {
 
-/// A point that rides a bone.
+/// A point attached to a bone.
 struct LineAnchor {
   std::string bone;       ///< Name or path (Skeleton::findBone).
   glm::vec3 point{0.0f};  ///< Bone space.

@@ -1,5 +1,4 @@
-// core/include/sinew/rig/mirror_edit.h: muscles on the other side of a character, and a clip that turns all
-// joints.
+// core/include/sinew/rig/mirror_edit.h: mirror images of muscles, and a clip that moves all joints.
 #pragma once
 
 #include <memory>
@@ -10,8 +9,8 @@
 
 namespace sinew {
 
-/// Knows a character's plane of symmetry and which bones are each other's mirror: found once. Rigs are taken by value,
-/// as in sinew/rig/rig_edit.h; indices must be in range (asserted).
+/// Finds a character's mirror plane and pairs of bones once. Rigs are taken by value, as in sinew/rig/rig_edit.h;
+/// indices must be in range (asserted).
 class MirrorEdits {
  public:
   explicit MirrorEdits(const Character& character);
@@ -22,12 +21,12 @@ class MirrorEdits {
   /// Whether anything can be mirrored.
   [[nodiscard]] bool usable() const;
 
-  /// Appends a primitive and its mirror image, linked. A single one where the image would be itself.
+  /// Appends a primitive and its mirror image, linked; only the primitive if it is its own image.
   /// Error: its bone is missing or has no counterpart, or addPrimitive() refuses it.
   [[nodiscard]] Result<Rig> addPair(Rig rig, Primitive primitive) const;
-  /// Appends the image of one that has no twin yet; its twin, if it has one, becomes its image.
+  /// Makes the twin of a primitive its image, or appends one if it has none.
   [[nodiscard]] Result<Rig> mirrorToOtherSide(Rig rig, int index) const;
-  /// Links two different primitives; the second becomes the image of the first but for its name.
+  /// Links two different primitives and makes the second the image of the first, except for its name.
   [[nodiscard]] Result<Rig> linkTwins(Rig rig, int leader, int follower) const;
 
  private:
@@ -35,8 +34,8 @@ class MirrorEdits {
   std::unique_ptr<State> state_;
 };
 
-/// A clip "Range of motion" that takes every joint through what it can do (docs/editor.md). Without channels if nothing
-/// can turn.
+/// A clip "Range of motion" that moves every joint through its range (docs/editor.md). No channels if no joint can
+/// turn.
 [[nodiscard]] AnimationClip rangeOfMotion(const Character& character);
 
 }  // namespace sinew

@@ -1,11 +1,10 @@
-// core/include/sinew/rig/not_compared.h: members that do not count when two documents are compared.
+// core/include/sinew/rig/not_compared.h: members that are ignored when two documents are compared.
 #pragma once
 
 #include "sinew/geometry/same_version.h"
 
 namespace sinew {
 
-/// A member that does not count when two documents are compared.
 template <class T>
 struct NotCompared {
   T value;

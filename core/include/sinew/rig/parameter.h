@@ -49,17 +49,17 @@ enum class ParameterOwner { kPrimitive, kLine, kSurface, kMorph };
 [[nodiscard]] constexpr Parameter shapeParameter(int number) {
   return static_cast<Parameter>(static_cast<int>(Parameter::kShape) + number);
 }
-/// In character units, bone space: a coordinate of the center, or a radius.
+/// A coordinate of the center, or a radius: character units, bone space.
 [[nodiscard]] constexpr bool isLength(Parameter parameter) {
   return parameter >= Parameter::kCenterX && parameter <= Parameter::kRadiusZ;
 }
-/// As files name it: "radii.x".
+/// Name in files: "radii.x".
 [[nodiscard]] const char* nameOf(Parameter parameter);
 [[nodiscard]] std::optional<Parameter> parameterNamed(const std::string& name);
-/// As the interface names it: "Radius X".
+/// Label in the user interface: "Radius X".
 [[nodiscard]] const char* wordsFor(Parameter parameter);
 
-/// The number itself, or null where the owner is another.
+/// Null: the parameter has another owner.
 [[nodiscard]] float* numberIn(Primitive& primitive, Parameter parameter);
 [[nodiscard]] float* numberIn(LineSettings& line, Parameter parameter);
 [[nodiscard]] float* numberIn(SurfaceSettings& surface, Parameter parameter);
@@ -68,8 +68,8 @@ enum class ParameterOwner { kPrimitive, kLine, kSurface, kMorph };
 [[nodiscard]] float numberOf(const LineSettings& line, Parameter parameter);
 [[nodiscard]] float numberOf(const SurfaceSettings& surface, Parameter parameter);
 
-/// A value brought into the parameter's range; one that is not finite becomes `drawn`.
-/// @param drawn  the rig's own number: a radius keeps a hundredth of it.
+/// A value clamped to the parameter's range, or `drawn` if it is not finite.
+/// @param drawn  the rig's own number: a radius is at least a hundredth of it.
 [[nodiscard]] float legalNumber(Parameter parameter, float value, float drawn);
 
 }  // namespace sinew

@@ -20,25 +20,25 @@ enum class PatchKind { kPn, kPhong, kSpherigon, kFlat };
 enum class DetailKind { kUniform, kAdaptive };
 
 inline constexpr float kDefaultIso = 0.25f;
-inline constexpr float kDefaultReach = 1.4142135f;  ///< Where the file says nothing.
-inline constexpr float kNewReach = 2.0f;  ///< Reach of new muscles: the shell is as wide as the muscle itself.
+inline constexpr float kDefaultReach = 1.4142135f;  ///< In files without a reach.
+inline constexpr float kNewReach = 2.0f;            ///< New muscles: the shell is as wide as the muscle itself.
 inline constexpr float kMostAmount = 2.0f;
 inline constexpr float kDefaultSkinBlend = 0.04f;
 inline constexpr float kDefaultCreaseAngle = 180.0f;  ///< Smooth everywhere.
 inline constexpr int kMaxDepth = 16;
-inline constexpr float kDefaultTolerance = 0.001f;  ///< Of adaptive detail, fraction of H.
+inline constexpr float kDefaultTolerance = 0.001f;  ///< For adaptive detail, fraction of H.
 inline constexpr float kLeastTolerance = 0.0001f;
 inline constexpr float kMostTolerance = 0.01f;
 inline constexpr float kLeastMorphWeight = -10.0f;
 inline constexpr float kMostMorphWeight = 10.0f;
 
-// Beyond these the skin's own field W = h / (1 - sqrt(1 - sqrt T)) leaves what numbers can hold.
+// Limits for the skin's own field W = h / (1 - sqrt(1 - sqrt T)) to be in the range of floats.
 inline constexpr float kLeastIso = 0.001f;
 inline constexpr float kMostIso = 0.999f;
 inline constexpr float kMostSkinBlend = 10.0f;
 
-/// Which primitive or group: the same through renames, undo and redo for as long as a document is open. Not in the
-/// file. 0: not given yet (core/rig/references.h).
+/// Identity of a primitive: stays the same through renaming, undo and redo while a document is open. Not in the file.
+/// 0: not assigned yet (core/rig/references.h).
 struct PrimitiveId {
   std::uint32_t value = 0;
 
@@ -58,7 +58,7 @@ struct SurfaceSettings {
   float iso = kDefaultIso;              ///< T, kLeastIso..kMostIso.
   float skinBlend = kDefaultSkinBlend;  ///< h as a fraction of H, > 0, at most kMostSkinBlend.
   std::vector<AnimatedNumber> animated;
-  std::string unknownKeys;  ///< JSON object text of keys this version does not know; kept and written back.
+  std::string unknownKeys;  ///< JSON object text of keys unknown to this version; kept and written back.
 
   friend bool operator==(const SurfaceSettings&, const SurfaceSettings&) = default;
 };
@@ -67,15 +67,13 @@ struct SurfaceSettings {
 struct SmoothingSettings {
   int depth = 3;  ///< n, 1..kMaxDepth: with uniform detail every control triangle becomes n^2.
   PatchKind patch = PatchKind::kPn;
-  /// SurfaceMode::kReplace: lines run along the normals, not to the anchors. In files "projection": "analytic", once
-  /// one of three searches; it took these lines.
+  /// SurfaceMode::kReplace: search lines run along the normals, not to the anchors. In files "projection": "analytic",
+  /// formerly one of three search methods.
   bool alongNormals = false;
-  float creaseAngle =
-      kDefaultCreaseAngle;  ///< Degrees, 0..180: faces that meet at more are shaded apart (mesh/creases.h).
+  float creaseAngle = kDefaultCreaseAngle;  ///< Degrees, 0..180: edges with larger angles are shaded sharp.
   DetailKind detail = DetailKind::kUniform;
-  float tolerance = kDefaultTolerance;  ///< Of adaptive detail: how far flat triangles may lie off, fraction of H.
-  bool autoDepth =
-      false;  ///< In a picture, `depth` or `tolerance` follows the character's size on screen (smoothing/auto_depth.h).
+  float tolerance = kDefaultTolerance;  ///< Adaptive detail: largest distance of flat triangles, fraction of H.
+  bool autoDepth = false;  ///< In pictures `depth` or `tolerance` follows the character's size (auto_depth.h).
   std::string unknownKeys;
 
   friend bool operator==(const SmoothingSettings&, const SmoothingSettings&) = default;
@@ -94,15 +92,15 @@ struct Group {
 /// One ellipsoid on one bone.
 struct Primitive {
   std::string name;     ///< Unique, not empty.
-  std::string bone;     ///< Name or path (Skeleton::findBone). May be absent from the character at hand: unattached.
+  std::string bone;     ///< Name or path (Skeleton::findBone). If the character lacks it, the primitive is unattached.
   std::string group;    ///< Name of a group of the rig.
-  std::string line;     ///< Name of the muscle line that carries it, or empty: it rides its bone.
-  Placement placement;  ///< In the bind pose, on a line too.
+  std::string line;     ///< Name of the muscle line that carries it; empty: it only follows its bone.
+  Placement placement;  ///< In the bind pose, also on a line.
   float reach = kDefaultReach;                        ///< k > 1.
   float amount = 1.0f;                                ///< Factor on the strength, 0..kMostAmount.
   int sign = 1;                                       ///< +1 adds, -1 carves.
   std::string mirror;                                 ///< Name of the linked twin, or empty.
-  std::optional<std::vector<std::string>> territory;  ///< Bones; nullopt: the default (attachment.h).
+  std::optional<std::vector<std::string>> territory;  ///< Bones; nullopt: the default (core/rig/attachment.h).
   std::vector<AnimatedNumber> animated;
   std::string unknownKeys;
   NotCompared<PrimitiveId> identity{};
@@ -111,10 +109,9 @@ struct Primitive {
   friend bool operator==(const Primitive&, const Primitive&) = default;
 };
 
-/// What is added to the weight of each morph target of a name, on top of what the file and the clip give it. "shapes"
-/// in the file.
+/// Added to the weight that file and clip give each morph target with this name. "shapes" in the file.
 struct MorphWeight {
-  std::string name;     ///< Unique, not empty. The character may have no such target.
+  std::string name;     ///< Unique, not empty. The character may lack such a target.
   float weight = 0.0f;  ///< kLeastMorphWeight..kMostMorphWeight; 0 adds nothing.
   std::vector<AnimatedNumber> animated;
   std::string unknownKeys;
@@ -122,7 +119,7 @@ struct MorphWeight {
   friend bool operator==(const MorphWeight&, const MorphWeight&) = default;
 };
 
-/// What the designer says of a part of the body, where its bone was not found or is another (docs/muscles.md).
+/// A designer's choice for a body part whose bone was not found or is another (docs/muscles.md).
 struct SlotCorrection {
   std::string slot;  ///< Name of a body slot: "upperArm.L"; each at most once.
   std::string bone;  ///< Name or path (Skeleton::findBone). Empty: the character has no such part.
@@ -130,16 +127,16 @@ struct SlotCorrection {
   friend bool operator==(const SlotCorrection&, const SlotCorrection&) = default;
 };
 
-/// What a part of the mesh is to the muscles. docs/characters.md.
+/// How muscles affect a part of the mesh. docs/characters.md.
 enum class SkinLayer {
   kSkin,   ///< Muscles push it.
   kCloth,  ///< It lies over the skin and moves with it.
-  kRigid,  ///< Muscles leave it as it is.
+  kRigid,  ///< Muscles do not change it.
 };
 
-/// What the designer says of a part of the mesh, in place of what is guessed. "layers" in the file.
+/// A designer's choice for a part of the mesh, instead of the guessed layer. "layers" in the file.
 struct LayerChoice {
-  std::string part;  ///< Name of a MeshPart (character/mesh_part.h); each at most once. The character may have none.
+  std::string part;  ///< Name of a MeshPart (mesh_part.h); each at most once. The character may lack it.
   SkinLayer layer = SkinLayer::kSkin;
 
   friend bool operator==(const LayerChoice&, const LayerChoice&) = default;
@@ -147,7 +144,7 @@ struct LayerChoice {
 
 /// Primitives + lines + groups + links + settings. Two rigs with equal members are the same document.
 struct Rig {
-  std::string character;  ///< Path relative to the rig file, "/" between; or absolute as the designer typed it.
+  std::string character;  ///< Path relative to the rig file, with "/"; or absolute as the designer typed it.
   SurfaceSettings surface;
   SmoothingSettings smoothing;
   std::vector<Group> groups;
@@ -157,7 +154,7 @@ struct Rig {
   std::vector<Primitive> primitives;
   std::vector<SlotCorrection> slots;
   std::vector<MorphWeight> morphs;
-  std::vector<std::string> clipFiles;  ///< Whose clips the character plays besides its own; paths as `character`.
+  std::vector<std::string> clipFiles;  ///< Files with additional clips for the character; paths as `character`.
   std::vector<LayerChoice> layers;
   std::string unknownKeys;
 
@@ -176,14 +173,14 @@ struct Rig {
 [[nodiscard]] int findGroup(const Rig& rig, GroupId id);
 [[nodiscard]] int findLine(const Rig& rig, LineId id);
 
-/// `wanted`, or `wanted 2`, `wanted 3` ...: the first that no other of its kind has. A number at the end of `wanted`
-/// counts on: a taken "thigh 2" gives "thigh 3".
+/// The first free name of `wanted`, `wanted 2`, `wanted 3` ... A number at the end of `wanted` is counted up: "thigh 2"
+/// -> "thigh 3".
 [[nodiscard]] std::string freePrimitiveName(const Rig& rig, const std::string& wanted);
 [[nodiscard]] std::string freeGroupName(const Rig& rig, const std::string& wanted);
 [[nodiscard]] std::string freeLineName(const Rig& rig, const std::string& wanted);
 [[nodiscard]] std::string freeChannelName(const Rig& rig, const std::string& wanted);
 
-/// Names as they stand in files, menus and on the command line.
+/// Names in files, menus and on the command line.
 [[nodiscard]] const char* nameOf(SurfaceMode mode);
 [[nodiscard]] const char* nameOf(PatchKind patch);
 [[nodiscard]] const char* nameOf(DetailKind detail);

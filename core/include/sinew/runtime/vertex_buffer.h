@@ -30,7 +30,7 @@ enum class NormalFormat {
 struct VertexLayout {
   std::size_t stride = 24;      ///< Bytes from one vertex to the next.
   std::ptrdiff_t position = 0;  ///< Byte in the vertex; -1: none.
-  std::ptrdiff_t normal = 12;   ///< The same.
+  std::ptrdiff_t normal = 12;   ///< Byte in the vertex; -1: none.
   PositionFormat positions = PositionFormat::kFloat;
   NormalFormat normals = NormalFormat::kFloat;
   BufferVertices vertices = BufferVertices::kDrawn;
@@ -64,7 +64,7 @@ struct IndexRange {
   std::size_t first = 0;
   std::size_t count = 0;
 };
-/// In the order of writeIndices(): materials ascending, those without triangles left out.
+/// In the order of writeIndices(): materials ascending, without those that have no triangles.
 [[nodiscard]] std::vector<IndexRange> indexRanges(const Refinement& refinement, const ControlMesh& mesh);
 
 }  // namespace sinew

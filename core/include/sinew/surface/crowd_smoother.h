@@ -1,4 +1,4 @@
-// core/include/sinew/surface/crowd_smoother.h: many poses of one character and rig at once, on all cores.
+// core/include/sinew/surface/crowd_smoother.h: smooths many poses of one character and rig at once, on all cores.
 #pragma once
 
 #include <memory>
@@ -20,7 +20,7 @@ class CrowdSmoother {
   CrowdSmoother(CrowdSmoother&&) noexcept;
   CrowdSmoother& operator=(CrowdSmoother&&) noexcept;
 
-  /// As Smoother::prepare.
+  /// See Smoother::prepare().
   [[nodiscard]] Result<void> prepare(const Rig& rig, std::span<const int> hidden = {}, const Region& region = {});
 
   /// Fills out[i] for poses[i]. prepare() must have succeeded once. Reuses the output's memory. Several threads may

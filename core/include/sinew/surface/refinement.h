@@ -21,7 +21,7 @@ struct DrawnRun {
 /// triangles meet vertex by vertex, whatever their inner levels are.
 struct RefinementLevels {
   std::vector<std::uint8_t> edges;      ///< [E] segments along each edge.
-  std::vector<std::uint8_t> triangles;  ///< [T] of the points inside: as in the n^2 split of this level.
+  std::vector<std::uint8_t> triangles;  ///< [T] the inside has the points of an n^2 split of this level.
 
   friend bool operator==(const RefinementLevels&, const RefinementLevels&) = default;
 };
@@ -31,7 +31,7 @@ struct RefinementLevels {
 /// everywhere is split n^2; its inner vertices come row by row. Depends only on the mesh in its bind pose and on the
 /// levels. docs/design.md, Refinement.
 struct Refinement {
-  int depth = 1;                              ///< n where all levels are equal, else the largest.
+  int depth = 1;                              ///< n if all levels are equal, else the largest.
   bool isUniform = true;                      ///< All levels are equal: the N-adic refinement.
   int controlVertices = 0;                    ///< V
   int controlEdges = 0;                       ///< E
@@ -43,13 +43,13 @@ struct Refinement {
   std::vector<std::array<int, 3>> triangles;  ///< [T'] refined vertices, control triangle by control triangle.
   std::vector<int> controlOf;                 ///< [T'] control triangle of each refined one.
   std::vector<int> trianglesAt;               ///< [V'] refined triangles at each vertex.
-  std::vector<int> edgeOrder;                 ///< Edges with vertices between their ends, the most first.
-  std::vector<int> insideOrder;               ///< Control triangles with vertices inside, the most first.
+  std::vector<int> edgeOrder;                 ///< Edges with inner vertices, those with most first.
+  std::vector<int> insideOrder;               ///< Control triangles with inner vertices, those with most first.
 
-  // As drawn and exported: refined vertices split per wedge.
+  // Drawn and exported vertices: refined vertices split per wedge.
   std::vector<int> drawVertex;       ///< [D] refined vertex of each drawn vertex; the W wedges first.
   std::vector<glm::vec2> drawUv;     ///< [D] barycentric in the parent's wedges (paper 5).
-  std::vector<glm::vec4> drawColor;  ///< [D] likewise, linear RGBA; empty where the mesh has no colors.
+  std::vector<glm::vec4> drawColor;  ///< [D] likewise, linear RGBA; empty if the mesh has no colors.
   std::vector<std::array<std::uint32_t, 3>> drawTriangles;  ///< [T'] into the drawn vertices, same order as triangles.
   std::vector<DrawnRun> drawRuns;                           ///< In order of `first`; none for edges of level 1.
   std::vector<int> drawInside;  ///< [T] first drawn vertex inside; the others follow, as refined ones do.
@@ -73,7 +73,7 @@ struct Refinement {
   [[nodiscard]] static int of(const std::vector<int>& list, int index) { return list[static_cast<std::size_t>(index)]; }
 };
 
-/// Calls visit(drawn, refined) for every drawn vertex and the refined vertex it shows.
+/// Calls visit(drawn, refined) for every drawn vertex and its refined vertex.
 template <class Visit>
 void forEachDrawVertex(const Refinement& refinement, Visit visit) {
   for (std::size_t drawn = 0; drawn < refinement.drawVertex.size(); ++drawn) {
@@ -93,7 +93,7 @@ void forEachDrawVertex(const Refinement& refinement, Visit visit) {
 /// Number of refined vertices of the N-adic refinement, without making it: for the limit on memory.
 [[nodiscard]] std::int64_t refinedVertexCount(const ControlMesh& mesh, int depth);
 
-/// Barycentric coordinates, in a control triangle, of a refined vertex of it.
+/// Barycentric coordinates of a refined vertex in its control triangle.
 [[nodiscard]] glm::dvec3 controlCoordinates(const ControlMesh& mesh, const Refinement& refinement, int triangle,
                                             int vertex);
 

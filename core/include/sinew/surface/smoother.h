@@ -1,4 +1,4 @@
-// core/include/sinew/surface/smoother.h: the one pipeline from character, rig and pose to the surface.
+// core/include/sinew/surface/smoother.h: the pipeline from character, rig and pose to the surface.
 #pragma once
 
 #include <memory>

@@ -49,7 +49,7 @@ struct SmoothingReport {
   StageSeconds seconds;
 };
 
-/// Refined surface in world space. Positions and normals change per pose; topology is shared and constant per depth.
+/// Refined surface in world space. Positions and normals change per pose; topology is shared and constant per detail.
 struct Surface {
   std::shared_ptr<const Refinement> refinement;
   std::vector<glm::vec3> positions;       ///< [V'] world.
