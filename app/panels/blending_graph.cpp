@@ -110,10 +110,10 @@ float distanceToSegment(const glm::vec2& p, const glm::vec2& a, const glm::vec2&
   return glm::length(p - a - t * along);
 }
 
-using Curve = std::array<glm::vec2, 17>;
+using LinkCurve = std::array<glm::vec2, 17>;
 
 /// A straight line, or a curve around a third node that would hide part of the line.
-Curve curveOf(const Graph& graph, const std::array<int, 2>& edge) {
+LinkCurve curveOf(const Graph& graph, const std::array<int, 2>& edge) {
   const glm::vec2 a = graph.place(edge[0]);
   const glm::vec2 b = graph.place(edge[1]);
   const glm::vec2 along = b - a;
@@ -124,7 +124,7 @@ Curve curveOf(const Graph& graph, const std::array<int, 2>& edge) {
     if (distanceToSegment(graph.place(group), a, b) >= graph.rim()) continue;
     bend = across * (glm::dot(graph.place(group) - a, across) > 0.0f ? -8.0f : 8.0f) * graph.rim();
   }
-  Curve curve;
+  LinkCurve curve;
   for (std::size_t i = 0; i < curve.size(); ++i) {
     const float t = static_cast<float>(i) / static_cast<float>(curve.size() - 1);
     curve[i] = a + t * along + t * (1.0f - t) * bend;
@@ -141,7 +141,7 @@ Hit hitAt(const Graph& graph, const glm::vec2& mouse) {
   }
   float nearest = graph.ui.px(kEdgeReach);
   for (std::size_t e = 0; e < graph.edges.size(); ++e) {
-    const Curve curve = curveOf(graph, graph.edges[e]);
+    const LinkCurve curve = curveOf(graph, graph.edges[e]);
     float distance = nearest;
     for (std::size_t i = 1; i < curve.size(); ++i) {
       distance = std::min(distance, distanceToSegment(mouse, curve[i - 1], curve[i]));
@@ -279,7 +279,7 @@ void drawEdges(const Graph& graph, ImDrawList& list) {
     const auto& [a, b] = graph.edges[e];
     const bool hovered = graph.hit.part == Part::kEdge && graph.hit.edge == static_cast<int>(e);
     const Tint color = hovered ? palette::kError : palette::kMuted.faded(0.75f);
-    const Curve curve = curveOf(graph, graph.edges[e]);
+    const LinkCurve curve = curveOf(graph, graph.edges[e]);
     for (const glm::vec2& place : curve) list.PathLineTo(point(place));
     list.PathStroke(color.packed(), ImDrawFlags_None, graph.ui.px(hovered ? 3.0f : 2.0f));
     const glm::vec2 middle = curve[curve.size() / 2];

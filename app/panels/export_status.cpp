@@ -26,7 +26,7 @@ struct Words {
   std::string more;  ///< "+2"; "": no other export waits.
 };
 
-Words wordsFor(PanelUi& ui, const std::vector<ExportStand>& stands) {
+Words exportWordsFor(PanelUi& ui, const std::vector<ExportStand>& stands) {
   Words words;
   words.name = fitted(stands.front().file.filename().string(), ui.px(kWidestName));
   words.done = std::to_string(static_cast<int>(100.0 * stands.front().share)) + " %";
@@ -90,7 +90,7 @@ void drawLastExport(PanelUi& ui) {
 float exportStatusWidth(PanelUi& ui) {
   const std::vector<ExportStand> stands = ui.state.session.exports.stands();
   if (stands.empty()) return hasExportError(ui.state) ? widthOf(shortText(ui.state)) : 0.0f;
-  const Words words = wordsFor(ui, stands);
+  const Words words = exportWordsFor(ui, stands);
   const float more = words.more.empty() ? 0.0f : widthOf(words.more) + ui.px(kExportStatusGap);
   return widthOf(words.name) + ui.px(kExportStatusBar + kButton + 3.0f * kExportStatusGap) + doneWidth() + more;
 }
@@ -99,7 +99,7 @@ void drawExportStatus(PanelUi& ui) {
   const std::vector<ExportStand> stands = ui.state.session.exports.stands();
   if (stands.empty()) return drawLastExport(ui);
   ui.wakeIn(kLookSeconds);
-  const Words words = wordsFor(ui, stands);
+  const Words words = exportWordsFor(ui, stands);
   const std::string hint = hintFor(ui.state, stands);
   ImGui::BeginGroup();
   ImGui::TextUnformatted(words.name.c_str());

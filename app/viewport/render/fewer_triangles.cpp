@@ -25,7 +25,7 @@ const ControlTriangle& triangleOf(const Character& character, int control) {
 }
 
 /// Drawn vertices at the corners of a control triangle.
-Corners cornersOf(const ControlTriangle& triangle, const Refinement& refinement, int control) {
+Corners cornersOfTriangle(const ControlTriangle& triangle, const Refinement& refinement, int control) {
   const auto first = static_cast<std::size_t>(refinement.triangleBegin[static_cast<std::size_t>(control)]);
   const auto count = static_cast<std::size_t>(refinement.refinedTriangles(control));
   Corners own{};
@@ -88,7 +88,7 @@ ShadowMesh makeShadowMesh(const Character& character, std::span<const int> clust
   std::vector<std::uint32_t> drawn(character.mesh.positions.size());  // One at each control vertex.
   for (const int control : order) {
     const ControlTriangle& triangle = triangleOf(character, control);
-    corners.push_back(cornersOf(triangle, refinement, control));
+    corners.push_back(cornersOfTriangle(triangle, refinement, control));
     for (std::size_t c = 0; c < 3; ++c) drawn[static_cast<std::size_t>(triangle.vertices[c])] = corners.back()[c];
   }
   const auto standing = [&](int vertex) {
