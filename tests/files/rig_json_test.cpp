@@ -316,7 +316,7 @@ INSTANTIATE_TEST_SUITE_P(
         BadRig{"\"mirror\": \"thigh R\"", "\"mirror\": null", "primitives[0].mirror", "expected a text, got null"},
         BadRig{"[\"b_Spine01_02\", \"b_Hip_01\"]", "\"b_Hip_01\"", "primitives[2].territory", "expected an array"},
         BadRig{"[\"b_Spine01_02\", \"b_Hip_01\"]", "[\"b_Hip_01\", 4]", "primitives[2].territory[1]", "got 4"},
-        BadRig{"\"sign\": -1", "\"sign\": -1, \"sign\": 1", "primitives[2].sign", "stands twice"}));
+        BadRig{"\"sign\": -1", "\"sign\": -1, \"sign\": 1", "primitives[2].sign", "appears twice"}));
 
 TEST(RigJson, BareNanIsLocatedByByteLineAndPath) {
   const auto rig = rigFromJson(fullWith("[1,2,3], \"sign\"", "[1,NaN,3], \"sign\""));

@@ -47,7 +47,7 @@ class Acts:
 
         def pressed():
             self.move(where(self.state()))
-            if "grows on " + bone not in self.state()["status"]:
+            if "adds a muscle on " + bone not in self.state()["status"]:
                 return None
             self.press()
             state = self.settle()

@@ -66,7 +66,7 @@ def picks(editor):
     x, y, width, height = editor.state()["viewport"]
     editor.tap("m", "the muscle tool", lambda s: "muscle" in s["tool"])
     editor.move((x + 0.5 * width, y + 0.5 * height))
-    editor.wait_until("the chest under the pointer", lambda s: "grows on chest" in s["status"])
+    editor.wait_until("the chest under the pointer", lambda s: "adds a muscle on chest" in s["status"])
 
 
 def same_pictures(t, rig):

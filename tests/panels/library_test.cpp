@@ -168,7 +168,7 @@ TEST_F(LibraryPanel, SetIsReplacedOnlyAfterConfirmation) {
   click("library/save-set");
   save("Mine");
   EXPECT_TRUE(state.open.library.naming);
-  EXPECT_NE(state.open.library.notice.find("replaces"), std::string::npos);
+  EXPECT_NE(state.open.library.notice.find("to replace"), std::string::npos);
   click("library/save");
   EXPECT_FALSE(state.open.library.naming);
   // Esc goes back.
