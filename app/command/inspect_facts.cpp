@@ -17,8 +17,8 @@
 #include "core/geometry/normals.h"
 #include "core/geometry/weld.h"
 #include "core/rig/mesh_layers.h"
-#include "core/rig/morphs.h"
 #include "core/rig/motion_clip.h"
+#include "core/rig/rig_edit.h"
 
 namespace sinew::app {
 namespace {

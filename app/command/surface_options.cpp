@@ -14,7 +14,7 @@
 #include "core/character/range_of_motion.h"
 #include "core/geometry/nearest_name.h"
 #include "core/rig/attachment.h"
-#include "core/rig/morphs.h"
+#include "core/rig/rig_edit.h"
 #include "sinew/character/character_pose.h"
 
 namespace sinew::app {

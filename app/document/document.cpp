@@ -9,7 +9,7 @@
 #include "app/document/folder_listing.h"
 #include "core/geometry/at.h"
 #include "core/geometry/nearest_name.h"
-#include "core/rig/morphs.h"
+#include "core/rig/rig_edit.h"
 #include "core/rig/twins.h"
 #include "sinew/files/gltf_import.h"
 #include "sinew/files/rig_json.h"

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "app/document/picture_look.h"
-#include "app/ui/window_place.h"
+#include "app/ui/window.h"
 #include "sinew/geometry/result.h"
 
 namespace sinew::app {

@@ -18,7 +18,7 @@
 #include "core/files/clip_files.h"
 #include "core/files/disk/atomic_file.h"
 #include "core/files/json/json.h"
-#include "core/rig/morphs.h"
+#include "core/rig/rig_edit.h"
 #include "sinew/files/gltf_import.h"
 #include "sinew/files/rig_json.h"
 

@@ -2,7 +2,6 @@
 #include "app/editor/action_table.h"
 #include "app/editor/animate.h"
 #include "app/editor/blending_edit.h"
-#include "app/editor/library_commands.h"
 #include "app/editor/muscle_set_commands.h"
 #include "app/editor/open_file.h"
 #include "app/editor/symmetry_commands.h"

@@ -6,10 +6,10 @@
 #include <array>
 #include <utility>
 
-#include "app/document/group_colors.h"
 #include "app/document/shown_names.h"
 #include "app/editor/commands.h"
 #include "app/editor/edit.h"
+#include "app/viewport/render/color_scales.h"
 #include "app/viewport/tools/territory_tool.h"
 #include "core/geometry/at.h"
 #include "core/rig/attachment.h"

@@ -9,7 +9,6 @@
 #include "app/document/shown_names.h"
 #include "app/editor/blending_edit.h"
 #include "app/editor/clip_commands.h"
-#include "app/editor/disk_conflict.h"
 #include "app/editor/edit.h"
 #include "app/editor/open_file.h"
 #include "app/editor/session.h"

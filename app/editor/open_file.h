@@ -9,6 +9,25 @@
 
 namespace sinew::app {
 
+// Files that other programs change while they are open. Saving asks before it overwrites a
+// changed rig; character and clip files are watched too.
+
+/// Asks if the rig's file was changed or removed. @return whether it asks; write nothing until it is answered
+bool asksBeforeSaving(EditorState& state, const Intent& then);
+
+/// The answers. Each but the last then performs the intent that waited for the save.
+void saveBeside(EditorState& state);      ///< Saves under a new name.
+void discardForDisk(EditorState& state);  ///< Discards the changes here; without an intent, reopens the file.
+void saveOverDisk(EditorState& state);    ///< Overwrites the file.
+void leaveUnsaved(EditorState& state);
+
+/// Call regularly: reports once that the rig's file was changed or removed.
+void watchDisk(EditorState& state);
+
+/// Call regularly: reports once for each file that was read, buffers of a .gltf included, that it was changed or
+/// removed. Changed clip files are in ClipListState::changed until they are read again or restored.
+void watchReadFiles(EditorState& state);
+
 /// Handles a dropped file. Adds clips from a file that has nothing else for the open character; for another character
 /// asks about the open muscles (Dialogs::keepMuscles), if there are any; else opens the file.
 void dropFile(EditorState& state, const std::filesystem::path& file);

@@ -1,12 +1,17 @@
 // app/panels/layout.cpp: the window: regions, splitters, status line, and the highlight of a revealed control.
+#include "app/panels/layout.h"
+
 #include <algorithm>
 #include <string>
 
 #include <imgui_internal.h>  // ActiveIdClickOffset, which 1.86 keeps to itself.
 
 #include "app/editor/commands.h"
+#include "app/editor/visibility_commands.h"
+#include "app/panels/blending.h"
+#include "app/panels/dialogs.h"
 #include "app/panels/field_edit.h"
-#include "app/panels/layout.h"
+#include "app/panels/inspector.h"
 #include "app/panels/overlay.h"
 #include "app/panels/panels.h"
 #include "app/panels/timeline.h"
@@ -383,5 +388,151 @@ LayoutSizes shownSizes(const LayoutState& wished, float width, float height) {
   sizes.history = std::max(0.0f, std::min(sizes.history, 0.45f * column));
   return sizes;
 }
+
+// The tabs at the left, and the history below them.
+
+namespace {
+
+const Control kMusclesTab{"outliner/tab", "Tab Muscles", "outliner bones tree list hierarchy"};
+const Control kGroupsTab{"blending/tab", "Tab Groups", "blending cliques"};
+const Control kLibraryTab{"library/tab", "Tab Library", "presets sets"};
+const Control kShapesTab{"shapes/tab", "Tab Shapes", "morph targets blend shapes"};
+
+constexpr float kTabGap = 13.0f;          ///< Design pixels.
+constexpr double kTabHoldSeconds = 0.35;  ///< A muscle that is held over a tab this long opens it.
+
+/// A tab; holding a dragged muscle over it opens it.
+void drawTab(PanelUi& ui, const char* word, const char* id, LeftTab tab) {
+  OutlinerState& outliner = ui.state.view.outliner;
+  const bool active = outliner.tab == tab;
+  ImGui::PushFont(ui.fonts.strong);
+  const ImVec2 text = ImGui::CalcTextSize(word);
+  const ImVec2 low = ImGui::GetCursorScreenPos();
+  const ImVec2 size{text.x + ui.px(2), text.y + ui.px(7)};
+  if (ImGui::InvisibleButton(id, size)) outliner.tab = tab;
+  ui.widgets.note(id);
+  const bool dragged = ImGui::GetDragDropPayload() != nullptr;
+  const bool over = ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenBlockedByActiveItem);
+  if (dragged && over) {
+    ui.wakeIn(kTabHoldSeconds);
+    if (ImGui::GetIO().MouseDownDuration[0] > static_cast<float>(kTabHoldSeconds)) outliner.tab = tab;
+  }
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const Tint color = active || over ? palette::kText : palette::kMuted;
+  list.AddText(low, color.packed(), word);
+  if (active) {
+    list.AddRectFilled({low.x, low.y + text.y + ui.px(4)}, {low.x + text.x, low.y + text.y + ui.px(6)},
+                       palette::kAccent.packed(), ui.px(1));
+  }
+  ImGui::PopFont();
+}
+
+}  // namespace
+
+void drawLeftTabs(PanelUi& ui) {
+  ui.state.frame.highlighted.clear();
+  if (ui.state.open.rename.appearing) ui.state.view.outliner.tab = LeftTab::kMuscles;
+  drawTab(ui, "Muscles", kMusclesTab.id, LeftTab::kMuscles);
+  ImGui::SameLine(0.0f, ui.px(kTabGap));
+  drawTab(ui, "Groups", kGroupsTab.id, LeftTab::kGroups);
+  ImGui::SameLine(0.0f, ui.px(kTabGap));
+  drawTab(ui, "Library", kLibraryTab.id, LeftTab::kLibrary);
+  ImGui::SameLine(0.0f, ui.px(kTabGap));
+  drawTab(ui, "Shapes", kShapesTab.id, LeftTab::kShapes);
+  switch (ui.state.view.outliner.tab) {
+    case LeftTab::kMuscles:
+      return drawOutliner(ui);
+    case LeftTab::kGroups:
+      drawBlending(ui);
+      break;
+    case LeftTab::kLibrary:
+      drawLibrary(ui);
+      break;
+    case LeftTab::kShapes:
+      drawShapes(ui);
+      break;
+  }
+  keepDraggedShown(ui);
+}
+
+void drawHistory(PanelUi& ui) {
+  ImGui::BeginChild("history-steps");
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ui.px(6), ui.px(3)});
+  const CommandStack& commands = ui.state.document.commands;
+  const std::size_t position = commands.position();
+  std::size_t wanted = position;
+  ImGuiListClipper clipper;
+  clipper.Begin(static_cast<int>(commands.stepCount() + 1));
+  while (clipper.Step()) {
+    for (int row = clipper.DisplayStart; row < clipper.DisplayEnd; ++row) {
+      const auto step = static_cast<std::size_t>(row);
+      ImGui::PushID(row);
+      ImGui::PushStyleColor(ImGuiCol_Text, step <= position ? palette::kText : palette::kMuted.faded(0.7f));
+      const std::string& label = commands.label(step);
+      const std::string shown = fitted(label, ImGui::GetContentRegionAvail().x);
+      if (ImGui::Selectable((shown + "##step").c_str(), step == position)) wanted = step;
+      ImGui::PopStyleColor();
+      ImGui::PopID();
+      ui.widgets.note("history/step/" + std::to_string(step));
+      if (shown != label) tooltip(ui, label);
+    }
+  }
+  if (wanted != position) {
+    jumpTo(ui.state, wanted);
+  } else if (ui.state.open.historyShown != position) {
+    // Scrolls to a new step.
+    const float row = ImGui::GetTextLineHeightWithSpacing();
+    ImGui::SetScrollY(row * static_cast<float>(position) - 0.5f * ImGui::GetWindowHeight());
+  }
+  ui.state.open.historyShown = position;
+  ImGui::PopStyleVar();
+  ImGui::EndChild();
+}
+
+// All panels and their regions.
+
+namespace {
+
+constexpr Panel kPanels[] = {
+    {"outliner", "", Region::kLeftTop, drawLeftTabs},
+    {"history", "History", Region::kLeftBottom, drawHistory},
+    {"inspector", "Muscle", Region::kRight, drawInspector},
+    {"surface", "Surface", Region::kRight, drawSurfacePanel},
+    {"smoothing", "Smoothing", Region::kRight, drawSmoothingPanel},
+    {"layers", "Layers", Region::kRight, drawLayersPanel, false, hasParts},
+    {"timeline", "", Region::kBottom, drawTimeline},
+    {"display", "", Region::kInViewport, drawDisplayBar},
+    {"toolstrip", "", Region::kInViewport, drawToolStrip},
+    {"overlay", "", Region::kInViewport, drawNumbers},
+    {"legend", "", Region::kInViewport, drawLegend},
+    {"flex", "", Region::kInViewport, drawFlex},
+    {"driven-key", "", Region::kInViewport, drawDrivenKey},
+    {"check", "", Region::kInViewport, drawCheckList},
+    {"muscle-set", "", Region::kInViewport, drawMuscleSet},
+    {"body-parts", "", Region::kInViewport, drawBodyParts},
+    {"clip-files", "", Region::kInViewport, drawClipList},
+    {"reference", "", Region::kInViewport, drawReference},
+    {"first-steps", "", Region::kInViewport, drawFirstSteps},
+    {"viewport-menu", "", Region::kInViewport, drawViewportMenu},
+    {"messages", "", Region::kInViewport, drawMessages, true},
+    {"toast", "", Region::kInViewport, drawToast, true},
+    {"export", "", Region::kDialog, drawExportDialog},
+    {"farm", "", Region::kDialog, drawFarmDialog},
+    {"pictures", "", Region::kDialog, drawPicturesDialog},
+    {"dialog", "", Region::kDialog, drawFileDialog, true},
+    {"locate", "", Region::kDialog, drawLocateQuestion, true},
+    {"keep-muscles", "", Region::kDialog, drawKeepMusclesQuestion, true},
+    {"recovery", "", Region::kDialog, drawRecoveryQuestion, true},
+    {"conflict", "", Region::kDialog, drawConflictQuestion, true},
+    {"unsaved", "", Region::kDialog, drawUnsavedQuestion, true},
+    {"export-question", "", Region::kDialog, drawExportQuestion, true},
+    {"keys", "", Region::kDialog, drawKeySheet, true},
+    {"preferences", "", Region::kDialog, drawPreferences, true},
+    {"palette", "", Region::kDialog, drawPalette, true},
+};
+
+}  // namespace
+
+std::span<const Panel> panels() { return kPanels; }
 
 }  // namespace sinew::app

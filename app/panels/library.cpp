@@ -12,7 +12,6 @@
 #include <vector>
 
 #include "app/document/muscle_sets.h"
-#include "app/editor/library_commands.h"
 #include "app/editor/muscle_set_commands.h"
 #include "app/editor/outliner.h"
 #include "app/panels/muscle_picture.h"

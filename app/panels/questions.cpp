@@ -10,7 +10,6 @@
 #include "app/document/file_stamp.h"
 #include "app/editor/clip_commands.h"
 #include "app/editor/commands.h"
-#include "app/editor/disk_conflict.h"
 #include "app/editor/export_commands.h"
 #include "app/editor/open_file.h"
 #include "app/editor/session.h"

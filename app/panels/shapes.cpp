@@ -14,7 +14,7 @@
 #include "app/panels/panels.h"
 #include "app/ui/code_points.h"
 #include "core/geometry/at.h"
-#include "core/rig/morphs.h"
+#include "core/rig/rig_edit.h"
 
 namespace sinew::app {
 namespace {

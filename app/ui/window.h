@@ -10,11 +10,21 @@
 #include <glm/vec2.hpp>
 
 #include "app/ui/input_queue.h"
-#include "app/ui/window_place.h"
 #include "sinew/geometry/result.h"
 
 struct GLFWwindow;
 namespace sinew::app {
+
+/// Screen coordinates of its content; width 0: never placed.
+struct WindowPlace {
+  int x = 0;
+  int y = 0;
+  int width = 0;
+  int height = 0;
+  bool maximized = false;
+
+  friend bool operator==(const WindowPlace&, const WindowPlace&) = default;
+};
 
 /// The key with the printed letter, because GLFW's codes name places on a US keyboard. Letters and punctuation follow
 /// the user's layout; digits keep their place (AZERTY has them with Shift), and so do keys with signs beyond ASCII.

@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "app/editor/commands.h"
-#include "app/editor/disk_conflict.h"
 #include "app/editor/edit.h"
+#include "app/editor/open_file.h"
 #include "app/editor/session.h"
 #include "app/editor/view_memory.h"
 

@@ -16,7 +16,7 @@
 #include "core/geometry/affine_image.h"
 #include "core/geometry/at.h"
 #include "core/rig/line_rest.h"
-#include "core/rig/morphs.h"
+#include "core/rig/rig_edit.h"
 #include "core/rig/twins.h"
 #include "core/rig/validation.h"
 #include "sinew/rig/rig_edit.h"

@@ -1,13 +1,14 @@
 // core/character/skeleton.cpp: finds bones; computes paths, children and tips.
-#include "sinew/character/skeleton.h"
-
 #include <algorithm>
 #include <map>
 
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 
+#include "core/character/bindings.h"
+#include "core/character/joint_roles.h"
 #include "core/geometry/at.h"
+#include "sinew/character/skeleton.h"
 
 namespace sinew {
 namespace {
@@ -87,6 +88,20 @@ void finishBones(Skeleton& skeleton) {
     bone.tip = glm::vec3(bone.inverseBindInWorld * glm::vec4(tip, 1.0f));
     if (!isFinite(bone.tip)) bone.tip = glm::vec3(0.0f);
   }
+}
+
+// Which bones carry the skin.
+
+std::vector<bool> bonesWithSkin(const Character& character) {
+  std::vector<bool> result(character.skeleton.bones.size(), false);
+  for (const Influence& influence : character.mesh.influences) {
+    if (influence.weight > 0.0f) at(result, at(character.skeleton.bindings, influence.binding).bone) = true;
+  }
+  return result;
+}
+
+std::vector<bool> helperBones(const Character& character) {
+  return helperBones(character.skeleton, bonesWithSkin(character));
 }
 
 }  // namespace sinew

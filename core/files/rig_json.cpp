@@ -13,7 +13,7 @@
 #include "core/files/rig_json_parts.h"
 #include "core/geometry/affine_image.h"
 #include "core/rig/mesh_layers.h"
-#include "core/rig/morphs.h"
+#include "core/rig/rig_edit.h"
 #include "core/rig/validation.h"
 #include "sinew/files/rig_json.h"
 #include "sinew/surface/projection_kind.h"

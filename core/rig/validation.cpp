@@ -15,7 +15,7 @@
 #include "core/character/body_slots.h"
 #include "core/geometry/affine_image.h"
 #include "core/rig/mesh_layers.h"
-#include "core/rig/morphs.h"
+#include "core/rig/rig_edit.h"
 
 namespace sinew {
 

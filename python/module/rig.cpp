@@ -9,7 +9,7 @@
 #include "core/geometry/at.h"
 #include "core/geometry/nearest_name.h"
 #include "core/rig/attachment.h"
-#include "core/rig/morphs.h"
+#include "core/rig/rig_edit.h"
 #include "core/rig/twins.h"
 #include "python/module/errors.h"
 #include "sinew/files/rig_json.h"

@@ -12,7 +12,6 @@
 #include "core/geometry/at.h"
 #include "core/geometry/nearest_name.h"
 #include "core/rig/line_edit.h"
-#include "core/rig/morphs.h"
 #include "core/rig/rig_edit.h"
 #include "core/rig/twins.h"
 #include "python/module/errors.h"

@@ -17,7 +17,7 @@
 #include "core/geometry/at.h"
 #include "core/geometry/nearest_name.h"
 #include "core/rig/attachment.h"
-#include "core/rig/morphs.h"
+#include "core/rig/rig_edit.h"
 #include "python/module/errors.h"
 #include "python/module/rig.h"
 #include "python/module/surface.h"

@@ -1,6 +1,6 @@
 // tests/document/group_colors_test.cpp: group colors are distinguishable, also with color blindness, and stay with
 // their groups.
-#include "app/document/group_colors.h"
+#include "app/viewport/render/color_scales.h"
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,6 @@
 // tests/editor/disk_conflict_test.cpp: two windows on one rig: no version is overwritten without consent.
 
-#include "app/editor/disk_conflict.h"
+#include "app/editor/open_file.h"
 
 #include <gtest/gtest.h>
 
@@ -13,7 +13,6 @@
 #include <string>
 
 #include "app/editor/commands.h"
-#include "app/editor/open_file.h"
 #include "tests/support/temporary_folder.h"
 
 namespace sinew::app {

@@ -3,8 +3,8 @@
 
 #include "core/bodies/body_map.h"
 #include "core/rig/mirror.h"
-#include "core/rig/morphs.h"
 #include "core/rig/posed_rig.h"
+#include "core/rig/rig_edit.h"
 #include "sinew/files/gltf_import.h"
 #include "tests/support/characters/morphing_post.h"
 #include "tests/support/characters/vrm_post.h"

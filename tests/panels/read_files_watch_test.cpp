@@ -1,7 +1,7 @@
 // tests/panels/read_files_watch_test.cpp: referenced files that change on disk: reported once, reread on request.
 #include <chrono>
 
-#include "app/editor/disk_conflict.h"
+#include "app/editor/open_file.h"
 #include "tests/panels/clip_files_editor.h"
 
 namespace sinew::app {

@@ -1,6 +1,6 @@
 // tests/panels/shapes_test.cpp: the Shapes tab: sliders, groups, search, reset, keys and drivers.
 #include "app/editor/animate.h"
-#include "core/rig/morphs.h"
+#include "core/rig/rig_edit.h"
 #include "sinew/files/rig_json.h"
 #include "tests/support/characters/morphing_post.h"
 #include "tests/support/editor/headless_editor.h"

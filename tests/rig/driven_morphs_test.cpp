@@ -4,8 +4,8 @@
 #include <gtest/gtest.h>
 
 #include "core/rig/animated_edit.h"
-#include "core/rig/morphs.h"
 #include "core/rig/posed_rig.h"
+#include "core/rig/rig_edit.h"
 #include "sinew/character/character_pose.h"
 #include "sinew/files/gltf_import.h"
 #include "sinew/surface/smoother.h"

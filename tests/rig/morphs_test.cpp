@@ -1,5 +1,5 @@
 // tests/rig/morphs_test.cpp: weights that a rig adds to morph targets: entries, edits, the file.
-#include "core/rig/morphs.h"
+#include "core/rig/rig_edit.h"
 
 #include <gtest/gtest.h>
 

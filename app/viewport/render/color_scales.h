@@ -3,16 +3,37 @@
 
 #include <array>
 #include <cstddef>
+#include <string>
 
 #include <glm/common.hpp>
+#include <glm/vec3.hpp>
 
-#include "app/document/group_colors.h"
 #include "app/viewport/render/scene.h"
 #include "sinew/geometry/geometry.h"
 #include "sinew/rig/rig.h"
 #include "sinew/surface/surface.h"
 
 namespace sinew::app {
+
+// Colors of groups and territories, in picture and panels.
+
+/// The colors stay distinct with protanopia and deuteranopia, and from kTerritoryColor.
+inline constexpr int kGroupColors = 8;
+
+/// sRGB, 0..1. Paler and darker variants from kGroupColors on. @param slot  >= 0
+[[nodiscard]] glm::vec3 groupColor(int slot);
+
+/// The group's color slot, which it keeps for life. @param group  index into Rig::groups
+[[nodiscard]] int colorSlot(const Rig& rig, int group);
+
+/// sRGB, by name; gray for an unknown group.
+[[nodiscard]] glm::vec3 groupColor(const Rig& rig, const std::string& group);
+
+/// sRGB: the skin that a muscle may move, and its bones.
+inline constexpr glm::vec3 kTerritoryColor{0.665f, 0.485f, 0.965f};
+
+/// sRGB -> linear.
+[[nodiscard]] glm::vec3 toLinear(const glm::vec3& srgb);
 
 // Linear colors of ellipsoids and their outlines.
 

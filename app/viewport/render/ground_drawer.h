@@ -6,7 +6,7 @@
 #include <span>
 
 #include "app/viewport/render/frame.h"
-#include "app/viewport/render/render_target.h"
+#include "app/viewport/render/gl_objects.h"
 #include "app/viewport/render/surface_drawer.h"
 
 namespace sinew::app {

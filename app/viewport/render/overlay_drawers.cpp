@@ -10,7 +10,6 @@
 
 #include <glm/matrix.hpp>
 
-#include "app/document/group_colors.h"
 #include "app/viewport/render/color_scales.h"
 #include "app/viewport/render/muscle_drawer.h"
 #include "app/viewport/render/picking.h"

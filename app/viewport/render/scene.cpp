@@ -1,7 +1,7 @@
 // app/viewport/render/scene.cpp: primitives of a rig in a pose.
 #include "app/viewport/render/scene.h"
 
-#include "app/document/group_colors.h"
+#include "app/viewport/render/color_scales.h"
 #include "core/geometry/at.h"
 
 namespace sinew::app {

@@ -1,6 +1,10 @@
 // app/viewport/render/viewport.cpp: the order in which a picture is made.
 #include "app/viewport/render/viewport.h"
 
+#if __has_include(<malloc.h>)
+#include <malloc.h>
+#endif
+
 #include <algorithm>
 #include <array>
 #include <cassert>
@@ -9,15 +13,14 @@
 
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "app/ui/freed_memory.h"
 #include "app/viewport/render/frame.h"
+#include "app/viewport/render/gl_objects.h"
 #include "app/viewport/render/ground_drawer.h"
 #include "app/viewport/render/muscle_drawer.h"
 #include "app/viewport/render/occlusion.h"
 #include "app/viewport/render/overlay_drawers.h"
 #include "app/viewport/render/primitive_drawer.h"
 #include "app/viewport/render/reference_picture.h"
-#include "app/viewport/render/render_target.h"
 #include "app/viewport/render/surface_drawer.h"
 #include "core/geometry/stopwatch.h"
 
@@ -50,6 +53,15 @@ struct Viewport::State {
 };
 
 namespace {
+
+/// For drawing on the processor: Mesa allocates and frees some hundred kilobytes for each piece of a mesh, which is
+/// much slower if they go back to the system each time. Keeps 64 MB at most. Does nothing without glibc.
+void keepFreedMemory() {
+#ifdef M_TRIM_THRESHOLD
+  mallopt(M_MMAP_THRESHOLD, 16 << 20);  // Larger ones go back at once.
+  mallopt(M_TRIM_THRESHOLD, 64 << 20);
+#endif
+}
 
 // Fractions of the height. One step in 255 of the floor's light is at least 0.015.
 constexpr float kHeldWithin = 0.06f;

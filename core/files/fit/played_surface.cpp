@@ -15,8 +15,8 @@
 #include "core/character/skinning.h"
 #include "core/geometry/at.h"
 #include "core/geometry/parallel.h"
-#include "core/rig/morphs.h"
 #include "core/rig/posed_rig.h"
+#include "core/rig/rig_edit.h"
 #include "sinew/character/character_pose.h"
 
 namespace sinew::exporting {

@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "core/rig/animated_edit.h"
-#include "core/rig/morphs.h"
+#include "core/rig/rig_edit.h"
 #include "sinew/character/character_pose.h"
 #include "sinew/files/baked_export.h"
 #include "tests/files/export/export_scenes.h"

@@ -4,7 +4,7 @@
 #include <set>
 
 #include "app/viewport/render/frame.h"
-#include "app/viewport/render/render_target.h"
+#include "app/viewport/render/gl_objects.h"
 #include "tests/support/characters/synthetic_characters.h"
 #include "tests/viewport/render/pictures.h"
 
