@@ -65,13 +65,13 @@ struct NamedView {
   std::string_view name;
   float yaw, pitch;  ///< Degrees.
 };
-constexpr std::array<NamedView, 7> kViews{{{"front", 0, 0},
-                                           {"back", 180, 0},
-                                           {"left", 90, 0},
-                                           {"right", -90, 0},
-                                           {"top", 0, 90},
-                                           {"bottom", 0, -90},
-                                           {"three-quarter", 36, 14}}};
+constexpr std::array<NamedView, 7> kNamedViews{{{"front", 0, 0},
+                                                {"back", 180, 0},
+                                                {"left", 90, 0},
+                                                {"right", -90, 0},
+                                                {"top", 0, 90},
+                                                {"bottom", 0, -90},
+                                                {"three-quarter", 36, 14}}};
 
 /// The whole text as a number, or nullopt.
 template <class Number>
@@ -93,9 +93,9 @@ std::optional<std::array<Number, 2>> pairIn(std::string_view text, char between)
 
 Result<void> readView(const std::string& text, RenderPlan& plan) {
   constexpr float kRadians = std::numbers::pi_v<float> / 180.0f;
-  const auto named = std::ranges::find(kViews, std::string_view(text), &NamedView::name);
+  const auto named = std::ranges::find(kNamedViews, std::string_view(text), &NamedView::name);
   float yaw = 0.0f, pitch = 0.0f;
-  if (named != kViews.end()) {
+  if (named != kNamedViews.end()) {
     yaw = named->yaw;
     pitch = named->pitch;
   } else {

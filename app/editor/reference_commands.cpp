@@ -21,9 +21,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::array kViews{StandardView::kFront, StandardView::kBack, StandardView::kLeft, StandardView::kRight,
-                            StandardView::kTop};  ///< ReferenceSide
-static_assert(kViews.size() == kReferenceSides);
+constexpr std::array kReferenceViews{StandardView::kFront, StandardView::kBack, StandardView::kLeft,
+                                     StandardView::kRight, StandardView::kTop};  ///< ReferenceSide
+static_assert(kReferenceViews.size() == kReferenceSides);
 
 ReferenceSide sideSeen(const CameraStand& stand) {
   const glm::vec3 backward = cameraAxes(stand.yaw, stand.pitch)[2];
@@ -51,7 +51,7 @@ void toggleReferencePanel(EditorState& state) {
 
 void chooseReferenceSide(EditorState& state, ReferenceSide side) {
   state.open.reference.side = side;
-  showStandardView(state.view.tools.camera, kViews[static_cast<std::size_t>(side)]);
+  showStandardView(state.view.tools.camera, kReferenceViews[static_cast<std::size_t>(side)]);
 }
 
 void showReferenceDialog(EditorState& state) {

@@ -7,6 +7,7 @@
 #include <GLFW/glfw3.h>
 #include <imgui_internal.h>  // GetItemID; TempInputIsActive: whether a number is typed or dragged.
 
+#include "app/document/shown_names.h"
 #include "app/editor/animate.h"
 
 namespace sinew::app {
@@ -23,16 +24,12 @@ Tint mixed(const Tint& ground, const Tint& color, float fraction) {
 
 bool isColored(const AnimatedLook& look) { return look.driven || look.keyedHere || look.keyedElsewhere; }
 
-std::string counted(std::size_t count, const char* word) {
-  return std::to_string(count) + " " + word + (count == 1 ? "" : "s");
-}
-
 /// "2 drivers", "3 keys in Walk", "keys in other clips"
 std::string causesOf(const AnimatedNumber& number, const KeyTrack* track) {
   std::string causes;
-  if (!number.drivers.empty()) causes = counted(number.drivers.size(), "driver");
+  if (!number.drivers.empty()) causes = withCount(number.drivers.size(), "driver");
   if (track != nullptr) {
-    causes += (causes.empty() ? "" : ", ") + counted(track->curve.points.size(), "key") + " in " +
+    causes += (causes.empty() ? "" : ", ") + withCount(track->curve.points.size(), "key") + " in " +
               (track->clip.empty() ? "every clip" : track->clip);
   } else if (!number.keys.empty()) {
     causes += std::string(causes.empty() ? "" : ", ") + "keys in other clips";

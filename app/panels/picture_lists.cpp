@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "app/editor/blending_edit.h"
 #include "app/editor/clip_commands.h"
+#include "app/editor/muscle_set_commands.h"
 #include "app/panels/overlay.h"
 #include "app/ui/code_points.h"
 #include "app/ui/reading_order.h"

@@ -122,7 +122,7 @@ void EditorStep::runTools(EditorState& state, const RawInput& input, bool viewpo
     state.open.frameWanted = false;
   }
   const ImGuiIO& io = ImGui::GetIO();
-  const InterfaceClaims claims{viewportFree, isTyping(), ImGui::IsMouseDoubleClicked(0)};
+  const InterfaceClaims claims{viewportFree, ImGui::IsMouseDoubleClicked(0)};
   const glm::vec2 pixelsPerUnit{io.DisplayFramebufferScale.x, io.DisplayFramebufferScale.y};
   const ViewportInput own = viewportInput(input, claims, state.frame.viewport, pixelsPerUnit, seconds);
   const ViewportContext context{state.document,

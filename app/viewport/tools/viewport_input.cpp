@@ -27,7 +27,6 @@ ViewportInput viewportInput(const RawInput& input, const InterfaceClaims& claims
   }
   result.deltaSeconds = static_cast<float>(seconds);
   result.mouseTaken = !claims.viewportFree;
-  result.keyboardTaken = claims.textWanted;
   return result;
 }
 

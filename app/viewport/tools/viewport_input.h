@@ -40,7 +40,6 @@ struct ViewportInput {
   std::string typed;             ///< ASCII characters of text input.
   float deltaSeconds = 0.0f;     ///< Since the frame before.
   bool mouseTaken = false;       ///< A panel, popup or widget has the mouse.
-  bool keyboardTaken = false;    ///< A text field has the keyboard.
 
   [[nodiscard]] const ButtonState& button(MouseButton which) const { return buttons[static_cast<std::size_t>(which)]; }
   [[nodiscard]] bool keyPressed(Key key) const { return std::ranges::find(keysPressed, key) != keysPressed.end(); }
@@ -49,7 +48,6 @@ struct ViewportInput {
 /// ImGui's use of the same input.
 struct InterfaceClaims {
   bool viewportFree = false;   ///< The mouse is over the picture, nothing in front.
-  bool textWanted = false;     ///< A text field has the keyboard.
   bool doubleClicked = false;  ///< Left button.
 };
 
