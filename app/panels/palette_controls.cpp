@@ -3,6 +3,7 @@
 #include "app/panels/palette_controls.h"
 
 #include <algorithm>
+#include <cassert>
 #include <string_view>
 #include <tuple>
 #include <vector>
@@ -70,7 +71,10 @@ constexpr Surrounding kSurroundings[] = {
 
 const Surrounding& where(const Control& control) {
   const std::string_view id = control.id;
-  return *std::ranges::find_if(kSurroundings, [&](const Surrounding& place) { return id.starts_with(place.begin); });
+  const auto found =
+      std::ranges::find_if(kSurroundings, [&](const Surrounding& place) { return id.starts_with(place.begin); });
+  assert(found != std::ranges::end(kSurroundings));
+  return *found;
 }
 
 std::vector<const Control*>& registered() {

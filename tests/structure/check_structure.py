@@ -181,11 +181,15 @@ def check_pages(root, paths):
 
 
 def check_rooms(root):
-    """Each room has a page, and every path that it names exists."""
+    """Each room has a page that begins with its name and says what comes in, goes out and may be included, and its tests."""
     for tree, layers in LAYERS.items():
         for room in sorted({name.split("/")[0] for name in layers} - {"sinew", "main"}):
-            if (root / tree / room).is_dir() and not (root / tree / room / "README.md").is_file():
-                yield "%s/%s: has no README.md" % (tree, room)
+            if not (root / tree / room).is_dir():
+                continue
+            text = text_of(root / tree / room / "README.md")
+            rows = [row for row in ("comes in", "goes out", "may include", "tests") if not re.search(r"^\| %s \| .+ \|$" % row, text, re.MULTILINE)]
+            if not text.startswith("# %s/%s\n" % (tree, room)) or rows:
+                yield "%s/%s/README.md: expected '# %s/%s', and a table with comes in, goes out, may include, tests" % (tree, room, tree, room)
 
 
 def check_sample(text, program):

@@ -19,7 +19,8 @@ class Structure(unittest.TestCase):
                 path.write_text(text)
             for room in [*root.glob("core/*"), *root.glob("app/*")] if pages else []:
                 if room.is_dir() and room.name != "include":
-                    (room / "README.md").write_text("A room.\n")
+                    rows = "".join("| %s | x |\n" % row for row in ("comes in", "goes out", "may include", "tests"))
+                    (room / "README.md").write_text("# %s\n\n%s" % (room.relative_to(root).as_posix(), rows))
             return list(check_structure.problems(root))
 
     def header(self, path, body=""):
@@ -124,7 +125,9 @@ class Structure(unittest.TestCase):
                                            "`app/command/NAME.cpp` `Sinew::core` core/geometry/old.h\n", **here))
 
     def test_a_room_without_a_page(self):
-        self.one("core/rig: has no README.md", pages=False, core__rig__a_DOT_h=self.header("core/rig/a.h"))
+        self.one("core/rig/README.md: expected", pages=False, core__rig__a_DOT_h=self.header("core/rig/a.h"))
+        page = "# core/rig\n\n| comes in | x |\n| goes out | x | | may include | x |\n| tests | x |\n"
+        self.one("core/rig/README.md: expected", pages=False, core__rig__a_DOT_h=self.header("core/rig/a.h"), core__rig__README_DOT_md=page)
 
     def test_a_sample_that_nobody_compiles(self):
         page = "```cpp\n  int x = 1;\n```\n"

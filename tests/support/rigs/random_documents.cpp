@@ -87,6 +87,7 @@ Primitive anyPrimitive(Random& random, const Rig& rig) {
   if (!std::isfinite(primitive.reach)) primitive.reach = 2.0f;
   if (random.chance(0.3f)) primitive.placement.shape = randomShape(random, primitive.reach);
   primitive.sign = random.chance(0.8f) ? 1 : -1;
+  if (random.chance(0.3f)) primitive.amount = random.uniform(0.0f, kMostAmount);
   if (random.chance(0.3f)) {
     primitive.territory.emplace();
     for (int i = random.below(4); i > 0; --i) primitive.territory->push_back(anyName(random, i));

@@ -73,7 +73,7 @@ struct SmoothingSettings {
   float creaseAngle = kDefaultCreaseAngle;  ///< Degrees, 0..180: edges with larger angles are shaded sharp.
   DetailKind detail = DetailKind::kUniform;
   float tolerance = kDefaultTolerance;  ///< Adaptive detail: largest distance of flat triangles, fraction of H.
-  bool autoDepth = false;  ///< In pictures `depth` or `tolerance` follows the character's size.
+  bool autoDepth = false;               ///< In pictures `depth` or `tolerance` follows the character's size.
   std::string unknownKeys;
 
   friend bool operator==(const SmoothingSettings&, const SmoothingSettings&) = default;
