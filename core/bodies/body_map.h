@@ -51,8 +51,7 @@ class Flesh {
   [[nodiscard]] std::optional<SkinExit> leave(const glm::vec3& from, const glm::vec3& direction,
                                               const std::vector<Zone>& zones,
                                               float usual = std::numeric_limits<float>::max()) const;
-  /// The skin encloses the point.
-  [[nodiscard]] bool isInside(const glm::vec3& point) const;
+  [[nodiscard]] bool isInside(const glm::vec3& point) const;  ///< The skin encloses the point.
 
  private:
   [[nodiscard]] std::optional<float> thicknessAt(const PartAxis& axis, float u, float angle,
@@ -118,8 +117,7 @@ class BodyMap {
   /// The bone that is the same part, or has the same name and belongs to the same part; bones of no part are found by
   /// path and name alone. -1: the other body has no such bone.
   [[nodiscard]] int bone(int bone) const;
-  /// @param bone  has a counterpart
-  [[nodiscard]] BodyMove move(int bone, const glm::vec3& inBind) const;
+  [[nodiscard]] BodyMove move(int bone, const glm::vec3& inBind) const;  ///< @param bone  has a counterpart
   /// move() for what must lie in the flesh: pulled towards the part's axis until it does, unless it lies outside its
   /// own body already. nullopt: the other body has no flesh there.
   [[nodiscard]] std::optional<BodyMove> moveInto(int bone, const glm::vec3& inBind) const;
@@ -130,8 +128,7 @@ class BodyMap {
   [[nodiscard]] int inChain(int bone, const std::vector<int>& ours, const std::vector<int>& theirs, Slot slot) const;
   [[nodiscard]] BodyMove alongPart(Slot slot, const glm::vec3& point) const;
   [[nodiscard]] BodyMove besideBone(int bone, const glm::vec3& point) const;
-  /// Both bodies have an axis for the part.
-  [[nodiscard]] bool isMeasured(Zone zone) const;
+  [[nodiscard]] bool isMeasured(Zone zone) const;  ///< Both bodies have an axis for the part.
   [[nodiscard]] bool isOnRight(Zone zone, const glm::vec3& inBind) const;
   [[nodiscard]] std::optional<BodyMove> moved(int bone, const glm::vec3& inBind, bool into) const;
   [[nodiscard]] bool pullIn(BodyMove& move, const glm::vec3& point, bool onBothSides) const;

@@ -39,10 +39,8 @@ class ClothMeter {
   /// @param bind  in the bind pose, without muscles.  @param height  H
   ClothMeter(const ControlMesh& mesh, const MeshLayers& layers, const Surface& bind, float height);
 
-  /// Refined vertices of cloth.
-  [[nodiscard]] std::span<const int> cloth() const { return cloth_; }
-  /// Refined triangles of skin.
-  [[nodiscard]] std::span<const int> skin() const { return skin_; }
+  [[nodiscard]] std::span<const int> cloth() const { return cloth_; }  ///< Refined vertices of cloth.
+  [[nodiscard]] std::span<const int> skin() const { return skin_; }    ///< Refined triangles of skin.
   /// [cloth]  @param surface  of the same refinement
   [[nodiscard]] std::vector<ClothSunk> below(const Surface& surface) const;
 

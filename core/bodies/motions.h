@@ -84,8 +84,7 @@ class Motions {
 
   /// [poses * spots] frameAt() for each pose and spot.
   [[nodiscard]] std::vector<std::optional<SkinFrame>> framesOf(std::span<const SkinSpot> spots) const;
-  /// [poses] positions of a control vertex, world.
-  [[nodiscard]] std::vector<glm::vec3> placesOf(int vertex) const;
+  [[nodiscard]] std::vector<glm::vec3> placesOf(int vertex) const;  ///< [poses] positions of a control vertex, world.
 
  private:
   std::shared_ptr<const Character> character_;

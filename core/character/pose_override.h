@@ -32,8 +32,7 @@ struct PoseOverrides {
   TurnsFrom from = TurnsFrom::kMoment;
 
   [[nodiscard]] bool isEmpty() const { return turns.empty(); }
-  /// The identity for a bone that is not turned.
-  [[nodiscard]] glm::quat turnOf(int bone) const;
+  [[nodiscard]] glm::quat turnOf(int bone) const;  ///< The identity for a bone that is not turned.
   /// Normalizes; the identity, also as -1, or a quaternion that cannot be normalized removes the bone's turn.
   void set(int bone, const glm::quat& turn);
 

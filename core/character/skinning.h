@@ -48,8 +48,7 @@ struct SkinnedMesh {
 /// rounding. Reuses the output's memory; use one output for one character.
 /// @param morphWeights [targets] or empty: as in the file.
 void skin(const Character& character, const Pose& pose, std::span<const float> morphWeights, SkinnedMesh& out);
-/// The same with the pose's own weights.
-void skin(const Character& character, const Pose& pose, SkinnedMesh& out);
+void skin(const Character& character, const Pose& pose, SkinnedMesh& out);  ///< The same with the pose's own weights.
 
 /// Transforms other directions of the control vertices to the same pose, as normals.
 /// @param bind [V] bind pose, unit.  @param skinned by skin().  @param out [V] world, unit; its memory is reused.

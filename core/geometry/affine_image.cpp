@@ -149,8 +149,7 @@ Placement withLongAxisY(const Placement& placement) {
   if (!placement.shape.isPlain()) return placement;
   if (r.y >= r.x && r.y >= r.z) return placement;
   Placement turned = placement;
-  // A third of a turn about (1, 1, 1), either way.
-  const float side = r.x >= r.z ? -0.5f : 0.5f;
+  const float side = r.x >= r.z ? -0.5f : 0.5f;  // A third of a turn about (1, 1, 1), either way.
   turned.rotation = glm::normalize(placement.rotation * glm::quat(0.5f, side, side, side));
   turned.radii = side < 0.0f ? glm::vec3(r.z, r.x, r.y) : glm::vec3(r.y, r.z, r.x);
   return turned;

@@ -32,10 +32,8 @@ struct ShapeNumber {
   [[nodiscard]] std::pair<float, float> range(const Shape& shape, float reach) const;
 };
 
-/// In the order of Shape's members.
-[[nodiscard]] std::span<const ShapeNumber, kShapeNumbers> shapeNumbers();
-/// Grouped by key.
-[[nodiscard]] std::span<const std::span<const ShapeNumber>> shapeKeys();
+[[nodiscard]] std::span<const ShapeNumber, kShapeNumbers> shapeNumbers();  ///< In the order of Shape's members.
+[[nodiscard]] std::span<const std::span<const ShapeNumber>> shapeKeys();   ///< Grouped by key.
 
 /// x -> linear x + offset.
 struct AffineMap {

@@ -34,8 +34,7 @@ HWY_INLINE V all(float value) { return hn::Set(kTag, value); }
 HWY_INLINE V zero() { return hn::Zero(kTag); }
 HWY_INLINE bool any(M mask) { return !hn::AllFalse(kTag, mask); }
 HWY_INLINE M both(M a, M b) { return hn::And(a, b); }
-/// a without b.
-HWY_INLINE M andNot(M a, M b) { return hn::AndNot(b, a); }
+HWY_INLINE M andNot(M a, M b) { return hn::AndNot(b, a); }  ///< a without b.
 HWY_INLINE M none() { return hn::Ne(zero(), zero()); }
 HWY_INLINE V select(M mask, V yes, V no) { return hn::IfThenElse(mask, yes, no); }
 
@@ -183,8 +182,7 @@ HWY_INLINE void scatterTo(const V3& v, Place place, std::size_t used) {
   const auto xyHigh = hn::BitCast(pairs, hn::InterleaveUpper(kTag, v.x, v.y));
   const auto zLow = hn::BitCast(pairs, hn::InterleaveLower(kTag, v.z, v.z));
   const auto zHigh = hn::BitCast(pairs, hn::InterleaveUpper(kTag, v.z, v.z));
-  // Lane 4 b + i in block b of row i.
-  constexpr std::size_t kWidth = hn::MaxLanes(FloatTag());
+  constexpr std::size_t kWidth = hn::MaxLanes(FloatTag());  // Lane 4 b + i in block b of row i.
   alignas(64) float rows[4 * kWidth];
   hn::Store(hn::BitCast(kTag, hn::InterleaveLower(pairs, xyLow, zLow)), kTag, rows);
   hn::Store(hn::BitCast(kTag, hn::InterleaveUpper(pairs, xyLow, zLow)), kTag, rows + kWidth);

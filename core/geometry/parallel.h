@@ -45,8 +45,7 @@ using Call = void (*)(void* use, std::size_t begin, std::size_t end);
 
 void run(std::size_t count, std::size_t least, void* use, Call call);
 
-/// Cores that this process may use; 1 where Sinew was built without oneTBB.
-[[nodiscard]] int ownThreads();
+[[nodiscard]] int ownThreads();  ///< Cores that this process may use; 1 where Sinew was built without oneTBB.
 /// run() on that many of Sinew's own threads. @param limit  this thread's limit, which holds inside too
 void runOnOwnThreads(std::size_t count, std::size_t least, int threads, int limit, void* use, Call call);
 

@@ -67,8 +67,7 @@ Topology topologyOf(const ControlMesh& mesh) {
 
 namespace {
 
-/// Well below 0.004, the step of an 8-bit weight.
-constexpr float kWeightTolerance = 1e-4f;
+constexpr float kWeightTolerance = 1e-4f;  ///< Well below 0.004, the step of an 8-bit weight.
 /// Width of cells in tolerances, so that a vertex rarely needs neighbor cells.
 constexpr double kCellInTolerances = 8.0;
 /// Most cells along the longest axis, so that cell numbers are exact in double and in 64 bits.

@@ -27,8 +27,7 @@ namespace sinew {
 /// Its keys and drivers, or null.
 [[nodiscard]] const AnimatedNumber* animationOf(const Rig& rig, const NumberRef& ref);
 
-/// Keys nearer than this are the same key, seconds.
-inline constexpr float kSameKey = 1.0f / 120.0f;
+inline constexpr float kSameKey = 1.0f / 120.0f;  ///< Keys nearer than this are the same key, seconds.
 
 /// Adds or replaces a key. Error: see validateAnimated.
 /// @param clip  empty: in every clip
@@ -36,8 +35,7 @@ inline constexpr float kSameKey = 1.0f / 120.0f;
 /// Moves key `index` of the clip's track, replacing any key at that time.
 [[nodiscard]] Result<Rig> moveKey(Rig rig, const NumberRef& ref, const std::string& clip, int index, float time);
 [[nodiscard]] Rig removeKey(Rig rig, const NumberRef& ref, const std::string& clip, int index);
-/// Removes the clip's track.
-[[nodiscard]] Rig removeKeys(Rig rig, const NumberRef& ref, const std::string& clip);
+[[nodiscard]] Rig removeKeys(Rig rig, const NumberRef& ref, const std::string& clip);  ///< Removes the clip's track.
 /// Adds or replaces the track of its clip.
 [[nodiscard]] Result<Rig> setTrack(Rig rig, const NumberRef& ref, const KeyTrack& track);
 [[nodiscard]] Result<Rig> setKeyKind(Rig rig, const NumberRef& ref, const std::string& clip, CurveKind kind);
@@ -48,8 +46,7 @@ inline constexpr float kSameKey = 1.0f / 120.0f;
 /// Set driven key: the number is `value` where the input is x. Adds a point to the replacing driver with this input,
 /// which is added if there is none. Error: its curve is full.
 [[nodiscard]] Result<Rig> setDrivenKey(Rig rig, const NumberRef& ref, const DriverInput& input, float x, float value);
-/// Removes keys and drivers.
-[[nodiscard]] Rig removeAnimation(Rig rig, const NumberRef& ref);
+[[nodiscard]] Rig removeAnimation(Rig rig, const NumberRef& ref);  ///< Removes keys and drivers.
 
 /// Index of a channel's track for exactly this clip, or -1.
 [[nodiscard]] int findChannel(const Rig& rig, const std::string& name, const std::string& clip);

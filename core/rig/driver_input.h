@@ -74,8 +74,7 @@ class DrivenNumbers {
   DrivenNumbers(const Rig& rig, const Character& character);
 
   [[nodiscard]] bool isEmpty() const { return numbers_.empty(); }
-  /// Whether any number belongs to an owner of this kind.
-  [[nodiscard]] bool changes(ParameterOwner owner) const;
+  [[nodiscard]] bool changes(ParameterOwner owner) const;  ///< Whether any number belongs to an owner of this kind.
   /// @param numbers  in: as drawn (drawnNumbers); out: in the pose
   void apply(const Pose& pose, const Skeleton& skeleton, DriverScratch& scratch, RigNumbers& numbers) const;
 

@@ -83,8 +83,7 @@ struct Learned {
 
 /// Appends a line and makes its name unique. If `mirror` names a line of the rig, the two become twins.
 [[nodiscard]] Result<Rig> addLine(Rig rig, MuscleLine line);
-/// The same in place. Error: the rig is not changed.
-[[nodiscard]] Result<void> append(Rig& rig, MuscleLine line);
+[[nodiscard]] Result<void> append(Rig& rig, MuscleLine line);  ///< The same in place. Error: the rig is not changed.
 /// `change` must not change name and mirror (asserted).
 [[nodiscard]] Result<Rig> editLine(Rig rig, int line, const std::function<void(MuscleLine&)>& change);
 [[nodiscard]] Result<Rig> renameLine(Rig rig, int line, const std::string& name);

@@ -223,8 +223,7 @@ PosedLine poseLine(const LineRest& rest, const PosedBones& bones, double flex) {
   const Course course = courseOf(rest, bones, moved);
   const Contraction now = contractionOf(rest, bones, course.length, flex);
   const LineFrame frame = frameOf(rest, bones, course);
-  // If nothing has moved, muscles stay bit for bit as drawn.
-  const bool asDrawn = !moved && now.activation == 0.0;
+  const bool asDrawn = !moved && now.activation == 0.0;  // If nothing has moved, muscles stay bit for bit as drawn.
   const Deformation deformation = asDrawn ? Deformation{} : deformationOf(rest, course, frame, now);
   if (!deformation.isFinite()) return {};
   PosedLine line;

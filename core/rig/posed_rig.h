@@ -56,15 +56,12 @@ struct PosedRig {
 /// Poses one rig on one skeleton. Immutable, so that several threads may share it, each with its own PosedRig.
 class RigPoser {
  public:
-  /// @param character  its skeleton must outlive this
-  RigPoser(const Rig& rig, const Character& character);
+  RigPoser(const Rig& rig, const Character& character);  ///< @param character  its skeleton must outlive this
 
-  /// Allocates nothing once `out` has grown.
-  void pose(const Pose& pose, PosedRig& out) const;
+  void pose(const Pose& pose, PosedRig& out) const;  ///< Allocates nothing once `out` has grown.
   [[nodiscard]] PosedRig pose(const Pose& pose) const;
 
-  /// The numbers without keys and drivers.
-  [[nodiscard]] const RigNumbers& drawn() const { return drawn_; }
+  [[nodiscard]] const RigNumbers& drawn() const { return drawn_; }  ///< The numbers without keys and drivers.
   /// Whether keys or drivers change numbers of primitives.
   [[nodiscard]] bool drivesMuscles() const { return drivesMuscles_; }
 

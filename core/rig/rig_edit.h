@@ -25,16 +25,13 @@ enum class KeepIdle { kNo, kYes };
 /// not written to files.
 /// @param idle  kYes: keeps other entries that are idle, since no entry may vanish while a document is edited
 [[nodiscard]] Rig withMorphsOf(Rig rig, const Character& character, KeepIdle idle = KeepIdle::kNo);
-/// Weight 0 and not animated.
-[[nodiscard]] bool isIdle(const MorphWeight& morph);
+[[nodiscard]] bool isIdle(const MorphWeight& morph);  ///< Weight 0 and not animated.
 
 /// Adds the entry if there is none. Error: not in kLeastMorphWeight..kMostMorphWeight.
 [[nodiscard]] Result<Rig> setMorphWeight(Rig rig, const std::string& name, float weight);
-/// Sets all weights to 0; keys and drivers stay.
-[[nodiscard]] Rig withoutMorphWeights(Rig rig);
+[[nodiscard]] Rig withoutMorphWeights(Rig rig);  ///< Sets all weights to 0; keys and drivers stay.
 
-/// Unique names; weights in range; valid keys and drivers.
-[[nodiscard]] Result<void> validateMorphs(const Rig& rig);
+[[nodiscard]] Result<void> validateMorphs(const Rig& rig);  ///< Unique names; weights in range; valid keys and drivers.
 
 /// Refers to a number of a rig.
 struct NumberRef {
@@ -65,8 +62,7 @@ struct RigNumbers {
 
 [[nodiscard]] RigNumbers drawnNumbers(const Rig& rig);
 
-/// Null: the parameter has another owner.
-[[nodiscard]] float* numberIn(MuscleNumbers& numbers, Parameter parameter);
+[[nodiscard]] float* numberIn(MuscleNumbers& numbers, Parameter parameter);  ///< Null: the parameter has another owner.
 [[nodiscard]] float& numberIn(RigNumbers& numbers, const NumberRef& ref);
 [[nodiscard]] float numberOf(const RigNumbers& numbers, const NumberRef& ref);
 

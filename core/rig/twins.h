@@ -67,8 +67,7 @@ void keepLineTwins(const Rig& atStart, const Rig& shown, Rig& edited, const Mirr
 /// ignored. Items of the rigs are matched by identity, so that renaming has no effect.
 [[nodiscard]] Rig keepTwins(const Rig& atStart, const Rig& shown, Rig edited, const MirrorPlan& plan);
 
-/// Index of the twin, or -1.
-[[nodiscard]] int twinOf(const Rig& rig, int index);
+[[nodiscard]] int twinOf(const Rig& rig, int index);  ///< Index of the twin, or -1.
 /// The indices with their twins, ascending, each once.
 [[nodiscard]] std::vector<int> withTwins(const Rig& rig, std::span<const int> indices);
 

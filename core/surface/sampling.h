@@ -44,11 +44,9 @@ struct SampledPiece {
 /// Skin, patch and projection at given points, pose after pose.
 class SurfaceSampler {
  public:
-  /// @param points  of the part's mesh
-  SurfaceSampler(const SampledPart& part, Refinement points);
+  SurfaceSampler(const SampledPart& part, Refinement points);  ///< @param points  of the part's mesh
 
-  /// Valid until the next call.
-  [[nodiscard]] const Surface& sample(const Pose& pose);
+  [[nodiscard]] const Surface& sample(const Pose& pose);  ///< Valid until the next call.
 
  private:
   std::shared_ptr<const Preparation> preparation_;

@@ -91,8 +91,7 @@ void clearStrayParts(const fs::path& folder, std::time_t now) {
 
 namespace {
 
-/// How long a pipe waits for its reader.
-constexpr int kReaderTries = 50;
+constexpr int kReaderTries = 50;  ///< How long a pipe waits for its reader.
 constexpr std::chrono::milliseconds kReaderPause{100};
 /// Previous versions up to this size are copied where the file system has no hard links.
 constexpr std::uintmax_t kMostCopied = 1U << 30U;

@@ -120,8 +120,7 @@ class PointCache {
 constexpr int kMostFrames = 1'000'000;
 constexpr double kMostCacheBytes = 4e9;
 constexpr double kMostStageBytes = 2e9;
-/// Approximate bytes of a point and a normal as text.
-constexpr double kTextOfVertex = 96.0;
+constexpr double kTextOfVertex = 96.0;  ///< Approximate bytes of a point and a normal as text.
 
 using SharedCharacter = std::shared_ptr<const Character>;
 

@@ -16,8 +16,7 @@
 namespace sinew::exporting {
 namespace {
 
-/// Validators accept rotations whose length differs less from 1.
-constexpr float kToldWithin = 1e-4f;
+constexpr float kToldWithin = 1e-4f;  ///< Validators accept rotations whose length differs less from 1.
 
 enum class ClipRepairKeys { kStep, kLinear, kCubic };
 

@@ -130,8 +130,7 @@ void visitUses(Json& root, const std::function<void(Json& user, std::uint64_t by
 }
 
 constexpr std::uint64_t kMostBytes = std::numeric_limits<std::uint32_t>::max();
-/// Fewer unused bytes of a view are padding, and stay.
-constexpr std::uint64_t kLeastUnused = 16;
+constexpr std::uint64_t kLeastUnused = 16;  ///< Fewer unused bytes of a view are padding, and stay.
 
 /// Beginnings of the names of extensions that use no accessor and no bufferView.
 constexpr std::array<std::string_view, 10> kWithoutData{

@@ -28,12 +28,10 @@ class OutSkins {
 
   /// Joints of bindings beyond the skeleton's. @param nodes  [joints] of the file
   void addJoints(std::span<const HelperJoint> joints, std::span<const int> nodes);
-  /// Number of a binding among the joints of a node's skin, appended if absent.
-  int jointOf(int node, int binding);
+  int jointOf(int node, int binding);  ///< Number of a binding among the joints of a node's skin, appended if absent.
   /// Mesh space of a node's skin -> world in the bind pose.
   [[nodiscard]] const glm::dmat4& meshToBind(int node) const;
-  /// Writes the skins and assigns them to nodes. Call once, at the end.
-  void write(GltfRewrite& rewrite);
+  void write(GltfRewrite& rewrite);  ///< Writes the skins and assigns them to nodes. Call once, at the end.
   /// Nodes that are joints of the skins written.
   [[nodiscard]] int jointNodes() const { return static_cast<int>(nodes_.size()); }
 

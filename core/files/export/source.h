@@ -57,10 +57,8 @@ struct Source {
 
   /// Whether a path is the file itself or one of its buffers or images.
   [[nodiscard]] bool reads(const std::filesystem::path& other) const;
-  /// Node of a bone in the file.
-  [[nodiscard]] int nodeOfBone(int bone) const;
-  /// Node of a binding's bone.
-  [[nodiscard]] int nodeOf(int binding) const;
+  [[nodiscard]] int nodeOfBone(int bone) const;  ///< Node of a bone in the file.
+  [[nodiscard]] int nodeOf(int binding) const;   ///< Node of a binding's bone.
 
  private:
   Source(const std::filesystem::path& from, std::vector<std::uint8_t> contents);

@@ -34,8 +34,7 @@ struct Trs {
 /// direction. A column of zeros gives scale 0.
 [[nodiscard]] Trs trsOf(const glm::dmat4& matrix);
 
-/// Rounded to floats, with a unit rotation.
-[[nodiscard]] Trs roundToFloats(const Trs& exact);
+[[nodiscard]] Trs roundToFloats(const Trs& exact);  ///< Rounded to floats, with a unit rotation.
 
 /// A joint that the export adds.
 struct HelperJoint {
@@ -73,8 +72,7 @@ class RigidMotion {
     glm::dquat rotation{1.0, 0.0, 0.0, 0.0};  ///< Unit; p -> rotation * p + translation.
     glm::dvec3 translation{0.0};
   };
-  /// Minimizes the sum of weight * |motion(from) - to|^2. Identity without points.
-  [[nodiscard]] Motion best() const;
+  [[nodiscard]] Motion best() const;  ///< Minimizes the sum of weight * |motion(from) - to|^2. Identity without points.
 
  private:
   double weight_ = 0.0;
@@ -137,10 +135,8 @@ class LineJoints {
   /// The bind pose of a joint's line, with the rig's own settings. @param line  HelperJoint::line
   [[nodiscard]] const LineRest& restOf(int line) const { return *at(rests_, line); }
   [[nodiscard]] const std::string& nameOf(int line) const { return at(names_, line); }
-  /// [joints] in their parents' spaces.
-  void pose(const Pose& pose, std::vector<Trs>& locals) const;
-  /// Removes joints. @param kept  [joints]
-  void keep(const std::vector<bool>& kept);
+  void pose(const Pose& pose, std::vector<Trs>& locals) const;  ///< [joints] in their parents' spaces.
+  void keep(const std::vector<bool>& kept);                     ///< Removes joints. @param kept  [joints]
 
  private:
   void add(int line, std::string name, int bone, const glm::dvec3& place);

@@ -96,8 +96,7 @@ struct GramSums {
   std::span<const PoseToFit> poses;
 };
 
-/// Helpers in a group.
-inline constexpr std::size_t kHelperGroup = 8;
+inline constexpr std::size_t kHelperGroup = 8;  ///< Helpers in a group.
 
 /// How much of a vertex's error each helper alone could remove, summed over poses.
 struct GainSums {

@@ -37,12 +37,10 @@ std::vector<std::uint8_t> webpPixels(std::span<const std::uint8_t> bytes) {
   return whole ? rgba : std::vector<std::uint8_t>();
 }
 
-/// Largest compression ratio of deflate.
-constexpr std::uint64_t kMaxDeflateRatio = 1032;
+constexpr std::uint64_t kMaxDeflateRatio = 1032;  ///< Largest compression ratio of deflate.
 /// Compressed pixels that unpack to no more than this need no test.
 constexpr std::uint64_t kHarmlessBytes = 256U << 20;
-/// Each scan of a progressive JPEG visits the whole image; encoders write about ten.
-constexpr int kMaxScans = 200;
+constexpr int kMaxScans = 200;  ///< Each scan of a progressive JPEG visits the whole image; encoders write about ten.
 
 std::uint32_t bigEndian(Bytes bytes, std::size_t at) {
   return static_cast<std::uint32_t>(bytes[at]) << 24 | static_cast<std::uint32_t>(bytes[at + 1]) << 16 |

@@ -73,7 +73,6 @@ void keepUsedParts(ControlMesh& mesh, std::vector<MeshMaterial>& parts);
 
 /// H of docs/design.md: the y extent, or the largest extent if flat.
 [[nodiscard]] float heightOf(const std::vector<glm::vec3>& positions);
-/// Tolerance for welding a soup (core/geometry/weld.h).
-[[nodiscard]] float weldTolerance(const TriangleSoup& soup);
+[[nodiscard]] float weldTolerance(const TriangleSoup& soup);  ///< Tolerance for welding a soup (core/geometry/weld.h).
 
 }  // namespace sinew::gltf

@@ -44,7 +44,6 @@ struct NodeTree {
 
 /// Inverse of an affine matrix; nullopt if it is singular or nearly so.
 [[nodiscard]] std::optional<glm::dmat4> affineInverse(const glm::dmat4& matrix);
-/// Whether every entry, and products of a few, fit a float.
-[[nodiscard]] bool isTame(const glm::dmat4& matrix);
+[[nodiscard]] bool isTame(const glm::dmat4& matrix);  ///< Whether every entry, and products of a few, fit a float.
 
 }  // namespace sinew::gltf

@@ -17,8 +17,7 @@ namespace sinew {
 
 /// Deeper nesting is refused, so that walking a tree cannot overflow the stack.
 inline constexpr int kMaxJsonDepth = 128;
-/// More values are refused: a small file must not fill the memory.
-inline constexpr int kMaxJsonValues = 4'000'000;
+inline constexpr int kMaxJsonValues = 4'000'000;  ///< More values are refused: a small file must not fill the memory.
 
 /// Limits of a parse.
 struct JsonLimits {
@@ -74,8 +73,7 @@ struct Json {
   Json(Kind of, std::vector<Json> items) : kind(of), children(std::move(items)) {}
 };
 
-/// The text with invalid UTF-8 replaced by U+FFFD.
-[[nodiscard]] std::string validUtf8(const std::string& text);
+[[nodiscard]] std::string validUtf8(const std::string& text);  ///< The text with invalid UTF-8 replaced by U+FFFD.
 
 /// A library's message cut to a length a person reads, in ASCII and on one line.
 [[nodiscard]] std::string shortened(std::string message);

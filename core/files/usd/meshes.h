@@ -43,15 +43,13 @@ struct Mesh {
                                          const gltf::BoundSkeleton& bound, gltf::Accessors& accessors,
                                          std::set<std::string>& left);
 
-/// "primvars:st" for TEXCOORD_0, "primvars:st1" ...
-[[nodiscard]] std::string uvName(std::size_t set);
+[[nodiscard]] std::string uvName(std::size_t set);  ///< "primvars:st" for TEXCOORD_0, "primvars:st1" ...
 
 /// Constant attributes of an open mesh prim: faces, texture coordinates, colors.
 /// @param factor  color of the material, multiplied with vertex colors
 void writeTopology(const Mesh& mesh, const glm::vec4& factor, bool doubleSided, Text& text);
 
-/// Bounding box for `extent`.
-[[nodiscard]] std::string extentText(const std::vector<glm::vec3>& points);
+[[nodiscard]] std::string extentText(const std::vector<glm::vec3>& points);  ///< Bounding box for `extent`.
 
 /// Metadata of arrays with a value per vertex.
 [[nodiscard]] inline std::vector<std::string> perVertex() { return {"interpolation = \"vertex\""}; }

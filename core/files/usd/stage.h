@@ -39,8 +39,7 @@ struct Joints {
   std::vector<SampledClip> clips;
 };
 
-/// Frames of a clip: whole ones, and its end.
-[[nodiscard]] std::vector<double> framesOf(const AnimationClip& clip);
+[[nodiscard]] std::vector<double> framesOf(const AnimationClip& clip);  ///< Frames of a clip: whole ones, and its end.
 
 /// Joints are the bones, and nodes above them that ever scale unevenly, which would shear joints below if folded. Other
 /// nodes above a joint are folded into it. A bone that two skins bind differently has a joint for each. Constant

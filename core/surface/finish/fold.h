@@ -75,8 +75,7 @@ struct ShrunkSearch {
   int* shrunk = nullptr;                          ///< Out: triangles with q < least, in order; room for all and 4 more.
 };
 
-/// Returns the number of shrunk triangles.
-using FoldKernel = std::size_t (*)(const ShrunkSearch& search);
+using FoldKernel = std::size_t (*)(const ShrunkSearch& search);  ///< Returns the number of shrunk triangles.
 
 [[nodiscard]] FoldKernel foldKernel(InstructionSet set);
 

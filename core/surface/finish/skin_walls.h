@@ -94,8 +94,7 @@ class SkinWalls {
   /// Considers skin up to `within` and up to kWallsApart times the distance of the nearest.
   [[nodiscard]] Walls around(const glm::vec3& p, const WallsUnder& under, float within) const;
 
-  /// Parts of the tree for several places close together.
-  using NearNodes = std::array<int, 128>;
+  using NearNodes = std::array<int, 128>;  ///< Parts of the tree for several places close together.
   /// Parts nearer to a box than `within`. @param out  memory for the result
   [[nodiscard]] std::span<const int> nearTo(const Bounds& box, float within, NearNodes& out) const;
   /// Whether a place may be below skin nearer than `within`. If not, much faster than around().

@@ -20,8 +20,7 @@ inline constexpr std::array kGradedLevels{1, 2, 3, 4, 6, 12, 16};
 /// the triangle's own shape. Lengths are those of the bind pose.
 class LevelGrader {
  public:
-  /// @param mesh  must outlive this.
-  explicit LevelGrader(const ControlMesh& mesh);
+  explicit LevelGrader(const ControlMesh& mesh);  ///< @param mesh  must outlive this.
 
   /// Never lowers a level. The result does not depend on the order of triangles.
   [[nodiscard]] RefinementLevels graded(RefinementLevels levels) const;

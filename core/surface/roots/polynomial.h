@@ -87,8 +87,7 @@ struct Bernstein {
   [[nodiscard]] static Bernstein linear(double atStart, double atEnd);
 
   void addConstant(double value);
-  /// Raises the degree of the lower one first.
-  void addScaled(const Bernstein& other, double factor);
+  void addScaled(const Bernstein& other, double factor);  ///< Raises the degree of the lower one first.
   [[nodiscard]] double at(double u) const;
   [[nodiscard]] std::span<const double> coefficients() const { return std::span(b).first(degree + 1); }
   void split(double u, Bernstein& left, Bernstein& right) const;

@@ -50,8 +50,7 @@ struct RayScratch {
 /// phi(t) = skin(t) + F(p + t d) - T. Refilled from ray to ray, so that nothing is allocated.
 class RayField {
  public:
-  /// Removes all terms. @param cliques  must outlive the use.
-  void reset(double iso, const CliqueLists& cliques);
+  void reset(double iso, const CliqueLists& cliques);  ///< Removes all terms. @param cliques  must outlive the use.
   /// Adds a primitive if the ray meets its influence at some t > 0 (or >= 0 inside). Distances along the ray are in
   /// world units. @param weight  m_i.  @param direction  unit.
   void addPrimitive(const PosedPrimitive& primitive, float weight, int slot, const glm::vec3& origin,
@@ -68,8 +67,7 @@ class RayField {
   [[nodiscard]] ValueAndSlope sample(double t, RayScratch& scratch) const;
   /// Where phi changes its formula in (begin, end), sorted, with begin and end. Stored in scratch.breakpoints.
   [[nodiscard]] std::span<const double> breakpoints(double begin, double end, RayScratch& scratch) const;
-  /// phi is -T beyond this t.
-  [[nodiscard]] double lastLeave() const;
+  [[nodiscard]] double lastLeave() const;  ///< phi is -T beyond this t.
 
  private:
   void addShaped(const PosedPrimitive& primitive, float weight, int slot, const glm::vec3& origin,

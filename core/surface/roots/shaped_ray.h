@@ -44,10 +44,8 @@ struct ShapedRay {
   ShapedRay(const UnitBallMap& influence, const glm::vec3& origin, const glm::vec3& direction);
 
   [[nodiscard]] glm::dvec3 at(double t) const { return start + t * along; }
-  /// Whether r^2 is a quadratic on every interval.
-  [[nodiscard]] bool isQuadratic() const;
-  /// r^2 on the interval around t, if isQuadratic().
-  [[nodiscard]] RayQuadratic quadraticAround(double t) const;
+  [[nodiscard]] bool isQuadratic() const;                      ///< Whether r^2 is a quadratic on every interval.
+  [[nodiscard]] RayQuadratic quadraticAround(double t) const;  ///< r^2 on the interval around t, if isQuadratic().
   /// 1 - r^2 from `begin` to `end`, within one interval.
   [[nodiscard]] Bernstein insideness(double begin, double end) const;
   [[nodiscard]] ShapedStretches stretches() const;

@@ -10,8 +10,7 @@
 
 namespace sinew {
 
-/// [nodes] without animation.
-[[nodiscard]] std::vector<LocalTransform> restLocals(const Skeleton& skeleton);
+[[nodiscard]] std::vector<LocalTransform> restLocals(const Skeleton& skeleton);  ///< [nodes] without animation.
 
 /// [nodes] at a time in seconds of a file's clip; nodes without a channel are at rest.
 [[nodiscard]] std::vector<LocalTransform> sampleLocals(const Skeleton& skeleton, const AnimationClip& clip, float time);

@@ -43,8 +43,7 @@ struct UnitBallMap {
   UnitForm form = UnitForm::kEllipsoid;
   UnitShape shape{};  ///< For kShape.
 
-  /// An ellipsoid or a sphere.
-  [[nodiscard]] bool isPlain() const { return form != UnitForm::kShape; }
+  [[nodiscard]] bool isPlain() const { return form != UnitForm::kShape; }  ///< An ellipsoid or a sphere.
 
   /// r^2 at a point: < 1 inside.
   [[nodiscard]] float rSquared(const glm::vec3& point) const {

@@ -73,7 +73,7 @@ struct SmoothingSettings {
   float creaseAngle = kDefaultCreaseAngle;  ///< Degrees, 0..180: edges with larger angles are shaded sharp.
   DetailKind detail = DetailKind::kUniform;
   float tolerance = kDefaultTolerance;  ///< Adaptive detail: largest distance of flat triangles, fraction of H.
-  bool autoDepth = false;  ///< In pictures `depth` or `tolerance` follows the character's size.
+  bool autoDepth = false;               ///< In pictures `depth` or `tolerance` follows the character's size.
   std::string unknownKeys;
 
   friend bool operator==(const SmoothingSettings&, const SmoothingSettings&) = default;
@@ -161,15 +161,13 @@ struct Rig {
   friend bool operator==(const Rig&, const Rig&) = default;
 };
 
-/// Index by name, or -1.
-[[nodiscard]] int findPrimitive(const Rig& rig, const std::string& name);
+[[nodiscard]] int findPrimitive(const Rig& rig, const std::string& name);  ///< Index by name, or -1.
 [[nodiscard]] int findGroup(const Rig& rig, const std::string& name);
 [[nodiscard]] int findLine(const Rig& rig, const std::string& name);
 [[nodiscard]] int findMorph(const Rig& rig, const std::string& name);
 /// The line that carries a primitive, or null.
 [[nodiscard]] const MuscleLine* lineOf(const Rig& rig, const Primitive& primitive);
-/// Index by identity, or -1.
-[[nodiscard]] int findPrimitive(const Rig& rig, PrimitiveId id);
+[[nodiscard]] int findPrimitive(const Rig& rig, PrimitiveId id);  ///< Index by identity, or -1.
 [[nodiscard]] int findGroup(const Rig& rig, GroupId id);
 [[nodiscard]] int findLine(const Rig& rig, LineId id);
 
@@ -180,8 +178,7 @@ struct Rig {
 [[nodiscard]] std::string freeLineName(const Rig& rig, const std::string& wanted);
 [[nodiscard]] std::string freeChannelName(const Rig& rig, const std::string& wanted);
 
-/// Names in files, menus and on the command line.
-[[nodiscard]] const char* nameOf(SurfaceMode mode);
+[[nodiscard]] const char* nameOf(SurfaceMode mode);  ///< Names in files, menus and on the command line.
 [[nodiscard]] const char* nameOf(PatchKind patch);
 [[nodiscard]] const char* nameOf(DetailKind detail);
 [[nodiscard]] std::optional<SurfaceMode> surfaceModeNamed(const std::string& name);

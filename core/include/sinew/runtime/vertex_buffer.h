@@ -38,8 +38,7 @@ struct VertexLayout {
 };
 
 [[nodiscard]] std::size_t vertexCount(const Refinement& refinement, BufferVertices vertices);
-/// Three for each triangle.
-[[nodiscard]] std::size_t indexCount(const Refinement& refinement);
+[[nodiscard]] std::size_t indexCount(const Refinement& refinement);  ///< Three for each triangle.
 
 /// Writes positions and normals, each frame. With origin 0, floats are those of Surface::positions and shadingNormal(),
 /// to the bit. Allocates nothing.
