@@ -43,8 +43,7 @@ class Flesh {
   /// Moves the axis of the frame's trunk half way between front and back.
   Flesh(const Character& character, BodyFrame& frame);
 
-  /// nullopt: the part is missing or has no skin there.
-  /// @param onSkin  false: where there is no skin, the part's median thickness is good enough
+  /// nullopt: no part, or no skin there. @param onSkin  false: without skin, the part's median thickness is good enough
   [[nodiscard]] std::optional<FleshPoint> measure(const Mark& mark, bool onSkin = true) const;
   /// The last exit of a ray from the skin of these zones, since cloth lies over skin.
   /// @param usual  farther exits belong to another limb and count only if there is no nearer one
@@ -76,7 +75,6 @@ class Flesh {
 };
 
 /// The body parts of a character: as found, replaced by those in its file, then by the rig's corrections.
-/// @param plan  of the character
 /// @param corrections  of the rig; those with a bone that the character lacks are ignored
 [[nodiscard]] BodySlots bodySlots(const Character& character, const MirrorPlan& plan,
                                   std::span<const SlotCorrection> corrections = {});

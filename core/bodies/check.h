@@ -41,8 +41,7 @@ class FollowedBelly {
  public:
   static constexpr std::size_t kPoints = 3;
 
-  /// nullopt: there is no skin to follow, or the muscle's center lies on its bone's axis.
-  /// @param bind  the muscle in the bind pose  @param bone  the muscle's
+  /// nullopt: no skin to follow, or the muscle's center is on its bone's axis. @param bind  the muscle in the bind pose
   [[nodiscard]] static std::optional<FollowedBelly> create(const Character& character, const SkinRuns& skin,
                                                            const PosedMuscle& bind, int bone);
 
@@ -70,7 +69,6 @@ class FollowedBelly {
 /// Largest BellyTrial::trouble() of a mended muscle: some room below 1, from which on check() reports.
 inline constexpr float kMendedMargin = 0.9f;
 
-/// A candidate for a muscle.
 struct BellyChoice {
   Primitive primitive;
   std::optional<MuscleLine> line;
@@ -101,8 +99,7 @@ class BellyTrial {
   [[nodiscard]] const BellyBody& body() const { return body_; }  ///< In the bind pose.
   [[nodiscard]] glm::vec3 outwards() const;                      ///< Normal of the skin over it, in the bind pose.
 
-  /// The worst over all poses; up to 1 is clean.
-  /// @param enough  stops after a pose that is worse than this
+  /// The worst over all poses; up to 1 is clean. @param enough  stops after a pose that is worse than this
   /// @param first  in: pose to begin with; out: pose at which it stopped
   [[nodiscard]] float trouble(float enough = std::numeric_limits<float>::max(), std::size_t* first = nullptr) const;
 

@@ -25,7 +25,6 @@ namespace sinew {
 inline constexpr float kClothBelow = 1e-4f;
 inline constexpr float kClothSunk = 0.05f;
 
-/// A cloth vertex below the skin.
 struct ClothSunk {
   float depth = 0.0f;  ///< Along the normal at the nearest point, units of the character; 0: above it, or far from it.
   glm::vec3 place{0.0f};   ///< That point.

@@ -61,15 +61,13 @@ class OwnSkin {
 /// The bone of the line that the belly follows. The tendon at the other end crosses the joint.
 enum class BellyBone { kOrigin, kInsertion };
 
-/// Makes candidates for a drawn muscle, to be measured by a BellyTrial. Their lines twist with the belly's bone, and
-/// girth grows from the line.
+/// Makes candidates for a drawn muscle, for BellyTrial. Lines twist with the belly's bone; girth grows from the line.
 class RelaidBelly {
  public:
   /// @param drawn  on a line with a valid rest (lineRest)  @param trial  of `drawn`
   RelaidBelly(const BellyChoice& drawn, const BellyTrial& trial, const Character& character);
 
-  /// The belly as it is.
-  /// @param reach  the other end's distance from the joint, fraction of that drawn
+  /// The belly as it is. @param reach  the other end's distance from the joint, fraction of that drawn
   [[nodiscard]] BellyChoice asDrawn(BellyBone bone, float reach) const;
   /// Shorter, towards its own end. nullopt: too short, or the line runs straight out of the skin there.
   /// @param tendon  at the other end, fraction of the line

@@ -45,7 +45,6 @@ glm::dmat3 boundFrame(const Skeleton& skeleton, const Bone& bone, const Pose& po
   return frameOf(glm::dmat4(pose.boneInWorld[parent])) * glm::transpose(parentBound) * bound;
 }
 
-/// Rotation about a point.
 glm::dmat4 about(const glm::dvec3& point, const glm::dmat3& rotation) {
   glm::dmat4 turned(rotation);
   turned[3] = glm::dvec4(point - rotation * point, 1.0);

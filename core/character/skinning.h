@@ -9,8 +9,7 @@
 
 namespace sinew {
 
-/// Positions and normals of the control mesh with morph targets, in the bind pose. Remembers its weights, so that
-/// unchanged weights cost nothing; use one object for one character.
+/// The control mesh with morph targets, bind pose. Unchanged weights cost nothing; use one object for one character.
 struct MorphedMesh {
   bool isMorphed = false;             ///< False: the mesh's own positions and normals apply.
   std::vector<glm::vec3> positions;   ///< [V] bind pose, world.
@@ -22,8 +21,7 @@ struct MorphedMesh {
   bool fansMade = false;
 };
 
-/// v = v0 + sum of w dv, with angle-weighted normals: as if the file were imported with these base positions, but
-/// welded as the base is.
+/// v = v0 + sum of w dv, with angle-weighted normals, as if imported with these base positions, but welded as the base.
 /// @param weights [targets] finite.
 void morph(const Character& character, std::span<const float> weights, MorphedMesh& out);
 

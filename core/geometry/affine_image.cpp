@@ -16,8 +16,7 @@ namespace {
 constexpr double kEven = 1e-6;     // Relative tolerance of lengths and angles: below the precision of floats in a file.
 constexpr int kJacobiSweeps = 40;  // At most about eight are needed.
 
-/// Rotation of the image under an improper orthogonal map. Either one axis or all three must be negated; the map
-/// decides which, so that the map and its inverse agree.
+/// Rotation under an improper orthogonal map, which decides whether one or all axes are negated, as its inverse does.
 glm::dquat properRotation(const glm::dmat3& linear, const glm::dquat& rotation) {
   // p = -linear as a rotation: near the unit quaternion all three are negated, near i, j or k that axis.
   const glm::dquat p = glm::normalize(glm::quat_cast(-linear));

@@ -9,8 +9,7 @@
 
 namespace sinew {
 
-/// One number of a shape, for everything that treats them alike: files, limits, mirror images, keys and drivers, the
-/// inspector, shaders.
+/// A number of a shape, for files, limits, mirror images, keys, drivers, the inspector and shaders.
 struct ShapeNumber {
   static constexpr int kNoAxis = -1;
 

@@ -1,5 +1,4 @@
-// core/geometry/lanes.h: numbers and vectors in space, one in each lane of a SIMD vector as wide as the processor has.
-// Included once per instruction set.
+// core/geometry/lanes.h: numbers and vectors, one in each lane of the widest SIMD. Included once per instruction set.
 #if defined(SINEW_LANES_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef SINEW_LANES_H
 #undef SINEW_LANES_H
@@ -126,8 +125,7 @@ HWY_INLINE void forEach(M mask, std::size_t first, Visit visit) {
   for (; bits != 0; bits &= bits - 1) visit(first + static_cast<std::size_t>(std::countr_zero(bits)));
 }
 
-/// Vectors that can be read as four numbers each, the fourth arbitrary; the last one is copied, so that reading does
-/// not go beyond the span.
+/// Vectors readable as four numbers each, the fourth arbitrary; the last is copied, to read nothing beyond the span.
 class Rows {
  public:
   explicit Rows(std::span<const glm::vec3> from) : from_(from) {

@@ -33,8 +33,7 @@ inline constexpr float kNoCreases = 180.0f;  ///< The crease angle without creas
 [[nodiscard]] std::vector<glm::vec3> vertexNormals(std::span<const glm::vec3> positions,
                                                    std::span<const ControlTriangle> triangles);
 
-/// The same for some vertices only.
-/// @param asked [V] which vertices.  @param normals [V] only theirs are written.
+/// The same for some vertices. @param asked [V] which.  @param normals [V] only theirs are written.
 void updateVertexNormals(std::span<const glm::vec3> positions, std::span<const ControlTriangle> triangles,
                          const std::vector<bool>& asked, std::span<glm::vec3> normals);
 

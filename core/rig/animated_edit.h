@@ -1,5 +1,4 @@
-// core/rig/animated_edit.h: edits of keys, drivers and channels as pure functions rig -> rig. Indices must be in range
-// (asserted).
+// core/rig/animated_edit.h: edits of keys, drivers and channels, rig -> rig. Indices must be in range (asserted).
 #pragma once
 
 #include <cstddef>
@@ -17,8 +16,7 @@ namespace sinew {
 /// Number of key tracks of a rig for a clip.
 [[nodiscard]] std::size_t countKeyTracks(const Rig& rig, const std::string& clip);
 
-/// Renames the clips of all key tracks. A track that already has one of the new names, for a clip that does not exist,
-/// is removed.
+/// Renames the clips of all key tracks. A track already under a new name, of a clip that does not exist, is removed.
 /// @param names  old -> new, one to one
 [[nodiscard]] Rig withClipsRenamed(Rig rig, const std::map<std::string, std::string>& names);
 
@@ -29,8 +27,7 @@ namespace sinew {
 
 inline constexpr float kSameKey = 1.0f / 120.0f;  ///< Keys nearer than this are the same key, seconds.
 
-/// Adds or replaces a key. Error: see validateAnimated.
-/// @param clip  empty: in every clip
+/// Adds or replaces a key. Error: see validateAnimated. @param clip  empty: in every clip
 [[nodiscard]] Result<Rig> setKey(Rig rig, const NumberRef& ref, const std::string& clip, float time, float value);
 /// Moves key `index` of the clip's track, replacing any key at that time.
 [[nodiscard]] Result<Rig> moveKey(Rig rig, const NumberRef& ref, const std::string& clip, int index, float time);

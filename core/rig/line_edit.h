@@ -71,8 +71,7 @@ struct Learned {
 
 // Muscles that move to another bone.
 
-/// The placement on bone `to` of the same ellipsoid in the world, whatever the bones' scale and shear. For a flat bone
-/// the placement is not changed.
+/// The placement on bone `to` of the same ellipsoid in the world, despite scale and shear; unchanged for a flat bone.
 [[nodiscard]] Placement carryToBone(const Placement& inFrom, const glm::mat4& fromInWorld, const glm::mat4& toInWorld);
 
 /// The primitive at the same place along another bone, scaled with the length of the bone, keyed and driven lengths

@@ -101,8 +101,7 @@ glm::dvec3 swingHeight(const glm::dvec3& from, const glm::dvec3& height, const g
   return height - (glm::dot(height, direction) / opening) * (from + direction);
 }
 
-/// The height of the normalized mixture of the quaternions of two frames around one direction.
-/// @param a, b  unit, perpendicular to the direction
+/// Height of two frames' normalized quaternion mixture around a direction. @param a, b  unit, perpendicular to it
 glm::dvec3 mixHeights(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& direction, double share) {
   const double cosine = std::min(1.0, std::max(-1.0, glm::dot(a, b)));
   const glm::dvec3 beside = glm::cross(direction, a);

@@ -45,7 +45,6 @@ struct LinePath {
   friend bool operator==(const LinePath&, const LinePath&) = default;
 };
 
-/// A part of a tendon.
 struct TendonPart {
   std::array<glm::vec3, 4> curve{};  ///< Cubic Bezier.
   glm::vec2 share{0.0f, 1.0f};       ///< Fractions of the tendon's length at its ends; 0 in the belly, 1 at the anchor.
@@ -61,8 +60,7 @@ struct Tendon {
 inline constexpr float kTendonStart = 0.8f;  ///< Start of a tendon on the belly's axis, fraction of the half length.
 
 /// Tendons of one belly at the origin and at the insertion; none at an anchor in or beside the belly.
-/// @param bellyInWorld  unit ball -> world, y along the fibres
-/// @param bend  Shape::bend of the belly
+/// @param bellyInWorld  unit ball -> world, y along the fibres  @param bend  Shape::bend of the belly
 [[nodiscard]] std::vector<Tendon> tendonsOf(const glm::mat4& bellyInWorld, const LinePath& line,
                                             const glm::vec2& bend = glm::vec2(0.0f));
 

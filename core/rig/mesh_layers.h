@@ -17,8 +17,7 @@ namespace sinew {
 
 [[nodiscard]] int findLayer(const Rig& rig, const std::string& part);  ///< Index into Rig::layers, or -1.
 
-/// The layers chosen in the rig, else those guessed. Parts that the character lacks are ignored.
-/// @param guessed [parts]
+/// The layers chosen in the rig, else those guessed ([parts]). Parts that the character lacks are ignored.
 [[nodiscard]] std::vector<SkinLayer> layersOf(const Rig& rig, const Character& character,
                                               std::span<const SkinLayer> guessed);
 
@@ -56,8 +55,7 @@ struct MeshLayers {
 
 inline constexpr float kClothReach = 0.1f;  ///< Largest distance between skin and the cloth over it, fraction of H.
 
-/// Distances grow by up to half of kClothReach where bones differ, so that a sleeve at the flank belongs to its arm.
-/// @param layers [parts]
+/// Where bones differ, distances grow by up to half of kClothReach: a sleeve belongs to its arm. @param layers [parts]
 [[nodiscard]] MeshLayers meshLayers(const Character& character, std::span<const SkinLayer> layers);
 
 /// The triangles of skin, only with positions and corners.

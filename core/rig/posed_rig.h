@@ -32,7 +32,6 @@ struct BentMuscle {
 /// @param carrier  bone space in the bind pose -> world now, with the whole shift  @param shift  world
 [[nodiscard]] BentMuscle bentMuscle(const ViaBend& bend, const glm::mat4& carrier, const glm::vec3& shift);
 
-/// One muscle in a pose.
 struct PosedMuscle {
   bool usable = false;      ///< False: its bone or those of its line are missing or flat; it is invisible.
   int line = -1;            ///< Index into Rig::lines, or -1.

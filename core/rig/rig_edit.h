@@ -33,7 +33,6 @@ enum class KeepIdle { kNo, kYes };
 
 [[nodiscard]] Result<void> validateMorphs(const Rig& rig);  ///< Unique names; weights in range; valid keys and drivers.
 
-/// Refers to a number of a rig.
 struct NumberRef {
   Parameter parameter = Parameter::kAmount;
   int owner = 0;  ///< Index into Rig::primitives, Rig::lines or Rig::morphs; not read for the surface.
@@ -66,8 +65,7 @@ struct RigNumbers {
 [[nodiscard]] float& numberIn(RigNumbers& numbers, const NumberRef& ref);
 [[nodiscard]] float numberOf(const RigNumbers& numbers, const NumberRef& ref);
 
-/// Changes several primitives. `change` must not change name and mirror (asserted). Error: any of them is invalid
-/// afterwards, or its group does not exist; then none is changed.
+/// `change` must not change name and mirror (asserted). Error: one is invalid or lacks its group; then none is changed.
 [[nodiscard]] Result<Rig> editPrimitives(Rig rig, std::span<const int> indices,
                                          const std::function<void(Primitive&)>& change);
 

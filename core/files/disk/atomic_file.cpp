@@ -244,8 +244,7 @@ int doubleFile(const fs::path& file, Written& made) {
   return writeNamed(file, bytes.value(), present.st_mode & 07777, made);
 }
 
-/// Keeps the previous version as NAME~. If that fails (a folder has the name, the disk is full), the new version still
-/// replaces the file: it is whole on the disk.
+/// Keeps the previous version as NAME~. If that fails (a folder, a full disk), the new one still replaces the file.
 void keepPrevious(const fs::path& file) {
   Written made;
   fs::path kept = file;

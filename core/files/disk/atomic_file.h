@@ -83,8 +83,7 @@ struct NamedBytes {
 [[nodiscard]] Result<void> writeFilesAtomically(const std::vector<NamedBytes>& files,
                                                 Previous previous = Previous::kKept);
 
-/// The same for a file that another program has written. @param made  in the folder of `file`; removed, even on an
-/// Error
+/// The same for a file written by another program. @param made  in the folder of `file`; removed, even on an Error
 [[nodiscard]] Result<void> putFileAtomically(const std::filesystem::path& made, const std::filesystem::path& file);
 
 /// Error: it is absent, a folder, unreadable, or larger than `limit` bytes.

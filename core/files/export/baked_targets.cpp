@@ -43,7 +43,6 @@ struct PrimitiveDeltas {
   std::vector<std::vector<glm::vec3>> normals;    ///< [targets][vertices]
 };
 
-/// Adds morph targets to the written primitives.
 class TargetMaker {
  public:
   TargetMaker(std::shared_ptr<const Character> character, const Rig& rig, const JointFit& fit,

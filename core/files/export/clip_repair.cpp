@@ -20,7 +20,6 @@ constexpr float kToldWithin = 1e-4f;  ///< Validators accept rotations whose len
 
 enum class ClipRepairKeys { kStep, kLinear, kCubic };
 
-/// The keys of a sampler.
 struct KeyTrack {
   ClipRepairKeys kind = ClipRepairKeys::kLinear;
   bool turns = false;      ///< Rotations.

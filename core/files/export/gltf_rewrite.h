@@ -30,7 +30,6 @@ template <class Value>
   return {reinterpret_cast<const char*>(values.data()), values.size() * sizeof(Value)};
 }
 
-/// An accessor to add.
 struct AccessorData {
   std::string_view bytes;
   int componentType = 0;  ///< TINYGLTF_COMPONENT_TYPE_*
@@ -40,7 +39,6 @@ struct AccessorData {
   std::optional<Bounds> bounds{};  ///< For positions.
 };
 
-/// A finished file.
 struct PackedGltf {
   Json root;           ///< Its buffer has a byteLength but no uri.
   std::string binary;  ///< 4-byte aligned.

@@ -20,8 +20,7 @@ namespace sinew::exporting {
 /// first
 bool addLineData(const Source& source, const LineJoints& lines, std::span<const int> nodes, GltfRewrite& rewrite);
 
-/// Skins keep their joints, order and matrices; joints that only fitted weights use are appended. A node without a skin
-/// gets one.
+/// Skins keep joints, order and matrices; joints that only fitted weights use are appended. Nodes without skin get one.
 class OutSkins {
  public:
   explicit OutSkins(Source& source);

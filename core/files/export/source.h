@@ -78,8 +78,7 @@ void requireSame(const Source& source, const Character& character);
 [[nodiscard]] Result<void> checkSeconds(const std::filesystem::path& file, const Character& character,
                                         const std::vector<std::string>& asked);
 
-/// Error: no such folder, a target that is a folder, or one that the character is read from.
-/// @param files  the main one last
+/// Error: no such folder, a target is a folder, or the character is read from it. @param files  the main one last
 [[nodiscard]] Result<void> checkPlaces(const Source& source, const std::vector<std::filesystem::path>& files);
 
 /// checkPlaces(), then writes all files or none. Returns their bytes.

@@ -1,5 +1,4 @@
-// core/files/fit/helper_motion.h: joints that an export adds: rigid helpers and muscle lines, and their motion in a
-// pose.
+// core/files/fit/helper_motion.h: joints that an export adds (rigid helpers, muscle lines) and their motion in a pose.
 #pragma once
 
 #include <optional>
@@ -45,7 +44,6 @@ struct HelperJoint {
   int line = -1;                ///< The rig's line that it follows; -1: a rigid helper.
 };
 
-/// How helper joints move in a clip.
 struct HelperClip {
   std::string clip;
   std::vector<float> times;              ///< [keys] seconds, rising.
@@ -81,7 +79,6 @@ class RigidMotion {
   glm::dmat3 products_{0.0};  // Column i: sum of from[i] * to.
 };
 
-/// A pose for fitting weights and helpers.
 struct FitPose {
   Pose pose;
   std::vector<glm::dmat4> matrices;  ///< [bindings and lines' joints] world of the bind pose -> world now.
@@ -119,15 +116,13 @@ class HelperMotion {
   int first_ = 0;
 };
 
-/// Joints for the lines with muscles, in the rig's order: one each, or two where joints may not scale. A line's
-/// deformation is a rotation, a translation and a scale along its own axes (docs/muscles.md), so that a joint can
-/// follow it.
+/// Joints for the lines with muscles, in the rig's order: one each, or two where joints may not scale. A line deforms
+/// by a rotation, a translation and a scale along its own axes (docs/muscles.md), so that a joint can follow it.
 class LineJoints {
  public:
   LineJoints() = default;
   /// @param poses  where joints must be exact: the parent is the nearest bone, from that of the line's origin upwards,
-  /// that
-  ///               is never scaled unevenly in them
+  ///               that they never scale unevenly
   LineJoints(const Rig& rig, const Character& character, JointScale scale, std::span<const Pose> poses);
 
   [[nodiscard]] const std::vector<HelperJoint>& joints() const { return joints_; }

@@ -91,8 +91,7 @@ ErrorFigures MorphFit::skinnedFigures() const {
 namespace {
 
 constexpr int kSearchRounds = 24;  ///< Rounds of reweighting.
-/// Approximate limit of products for all Gram matrices: with many vertices and frames there are fewer rounds, at
-/// least 1.
+/// Approximate limit of products for all Gram matrices: with many vertices and frames fewer rounds, at least 1.
 constexpr double kMostProducts = 3e10;
 constexpr int kFutile = 6;            ///< Rounds without improvement before the search ends.
 constexpr double kLeastShare = 0.05;  ///< Least weight factor of a vertex, relative to one at the bound.

@@ -76,7 +76,6 @@ void bindingMatrices(const Skeleton& skeleton, const Pose& pose, std::vector<glm
 
 // Sums over poses, by instruction set.
 
-/// A pose for fitting weights.
 struct PoseToFit {
   std::span<const glm::dmat4> matrices;  ///< [bindings, helpers] world of the bind pose -> world now.
   std::span<const glm::vec3> live;       ///< [count] vertices of the live surface; world.

@@ -18,8 +18,7 @@
 
 namespace sinew::gltf {
 
-/// Humanoid bones and expressions of a .vrm file, 1.0 (VRMC_vrm) or 0.x (VRM); empty for other files. Unchecked, except
-/// that numbers are indices.
+/// Humanoid bones and expressions of a .vrm file 1.0 (VRMC_vrm) or 0.x (VRM); else empty. Only indices are checked.
 struct Vrm {
   struct HumanBone {
     std::string name;  ///< "leftUpperArm"

@@ -157,8 +157,7 @@ class TextureReader {
  public:
   TextureReader(File& file, Notes& notes) : file_(file), notes_(notes) {}
 
-  /// Index into take(), or -1 for one that cannot be read, which is noted. Refuses an unsound texture, and a uri
-  /// outside the folder.
+  /// Index into take(); -1: unreadable, which is noted. Refuses an unsound texture and a uri outside the folder.
   int read(int index) {
     const std::string place = placeOf("textures", toIndex(index));
     file_.expectSound(place);
@@ -236,8 +235,7 @@ UvSource uvSourceOf(int set, const tinygltf::Value* transform) {
   return uv;
 }
 
-/// Map from the coordinates of `from` to those of `to`, as in TextureMap::place. nullopt: different sets, or a singular
-/// `from`.
+/// Map from the coordinates of `from` to those of `to`, as TextureMap::place. nullopt: other set, or singular `from`.
 std::optional<std::array<glm::vec3, 2>> placeFrom(const UvSource& from, const UvSource& to) {
   if (from.set != to.set) return std::nullopt;
   if (from.transform == to.transform) return TextureMap{}.place;

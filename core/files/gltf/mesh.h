@@ -43,7 +43,6 @@ struct SoupPart {
   std::size_t endVertex = 0;
 };
 
-/// Origin of a soup.
 struct SoupOrigin {
   std::vector<SoupPart> parts;            ///< In the soup's order; only those with triangles.
   std::vector<std::uint32_t> fileVertex;  ///< [N] number of each vertex in its primitive.

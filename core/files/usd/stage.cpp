@@ -258,8 +258,7 @@ void putSamples(const std::string& declaration, std::span<const double> frames, 
   text.close();
 }
 
-/// USD animates blend shapes by name, all meshes together; glTF node by node. So each target of each node has a name of
-/// its own. At rest USD has no weights but 0.
+/// USD animates blend shapes by name, glTF by node, so each target of a node has its own name. At rest weights are 0.
 class BlendShapes {
  public:
   BlendShapes(const gltf::File& file, const gltf::NodeTree& tree, std::span<const Mesh> meshes) {

@@ -50,8 +50,7 @@ template <class Value>
 [[nodiscard]] std::string quoted(const std::string& text);
 [[nodiscard]] std::string quotedList(std::span<const std::string> texts);  ///< `["a", "b"]`
 
-/// Letters, digits and underscores, no digit first; other characters become underscores.
-/// @param otherwise  for a text without any letter or digit
+/// Letters, digits, underscores, no digit first; others become underscores. @param otherwise  without letter or digit
 [[nodiscard]] std::string identifierOf(const std::string& text, const std::string& otherwise);
 
 /// Unique names of sibling prims.

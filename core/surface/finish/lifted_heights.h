@@ -1,5 +1,4 @@
-// core/surface/finish/lifted_heights.h: the heights of moved vertices over their patch, a bound for their slopes and a
-// filter. docs/design.md, Slopes and Sampling.
+// core/surface/finish/lifted_heights.h: heights over the patch, bound and filter. docs/design.md, Slopes and Sampling.
 #pragma once
 
 #include <array>

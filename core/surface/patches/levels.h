@@ -42,8 +42,7 @@ struct LevelTolerance {
   float normalCosine = 0.99f;  ///< Between sampled and interpolated normals where the surface is smooth.
 };
 
-/// Distance of a sample from a flat piece: from the point with the sample's own barycentric coordinates, or from the
-/// plane, whichever is less.
+/// Distance of a sample from a flat piece: from the point of its barycentric coordinates or the plane, the lesser one.
 [[nodiscard]] float distanceFromPiece(const glm::vec3& sample, const std::array<glm::vec3, 3>& corners,
                                       const std::array<float, 3>& shares);
 

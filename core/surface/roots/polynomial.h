@@ -71,8 +71,7 @@ class RealRoots {
   std::size_t count_ = 0;
 };
 
-/// Real roots of c[0] + c[1] u + ... + c[4] u^4, ascending; a multiple root may come once. Leading coefficients that
-/// are negligible beside the others count as 0.
+/// Real roots of c[0] + ... + c[4] u^4, ascending; a multiple root may come once. Negligible leading c count as 0.
 [[nodiscard]] RealRoots realRoots(const std::array<double, 5>& c);
 
 /// sum b_i B_i^n(u), u in [0, 1], with a degree up to 10, for shaped primitives.

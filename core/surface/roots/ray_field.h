@@ -1,5 +1,4 @@
-// core/surface/roots/ray_field.h: the field along a ray and its first root. An ellipsoid is a quadratic in t (paper
-// 4.1), a shaped primitive a few polynomials.
+// core/surface/roots/ray_field.h: the field along a ray, piecewise polynomial (paper 4.1), and its first root.
 #pragma once
 
 #include <array>
@@ -38,8 +37,7 @@ struct PolynomialSums {
   std::vector<Polynomial> sums;  ///< One per clique.
 };
 
-/// Memory reused from ray to ray, so that nothing is allocated. Its contents mean nothing to the next call. One per
-/// thread.
+/// Memory reused from ray to ray, so that nothing is allocated; carries nothing over. One per thread.
 struct RayScratch {
   std::vector<ValueAndSlope> ofSlot;
   std::vector<double> breakpoints;

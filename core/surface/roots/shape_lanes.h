@@ -177,9 +177,8 @@ class ShapeOnRays {
   std::size_t first_;
 };
 
-/// Intersects lines p + t d with a shape. Fills in all but factor, primitive and slot.
+/// Intersects lines p + t d with a shape. Fills all but factor, primitive and slot.  @return lanes that meet its box.
 /// @param y, yd  p minus the shape's center, and d, in its unit space.
-/// @return lanes whose line meets the shape's box.
 inline M fillShape(const UnitShape& unit, const V3& y, const V3& yd, std::size_t first, LaneShape& out) {
   const V middle = zero() - dot(y, yd) / dot(yd, yd);
   const V3 point = y + middle * yd;

@@ -34,8 +34,7 @@ class ShapedStretches {
   std::size_t count_ = 0;
 };
 
-/// A ray in the unit space of a shaped primitive. Degree of r^2: 2 with a core alone, 3 with a belly, 4 with a bend, 5
-/// with both.
+/// A ray in the unit space of a shaped primitive. Degree of r^2: 2 with a core alone, 3 belly, 4 bend, 5 both.
 struct ShapedRay {
   UnitShape shape;
   glm::dvec3 start{0.0};

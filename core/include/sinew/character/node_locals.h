@@ -15,8 +15,7 @@ namespace sinew {
 /// [nodes] at a time in seconds of a file's clip; nodes without a channel are at rest.
 [[nodiscard]] std::vector<LocalTransform> sampleLocals(const Skeleton& skeleton, const AnimationClip& clip, float time);
 
-/// The pose of all bones for local transforms of nodes. A bone's node is Bone::node.
-/// @param locals [nodes] as Skeleton::nodes (asserted)
+/// The pose of all bones for node transforms (Bone::node). @param locals [nodes] as Skeleton::nodes (asserted)
 [[nodiscard]] Pose poseFromLocals(const Skeleton& skeleton, std::span<const LocalTransform> locals);
 
 }  // namespace sinew

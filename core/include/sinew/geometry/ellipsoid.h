@@ -11,8 +11,7 @@
 
 namespace sinew {
 
-/// Place and shape of an ellipsoid, never as a matrix, so that nothing needs to be decomposed. Bone space, character
-/// units.
+/// Place and shape of an ellipsoid; not a matrix, so nothing needs decomposing. Bone space, character units.
 struct Placement {
   glm::vec3 center{0.0f};
   glm::quat rotation{1.0f, 0.0f, 0.0f, 0.0f};  ///< Unit; primitive axes -> bone axes.

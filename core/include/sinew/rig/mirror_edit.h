@@ -33,8 +33,7 @@ class MirrorEdits {
   std::unique_ptr<State> state_;
 };
 
-/// A clip "Range of motion" that moves every joint through its range (docs/editor.md). No channels if no joint can
-/// turn.
+/// A clip "Range of motion" that moves every joint through its range (docs/editor.md); no channels if none can turn.
 [[nodiscard]] AnimationClip rangeOfMotion(const Character& character);
 
 }  // namespace sinew

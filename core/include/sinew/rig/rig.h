@@ -171,8 +171,7 @@ struct Rig {
 [[nodiscard]] int findGroup(const Rig& rig, GroupId id);
 [[nodiscard]] int findLine(const Rig& rig, LineId id);
 
-/// The first free name of `wanted`, `wanted 2`, `wanted 3` ... A number at the end of `wanted` is counted up: "thigh 2"
-/// -> "thigh 3".
+/// The first free of `wanted`, `wanted 2`, `wanted 3` ... A number at the end is counted up: "thigh 2" -> "thigh 3".
 [[nodiscard]] std::string freePrimitiveName(const Rig& rig, const std::string& wanted);
 [[nodiscard]] std::string freeGroupName(const Rig& rig, const std::string& wanted);
 [[nodiscard]] std::string freeLineName(const Rig& rig, const std::string& wanted);

@@ -45,8 +45,7 @@ struct VertexLayout {
 /// Error: members do not fit the stride, or the buffer is too short; then nothing is written.
 [[nodiscard]] Result<void> writeVertices(const Surface& surface, const VertexLayout& layout, std::span<std::byte> out);
 
-/// Writes texture coordinates of the drawn vertices, once per preparation: 2 floats each, as in glTF (v downwards).
-/// @param offset  byte in the vertex
+/// Writes uvs of drawn vertices, once per preparation: 2 floats, as in glTF (v down). @param offset  byte in the vertex
 [[nodiscard]] Result<void> writeUvs(const Refinement& refinement, std::size_t stride, std::size_t offset,
                                     std::span<std::byte> out);
 
