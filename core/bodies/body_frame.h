@@ -21,8 +21,7 @@ struct PartAxis {
 
   [[nodiscard]] glm::vec3 point(float u) const;
   [[nodiscard]] glm::vec3 direction(float u) const;
-  /// Away from the axis, unit.  @param angle  degrees
-  [[nodiscard]] glm::vec3 radial(float u, float angle) const;
+  [[nodiscard]] glm::vec3 radial(float u, float angle) const;  ///< Away from the axis, unit.  @param angle  degrees
   [[nodiscard]] int bone(float u) const;
 
  private:
@@ -49,15 +48,13 @@ struct BodyFrame {
 
   /// The axis on which a mark is measured: the start of a hand or foot is the end of the part before it. @param u  out
   [[nodiscard]] const PartAxis* axisOf(const Mark& mark, float& u) const;
-  /// The bone that a mark rides, or -1.
-  [[nodiscard]] int boneOf(const Mark& mark) const;
+  [[nodiscard]] int boneOf(const Mark& mark) const;  ///< The bone that a mark rides, or -1.
 };
 
 [[nodiscard]] BodyFrame makeBodyFrame(const Character& character, const BodySlots& slots);
 
 [[nodiscard]] Zone zoneOf(Slot slot, BodySide side = BodySide::kLeft);
-/// The next part towards the trunk; kSpine for the trunk.
-[[nodiscard]] Slot partBefore(Slot slot);
+[[nodiscard]] Slot partBefore(Slot slot);  ///< The next part towards the trunk; kSpine for the trunk.
 /// Zones whose skin counts when flesh is measured on a part: its own and those of its neighbours.
 [[nodiscard]] std::vector<Zone> zonesAround(Slot slot);
 

@@ -205,7 +205,6 @@ std::optional<FleshPoint> Flesh::measure(const Mark& mark, bool onSkin) const {
 
 namespace {
 
-/// The kind of body that has this limb.
 BodyKind kindOf(Slot slot) {
   if (slot >= Slot::kFrontUpper) return BodyKind::kQuadruped;
   return slot >= Slot::kUpperArm ? BodyKind::kHumanoid : BodyKind::kUnknown;
@@ -258,7 +257,6 @@ glm::vec3 joint(const Character& character, int bone) {
   return glm::vec3(at(character.skeleton.bones, bone).bindInWorld[3]);
 }
 
-/// Across the mirror plane.
 glm::vec3 mirrored(const MirrorPlan& plan, const glm::vec3& point) {
   return glm::vec3(reflected(plan.plane, glm::dvec3(point)));
 }

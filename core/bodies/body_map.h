@@ -43,16 +43,14 @@ class Flesh {
   /// Moves the axis of the frame's trunk half way between front and back.
   Flesh(const Character& character, BodyFrame& frame);
 
-  /// nullopt: the part is missing or has no skin there.
-  /// @param onSkin  false: where there is no skin, the part's median thickness is good enough
+  /// nullopt: no part, or no skin there. @param onSkin  false: without skin, the part's median thickness is good enough
   [[nodiscard]] std::optional<FleshPoint> measure(const Mark& mark, bool onSkin = true) const;
   /// The last exit of a ray from the skin of these zones, since cloth lies over skin.
   /// @param usual  farther exits belong to another limb and count only if there is no nearer one
   [[nodiscard]] std::optional<SkinExit> leave(const glm::vec3& from, const glm::vec3& direction,
                                               const std::vector<Zone>& zones,
                                               float usual = std::numeric_limits<float>::max()) const;
-  /// The skin encloses the point.
-  [[nodiscard]] bool isInside(const glm::vec3& point) const;
+  [[nodiscard]] bool isInside(const glm::vec3& point) const;  ///< The skin encloses the point.
 
  private:
   [[nodiscard]] std::optional<float> thicknessAt(const PartAxis& axis, float u, float angle,
@@ -77,7 +75,6 @@ class Flesh {
 };
 
 /// The body parts of a character: as found, replaced by those in its file, then by the rig's corrections.
-/// @param plan  of the character
 /// @param corrections  of the rig; those with a bone that the character lacks are ignored
 [[nodiscard]] BodySlots bodySlots(const Character& character, const MirrorPlan& plan,
                                   std::span<const SlotCorrection> corrections = {});
@@ -118,8 +115,7 @@ class BodyMap {
   /// The bone that is the same part, or has the same name and belongs to the same part; bones of no part are found by
   /// path and name alone. -1: the other body has no such bone.
   [[nodiscard]] int bone(int bone) const;
-  /// @param bone  has a counterpart
-  [[nodiscard]] BodyMove move(int bone, const glm::vec3& inBind) const;
+  [[nodiscard]] BodyMove move(int bone, const glm::vec3& inBind) const;  ///< @param bone  has a counterpart
   /// move() for what must lie in the flesh: pulled towards the part's axis until it does, unless it lies outside its
   /// own body already. nullopt: the other body has no flesh there.
   [[nodiscard]] std::optional<BodyMove> moveInto(int bone, const glm::vec3& inBind) const;
@@ -130,8 +126,7 @@ class BodyMap {
   [[nodiscard]] int inChain(int bone, const std::vector<int>& ours, const std::vector<int>& theirs, Slot slot) const;
   [[nodiscard]] BodyMove alongPart(Slot slot, const glm::vec3& point) const;
   [[nodiscard]] BodyMove besideBone(int bone, const glm::vec3& point) const;
-  /// Both bodies have an axis for the part.
-  [[nodiscard]] bool isMeasured(Zone zone) const;
+  [[nodiscard]] bool isMeasured(Zone zone) const;  ///< Both bodies have an axis for the part.
   [[nodiscard]] bool isOnRight(Zone zone, const glm::vec3& inBind) const;
   [[nodiscard]] std::optional<BodyMove> moved(int bone, const glm::vec3& inBind, bool into) const;
   [[nodiscard]] bool pullIn(BodyMove& move, const glm::vec3& point, bool onBothSides) const;

@@ -41,13 +41,11 @@ class FollowedBelly {
  public:
   static constexpr std::size_t kPoints = 3;
 
-  /// nullopt: there is no skin to follow, or the muscle's center lies on its bone's axis.
-  /// @param bind  the muscle in the bind pose  @param bone  the muscle's
+  /// nullopt: no skin to follow, or the muscle's center is on its bone's axis. @param bind  the muscle in the bind pose
   [[nodiscard]] static std::optional<FollowedBelly> create(const Character& character, const SkinRuns& skin,
                                                            const PosedMuscle& bind, int bone);
 
-  /// The middle first.
-  [[nodiscard]] const std::array<SkinSpot, kPoints>& spots() const { return spots_; }
+  [[nodiscard]] const std::array<SkinSpot, kPoints>& spots() const { return spots_; }  ///< The middle first.
   /// Limit of BellyMotion::ball: kMostBall, or somewhat more than in the bind pose.
   [[nodiscard]] float mostBall() const;
   /// The worst of the points; only the middle for a muscle without a line, which need not follow the skin.
@@ -71,7 +69,6 @@ class FollowedBelly {
 /// Largest BellyTrial::trouble() of a mended muscle: some room below 1, from which on check() reports.
 inline constexpr float kMendedMargin = 0.9f;
 
-/// A candidate for a muscle.
 struct BellyChoice {
   Primitive primitive;
   std::optional<MuscleLine> line;
@@ -97,16 +94,12 @@ class BellyTrial {
   BellyTrial(const BellyChoice& choice, const SurfaceSettings& surface, const Motions& motions);
 
   [[nodiscard]] bool canTell() const { return belly_.has_value(); }
-  /// The skin over its middle.
-  [[nodiscard]] const SkinSpot& spot() const { return belly_->spots()[0]; }
+  [[nodiscard]] const SkinSpot& spot() const { return belly_->spots()[0]; }  ///< The skin over its middle.
   [[nodiscard]] std::vector<int> carriers() const { return bonesAt(motions_.character(), spot()); }
-  /// In the bind pose.
-  [[nodiscard]] const BellyBody& body() const { return body_; }
-  /// Normal of the skin over it, in the bind pose.
-  [[nodiscard]] glm::vec3 outwards() const;
+  [[nodiscard]] const BellyBody& body() const { return body_; }  ///< In the bind pose.
+  [[nodiscard]] glm::vec3 outwards() const;                      ///< Normal of the skin over it, in the bind pose.
 
-  /// The worst over all poses; up to 1 is clean.
-  /// @param enough  stops after a pose that is worse than this
+  /// The worst over all poses; up to 1 is clean. @param enough  stops after a pose that is worse than this
   /// @param first  in: pose to begin with; out: pose at which it stopped
   [[nodiscard]] float trouble(float enough = std::numeric_limits<float>::max(), std::size_t* first = nullptr) const;
 
@@ -131,10 +124,8 @@ struct Finding {
   friend bool operator==(const Finding&, const Finding&) = default;
 };
 
-/// Name in files: "comes_out".
-[[nodiscard]] std::string_view nameOf(FindingKind kind);
-/// "comes out of the skin by 62 % of its height".
-[[nodiscard]] std::string textOf(const Finding& finding);
+[[nodiscard]] std::string_view nameOf(FindingKind kind);   ///< Name in files: "comes_out".
+[[nodiscard]] std::string textOf(const Finding& finding);  ///< "comes out of the skin by 62 % of its height".
 
 // Lengths of lines, of their rest length; outside of these limits a line probably passes through a joint.
 inline constexpr float kLeastStretch = 0.5f;

@@ -25,7 +25,6 @@ namespace sinew {
 inline constexpr float kClothBelow = 1e-4f;
 inline constexpr float kClothSunk = 0.05f;
 
-/// A cloth vertex below the skin.
 struct ClothSunk {
   float depth = 0.0f;  ///< Along the normal at the nearest point, units of the character; 0: above it, or far from it.
   glm::vec3 place{0.0f};   ///< That point.
@@ -39,10 +38,8 @@ class ClothMeter {
   /// @param bind  in the bind pose, without muscles.  @param height  H
   ClothMeter(const ControlMesh& mesh, const MeshLayers& layers, const Surface& bind, float height);
 
-  /// Refined vertices of cloth.
-  [[nodiscard]] std::span<const int> cloth() const { return cloth_; }
-  /// Refined triangles of skin.
-  [[nodiscard]] std::span<const int> skin() const { return skin_; }
+  [[nodiscard]] std::span<const int> cloth() const { return cloth_; }  ///< Refined vertices of cloth.
+  [[nodiscard]] std::span<const int> skin() const { return skin_; }    ///< Refined triangles of skin.
   /// [cloth]  @param surface  of the same refinement
   [[nodiscard]] std::vector<ClothSunk> below(const Surface& surface) const;
 

@@ -31,8 +31,7 @@ constexpr float kDegrees = 180.0f / std::numbers::pi_v<float>;
 constexpr float kSearchedAround = 0.3f;  ///< On both sides of the nearest point, fraction of the axis.
 constexpr int kHalvings = 40;            ///< To the last bit.
 
-/// The parameter u at whose level a point lies: the root of dot(point - axis(u), direction(u)) next to the nearest
-/// point of the axis.
+/// The u at a point's level: the root of dot(point - axis(u), direction(u)) next to the nearest point of the axis.
 float levelOf(const PartAxis& axis, const glm::vec3& point) {
   const auto level = [&](float u) { return glm::dot(point - axis.point(u), axis.direction(u)); };
   float nearest = 0.0f;

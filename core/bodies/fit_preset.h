@@ -21,8 +21,7 @@ struct PartPlace {
   float beside = 0.0f;  ///< Distance along the part from the level of u: not 0 where no level passes through the point.
 };
 
-/// Distance from the axis below which there is no angle, fraction of H.
-inline constexpr float kOnAxis = 1e-5f;
+inline constexpr float kOnAxis = 1e-5f;  ///< Distance from the axis below which there is no angle, fraction of H.
 
 /// @param leastAway  distance from the axis below which the angle is 0
 [[nodiscard]] PartPlace placeAt(const PartAxis& axis, const glm::vec3& point, float leastAway);

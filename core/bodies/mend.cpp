@@ -336,7 +336,6 @@ void sayItLeaves(std::string& said) {
   said += std::string(said.empty() ? "" : ", ") + "and it still leaves the flesh somewhere";
 }
 
-/// Takes the choice's line, bone and placement.
 Result<Mended> withChoice(Rig rig, int line, int belly, BellyChoice choice) {
   Mended out;
   out.said = std::move(choice.said);
@@ -359,8 +358,7 @@ Result<Mended> withChoice(Rig rig, int line, int belly, BellyChoice choice) {
   return out;
 }
 
-/// For a single muscle that no line mends: deeper, else with its other end or itself at another place.
-/// @param best  the best line found  @return nullopt: nothing helps
+/// For a single muscle that no line mends: deeper, else with its other end or itself elsewhere. nullopt: nothing helps.
 std::optional<Result<Mended>> withNewPlace(const Rig& rig, int line, int belly, const LineChoice& best,
                                            const Motions& motions, MadeLine made) {
   const BellyChoice drawn{at(rig.primitives, belly), at(rig.lines, line), {}};

@@ -59,17 +59,15 @@ struct MendedRig {
   std::vector<std::string> said;  ///< One entry for each changed line: "calf L: pivot 0.3".
 };
 
-/// Mends every line with findings, together with its twin. Muscles without a line are left to the designer.
-/// @param findings  check() of this rig  @param plan  null: twins stay as they are
+/// Mends every line with findings (check()) and its twin; not muscles without a line. @param plan  null: twins stay
 [[nodiscard]] Result<MendedRig> withMendedFindings(Rig rig, std::span<const Finding> findings, const Motions& motions,
                                                    const MirrorPlan* plan);
 
 /// check(), for the primitives from `first` on.
 [[nodiscard]] std::vector<Finding> findingsFrom(const Rig& rig, std::size_t first, const Motions& motions);
 
-/// Mends lines (withMendedFindings), then bellies that still have findings (withMendedBelly), and removes skin of other
-/// limbs from territories. Findings may remain.
-/// @param plan  null: twins stay as they are
+/// withMendedFindings(), then withMendedBelly() for bellies that still have findings; removes skin of other limbs from
+/// territories. Findings may remain. @param plan  null: twins stay as they are
 [[nodiscard]] Result<MendedRig> withMendedRig(Rig rig, std::size_t first, const Motions& motions,
                                               const MirrorPlan* plan);
 

@@ -65,8 +65,7 @@ class SkinRuns {
 [[nodiscard]] std::vector<int> bonesAt(const Character& character, const SkinSpot& spot);
 
 /// Lines from `first` on learn their full contraction from all clips (withLearned), twins from the side that gets
-/// shorter. A line that never shortens keeps its setting.
-/// @param character  with the range of motion as a clip
+/// shorter; a line that never shortens keeps its setting. @param character  with the range of motion as a clip
 [[nodiscard]] Rig withLearnedLengths(Rig rig, std::size_t first, const Character& character);
 
 /// Poses of all clips of a character and its range of motion, fifteen per second, each with its clip and time.
@@ -84,8 +83,7 @@ class Motions {
 
   /// [poses * spots] frameAt() for each pose and spot.
   [[nodiscard]] std::vector<std::optional<SkinFrame>> framesOf(std::span<const SkinSpot> spots) const;
-  /// [poses] positions of a control vertex, world.
-  [[nodiscard]] std::vector<glm::vec3> placesOf(int vertex) const;
+  [[nodiscard]] std::vector<glm::vec3> placesOf(int vertex) const;  ///< [poses] positions of a control vertex, world.
 
  private:
   std::shared_ptr<const Character> character_;

@@ -60,8 +60,7 @@ LineSettings carryingOnly() {
   return settings;
 }
 
-/// Bones that carry the skin and are next to the muscle's own, the largest weight first: a muscle of the neck must not
-/// ride the head.
+/// Bones next to the muscle's own that carry its skin, most weight first: a muscle of the neck must not ride the head.
 std::vector<int> nearCarriers(const BellyChoice& now, const BellyTrial& trial, const Skeleton& skeleton) {
   std::vector<int> own{*skeleton.findBone(now.primitive.bone)};
   if (now.line) {

@@ -46,8 +46,7 @@ class OwnSkin {
   [[nodiscard]] int bone() const { return bone_; }
   /// Triangles whose weight is close to the largest; may be empty.
   [[nodiscard]] const std::vector<OwnTriangle>& firm() const { return firm_; }
-  /// Mean of the middles of firm().
-  [[nodiscard]] const glm::vec3& middle() const { return middle_; }
+  [[nodiscard]] const glm::vec3& middle() const { return middle_; }  ///< Mean of the middles of firm().
   /// The nearest place to a point in the bind pose, on skin with at least half the largest weight.
   [[nodiscard]] std::optional<SkinFrame> nearest(const glm::vec3& point) const;
 
@@ -62,15 +61,13 @@ class OwnSkin {
 /// The bone of the line that the belly follows. The tendon at the other end crosses the joint.
 enum class BellyBone { kOrigin, kInsertion };
 
-/// Makes candidates for a drawn muscle, to be measured by a BellyTrial. Their lines twist with the belly's bone, and
-/// girth grows from the line.
+/// Makes candidates for a drawn muscle, for BellyTrial. Lines twist with the belly's bone; girth grows from the line.
 class RelaidBelly {
  public:
   /// @param drawn  on a line with a valid rest (lineRest)  @param trial  of `drawn`
   RelaidBelly(const BellyChoice& drawn, const BellyTrial& trial, const Character& character);
 
-  /// The belly as it is.
-  /// @param reach  the other end's distance from the joint, fraction of that drawn
+  /// The belly as it is. @param reach  the other end's distance from the joint, fraction of that drawn
   [[nodiscard]] BellyChoice asDrawn(BellyBone bone, float reach) const;
   /// Shorter, towards its own end. nullopt: too short, or the line runs straight out of the skin there.
   /// @param tendon  at the other end, fraction of the line
@@ -82,10 +79,8 @@ class RelaidBelly {
   /// Under skin of a bone, without a line. nullopt: the bone carries no skin.
   [[nodiscard]] std::optional<BellyChoice> riding(const OwnSkin& skin, const glm::vec3& near, float inwards) const;
 
-  /// Distance from the middle of the belly as drawn.
-  [[nodiscard]] float distanceOf(const BellyChoice& choice) const;
-  /// Near enough to count as the muscle that was drawn.
-  [[nodiscard]] bool isNear(const BellyChoice& choice) const;
+  [[nodiscard]] float distanceOf(const BellyChoice& choice) const;  ///< Distance from the middle of the belly as drawn.
+  [[nodiscard]] bool isNear(const BellyChoice& choice) const;  ///< Near enough to count as the muscle that was drawn.
 
   [[nodiscard]] const OwnSkin& skin(BellyBone bone) const { return skins_[bone == BellyBone::kOrigin ? 0 : 1]; }
   [[nodiscard]] glm::vec3 ownEnd(BellyBone bone) const;
@@ -110,8 +105,7 @@ class RelaidBelly {
 
 /// Moves the primitive to another bone; its place in the bind pose stays.
 void rideBone(Primitive& primitive, int bone, const Skeleton& skeleton);
-/// Without its line.
-[[nodiscard]] BellyChoice offItsLine(BellyChoice choice);
+[[nodiscard]] BellyChoice offItsLine(BellyChoice choice);  ///< Without its line.
 /// Higher by its lower side alone, and wider, so that the skin's motion is a smaller fraction of it.
 [[nodiscard]] BellyChoice larger(BellyChoice choice, float factor);
 /// With a via point at the belly's middle, on the belly's own bone.

@@ -263,8 +263,7 @@ class ClipTurns {
     return rest.matrix ? rotationIn(*rest.matrix) : unitOr(glm::dquat(rest.rotation));
   }
 
-  /// @param nodes  out: from below `above` down to the node; from the root if `above` is -1
-  /// @return false: `above` is not above the node
+  /// @param nodes  out: from below `above` (-1: from the root) to the node  @return false: the node is not below it
   bool chain(int above, int node, std::vector<int>& nodes) const {
     nodes.clear();
     int next = node;
@@ -287,9 +286,8 @@ class ClipTurns {
     return fine ? refinedTimes(std::move(times)) : times;
   }
 
-  /// left * (rotation of `above`)^-1 * (rotation of `node`) * right, in the world. If only one channel rotates the
-  /// chain between them, its keys are used, tangents included; otherwise samples. Empty: the budget is spent.
-  /// @param above  -1: the world itself
+  /// left * (rotation of `above`, -1: the world)^-1 * (rotation of `node`) * right, in the world. If only one channel
+  /// rotates the chain between them, its keys and tangents are used; otherwise samples. Empty: the budget is spent.
   Channel between(int above, int node, const glm::dquat& left, const glm::dquat& right, double& budget) const {
     Channel made;
     made.path = ChannelPath::kRotation;
@@ -390,7 +388,6 @@ void shorten(Channel& channel) {
 
 std::size_t placeOf(int node, ChannelPath path) { return 2 * toIndex(node) + (path == ChannelPath::kRotation ? 0 : 1); }
 
-/// The new channels, by node.
 class MadeChannels {
  public:
   explicit MadeChannels(std::size_t nodes) : places_(2 * nodes, -1) {}

@@ -13,7 +13,6 @@
 
 namespace sinew {
 
-/// Two skeletons with their body parts.
 struct ClipBodies {
   const Skeleton& from;  ///< Has the clips.
   const Skeleton& to;    ///< Plays them.

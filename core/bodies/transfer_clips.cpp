@@ -44,8 +44,7 @@ Keys paths(const Skeleton& skeleton) {
 std::string withoutPrefix(std::string name) {
   const std::size_t outer = name.find_last_of(kOuterSeparators);
   if (outer != std::string::npos && outer + 1 < name.size()) name.erase(0, outer + 1);
-  // 3ds Max: "Bip01 L Thigh", "Bip001_Pelvis".
-  std::size_t end = 3;
+  std::size_t end = 3;  // 3ds Max: "Bip01 L Thigh", "Bip001_Pelvis".
   if (!lowerCase(name).starts_with("bip")) return name;
   while (end < name.size() && std::isdigit(static_cast<unsigned char>(name[end])) != 0) ++end;
   const bool isBiped = end > 3 && end + 1 < name.size() && (name[end] == ' ' || name[end] == '_');

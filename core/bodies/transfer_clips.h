@@ -15,8 +15,7 @@ namespace sinew {
 /// Matches bones one to one, by the first of: same name; same path; same name without its prefix ("mixamorig:",
 /// "Armature|", "Bip01 "); same letters and digits without the beginning that nearly all names share; same body part. A
 /// name counts only where it is unique on both sides. docs/characters.md.
-/// @param from  has the clips  @param to  plays them
-/// @return [bones of to] bone of from, or -1
+/// @param from  has the clips  @param to  plays them  @return [bones of to] bone of from, or -1
 [[nodiscard]] std::vector<int> matchBones(const Skeleton& from, const BodySlots& fromSlots, const Skeleton& to,
                                           const BodySlots& toSlots);
 

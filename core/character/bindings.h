@@ -11,8 +11,7 @@
 
 namespace sinew {
 
-/// [bones] Skin follows the bone.
-[[nodiscard]] std::vector<bool> bonesWithSkin(const Character& character);
+[[nodiscard]] std::vector<bool> bonesWithSkin(const Character& character);  ///< [bones] Skin follows the bone.
 
 /// [bones] No skin follows the bone or any below it (core/character/joint_roles.h).
 [[nodiscard]] std::vector<bool> helperBones(const Character& character);

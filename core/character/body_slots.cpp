@@ -148,8 +148,7 @@ struct Laying {
   }
 };
 
-/// The bone of each part, each further out than the one before, by dynamic programming.
-/// @param parts  from the trunk outwards, of one limb
+/// Bone of each part, ever further out, by dynamic programming. @param parts  of one limb, from the trunk outwards
 std::vector<SlotBone> partsOfLimb(const SlotSearch& search, const LimbChain& chain, std::span<const Slot> parts) {
   const Laying laying{search, chain, parts};
   const std::size_t bones = chain.bones.size();

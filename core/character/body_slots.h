@@ -50,16 +50,12 @@ struct BodySlot {
   friend bool operator==(const BodySlot&, const BodySlot&) = default;
 };
 
-/// "upperArm", as in VRM.
-[[nodiscard]] const char* nameOf(Slot slot);
+[[nodiscard]] const char* nameOf(Slot slot);  ///< "upperArm", as in VRM.
 [[nodiscard]] std::optional<Slot> slotNamed(std::string_view name);
 
-/// All parts, the center ones first.
-[[nodiscard]] const std::array<BodySlot, 35>& allBodySlots();
-/// Index into allBodySlots().
-[[nodiscard]] std::size_t indexOf(BodySlot slot);
-/// "hips", "upperArm.L".
-[[nodiscard]] const char* nameOf(BodySlot slot);
+[[nodiscard]] const std::array<BodySlot, 35>& allBodySlots();  ///< All parts, the center ones first.
+[[nodiscard]] std::size_t indexOf(BodySlot slot);              ///< Index into allBodySlots().
+[[nodiscard]] const char* nameOf(BodySlot slot);               ///< "hips", "upperArm.L".
 [[nodiscard]] std::optional<BodySlot> bodySlotNamed(std::string_view name);
 
 enum class BodyKind { kUnknown, kHumanoid, kQuadruped };
@@ -109,9 +105,7 @@ struct BodySlots {
 /// trunk and front limbs that reach the ground too. Unclear parts stay missing. docs/muscles.md.
 [[nodiscard]] BodySlots findBodySlots(const Skeleton& skeleton, const SlotHints& hints);
 
-/// "sure", "named", "placed", "missing", "given"
-[[nodiscard]] const char* nameOf(SlotConfidence confidence);
-/// "humanoid", "quadruped", "unknown"
-[[nodiscard]] const char* nameOf(BodyKind kind);
+[[nodiscard]] const char* nameOf(SlotConfidence confidence);  ///< "sure", "named", "placed", "missing", "given"
+[[nodiscard]] const char* nameOf(BodyKind kind);              ///< "humanoid", "quadruped", "unknown"
 
 }  // namespace sinew

@@ -36,8 +36,7 @@ struct SideMarker {
 /// has no marker or several, or nothing would be left.
 [[nodiscard]] std::string withoutSide(const std::string& name);
 
-/// Letters in lower case: "Upper_Arm.L" -> "upperarml".
-[[nodiscard]] std::string lettersOf(std::string_view name);
+[[nodiscard]] std::string lettersOf(std::string_view name);  ///< Letters in lower case: "Upper_Arm.L" -> "upperarml".
 
 /// Words in lower case, separated by anything but letters or by a capital after a small letter: "Armature|WalkCycle_01"
 /// -> "armature", "walk", "cycle".
@@ -60,8 +59,7 @@ struct BoneName {
 /// 0 as well for something else.
 [[nodiscard]] int nameFits(const BoneName& name, Slot slot);
 
-/// The kind of limb in a name.
-enum class LimbWord { kNone, kArm, kLeg, kFrontLeg, kHindLeg };
+enum class LimbWord { kNone, kArm, kLeg, kFrontLeg, kHindLeg };  ///< The kind of limb in a name.
 [[nodiscard]] LimbWord limbWord(const BoneName& name);
 
 }  // namespace sinew

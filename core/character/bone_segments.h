@@ -51,8 +51,7 @@ struct BoneSegment {
   [[nodiscard]] Segment segment() const { return {head, tail - head}; }
 };
 
-/// One for every child of every bone, in the order of the bones.
-/// @param hidden  [bones] left out; empty: none
+/// One for every child of every bone, in the order of the bones. @param hidden  [bones] left out; empty: none
 [[nodiscard]] std::vector<BoneSegment> boneSegments(const Skeleton& skeleton, const Pose& pose,
                                                     const std::vector<bool>& hidden = {});
 

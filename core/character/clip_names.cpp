@@ -16,8 +16,7 @@ namespace sinew {
 
 namespace {
 
-/// In order of preference.
-enum class ClipKind { kWalk, kIdle, kRun, kOther, kViolent };
+enum class ClipKind { kWalk, kIdle, kRun, kOther, kViolent };  ///< In order of preference.
 
 template <std::size_t kCount>
 bool isOneOf(const std::string& word, const std::array<std::string_view, kCount>& list) {

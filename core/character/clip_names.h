@@ -17,8 +17,7 @@ namespace sinew {
 
 inline constexpr const char* kNoClips = "the character has no clips";
 
-/// kNoClips, or a list of the clips and the one probably meant.
-/// @param made  names of further clips that are available, such as the range of motion
+/// kNoClips, or the clips and the one probably meant. @param made  names of others available, as the range of motion
 [[nodiscard]] std::string noSuchClip(const std::string& name, const std::vector<AnimationClip>& clips,
                                      const std::vector<std::string>& made = {});
 

@@ -24,8 +24,7 @@ struct SlotSearch {
   float height = 1.0f;
 
   [[nodiscard]] int parentOf(int bone) const;
-  /// +1: left, -1: right, 0: neither.
-  [[nodiscard]] int sideOf(int bone) const;
+  [[nodiscard]] int sideOf(int bone) const;               ///< +1: left, -1: right, 0: neither.
   [[nodiscard]] bool isAbove(int above, int bone) const;  ///< In the tree; true for the bone itself.
   [[nodiscard]] int commonAncestor(int a, int b) const;   ///< -1: none.
 };

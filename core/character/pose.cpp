@@ -18,9 +18,8 @@
 namespace sinew {
 namespace {
 
-/// In double: a bone of meters may be below a node scaled by 0.01.
-/// @param nodes        [nodes] in: relative to the parent; out: in the world
-/// @param boneInWorld  [bones] its memory is reused
+/// In double: a bone of meters may be below a node scaled by 0.01. @param boneInWorld  [bones] its memory is reused
+/// @param nodes  [nodes] in: relative to the parent; out: in the world
 void followParents(const Skeleton& skeleton, std::span<glm::dmat4> nodes, std::vector<glm::mat4>& boneInWorld) {
   for (std::size_t n = 0; n < nodes.size(); ++n) {
     const int parent = skeleton.nodes[n].parent;

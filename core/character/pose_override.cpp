@@ -45,7 +45,6 @@ glm::dmat3 boundFrame(const Skeleton& skeleton, const Bone& bone, const Pose& po
   return frameOf(glm::dmat4(pose.boneInWorld[parent])) * glm::transpose(parentBound) * bound;
 }
 
-/// Rotation about a point.
 glm::dmat4 about(const glm::dvec3& point, const glm::dmat3& rotation) {
   glm::dmat4 turned(rotation);
   turned[3] = glm::dvec4(point - rotation * point, 1.0);
@@ -76,8 +75,7 @@ glm::quat PoseOverrides::turnOf(int bone) const {
 void PoseOverrides::set(int bone, const glm::quat& turn) {
   const float length = glm::length(turn);
   const bool usable = length > 0.0f && std::isfinite(length);
-  // Setting the same turn again must not change a bit.
-  const bool isUnit = std::abs(length - 1.0f) < 1e-6f;
+  const bool isUnit = std::abs(length - 1.0f) < 1e-6f;  // Setting the same turn again must not change a bit.
   const glm::quat unit = isUnit ? turn : (usable ? turn / length : glm::quat(1.0f, 0.0f, 0.0f, 0.0f));
   const auto found = std::ranges::lower_bound(turns, bone, {}, &JointTurn::bone);
   const bool there = found != turns.end() && found->bone == bone;
@@ -142,8 +140,7 @@ glm::quat mirroredTurn(const glm::quat& turn, const Bone& bone, const Bone& twin
   const glm::dmat3 mirror = glm::dmat3(1.0) - 2.0 * glm::outerProduct(n, n);
   const glm::dmat3 frame = frameOf(glm::dmat4(bone.bindInWorld));
   const glm::dmat3 inTwin = glm::transpose(frameOf(glm::dmat4(twin.bindInWorld))) * mirror * frame;
-  // A reflection keeps the angle and transforms the axis as a pseudovector.
-  const glm::dquat q(turn);
+  const glm::dquat q(turn);  // A reflection keeps the angle and transforms the axis as a pseudovector.
   const glm::dvec3 axis = glm::determinant(inTwin) * (inTwin * glm::dvec3(q.x, q.y, q.z));
   return glm::quat(glm::normalize(glm::dquat(q.w, axis.x, axis.y, axis.z)));
 }

@@ -32,8 +32,7 @@ struct PoseOverrides {
   TurnsFrom from = TurnsFrom::kMoment;
 
   [[nodiscard]] bool isEmpty() const { return turns.empty(); }
-  /// The identity for a bone that is not turned.
-  [[nodiscard]] glm::quat turnOf(int bone) const;
+  [[nodiscard]] glm::quat turnOf(int bone) const;  ///< The identity for a bone that is not turned.
   /// Normalizes; the identity, also as -1, or a quaternion that cannot be normalized removes the bone's turn.
   void set(int bone, const glm::quat& turn);
 
@@ -43,15 +42,13 @@ struct PoseOverrides {
 /// The frame N of a joint, columns in the world; orthonormal also if the bone is sheared or flattened.
 [[nodiscard]] glm::mat3 turnFrame(const glm::mat4& boneInWorld);
 
-/// The pose with the turns. Bones that no turn affects stay bit for bit; turns of bones beyond the skeleton are
-/// ignored.
+/// The pose with the turns. Bones that no turn affects stay bit for bit; turns of bones that it lacks are ignored.
 [[nodiscard]] Pose posed(const Skeleton& skeleton, Pose pose, const PoseOverrides& overrides);
 
 /// The turn with which TurnsFrom::kBindPose gives a bone its orientation in the pose.
 [[nodiscard]] glm::quat heldTurn(const Skeleton& skeleton, const Pose& pose, int bone);
 
-/// Turns that give the same joints the same orientation, but are added to another pose.
-/// @param sampled  the pose without turns.
+/// Turns that give the same joints the same orientation on top of another pose. @param sampled  the pose without turns.
 [[nodiscard]] PoseOverrides startingFrom(TurnsFrom from, const Skeleton& skeleton, const Pose& sampled,
                                          const PoseOverrides& overrides);
 

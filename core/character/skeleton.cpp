@@ -73,8 +73,7 @@ std::optional<int> Skeleton::findBone(std::string_view nameOrPath) const {
 
 const std::string& Skeleton::fileName(int bone) const {
   const Bone& found = at(bones, bone);
-  // findBone() prefers unique names to paths.
-  return nameIsUnique(*this, found.name) ? found.name : found.path;
+  return nameIsUnique(*this, found.name) ? found.name : found.path;  // findBone() prefers unique names to paths.
 }
 
 void finishBones(Skeleton& skeleton) {

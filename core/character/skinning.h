@@ -9,8 +9,7 @@
 
 namespace sinew {
 
-/// Positions and normals of the control mesh with morph targets, in the bind pose. Remembers its weights, so that
-/// unchanged weights cost nothing; use one object for one character.
+/// The control mesh with morph targets, bind pose. Unchanged weights cost nothing; use one object for one character.
 struct MorphedMesh {
   bool isMorphed = false;             ///< False: the mesh's own positions and normals apply.
   std::vector<glm::vec3> positions;   ///< [V] bind pose, world.
@@ -22,8 +21,7 @@ struct MorphedMesh {
   bool fansMade = false;
 };
 
-/// v = v0 + sum of w dv, with angle-weighted normals: as if the file were imported with these base positions, but
-/// welded as the base is.
+/// v = v0 + sum of w dv, with angle-weighted normals, as if imported with these base positions, but welded as the base.
 /// @param weights [targets] finite.
 void morph(const Character& character, std::span<const float> weights, MorphedMesh& out);
 
@@ -48,8 +46,7 @@ struct SkinnedMesh {
 /// rounding. Reuses the output's memory; use one output for one character.
 /// @param morphWeights [targets] or empty: as in the file.
 void skin(const Character& character, const Pose& pose, std::span<const float> morphWeights, SkinnedMesh& out);
-/// The same with the pose's own weights.
-void skin(const Character& character, const Pose& pose, SkinnedMesh& out);
+void skin(const Character& character, const Pose& pose, SkinnedMesh& out);  ///< The same with the pose's own weights.
 
 /// Transforms other directions of the control vertices to the same pose, as normals.
 /// @param bind [V] bind pose, unit.  @param skinned by skin().  @param out [V] world, unit; its memory is reused.

@@ -1,5 +1,4 @@
-// core/character/skinning_kernel.cpp: linear blend skinning, compiled once per instruction set. Every lane does the
-// same operations in the same order with every set.
+// core/character/skinning_kernel.cpp: linear blend skinning, compiled per instruction set; all sets give the same bits.
 #include "core/character/skinning_kernel.h"
 
 #include <algorithm>

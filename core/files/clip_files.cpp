@@ -42,7 +42,6 @@ namespace {
 
 bool isAdded(const AnimationClip& clip) { return !clip.addedFrom.empty(); }
 
-/// Adds the clips of a file to the character.
 ClipFileReport addFile(const std::string& file, const std::filesystem::path& path,
                        std::span<const SlotCorrection> corrections, Character& character) {
   ClipFileReport report{file, path};

@@ -9,13 +9,10 @@
 
 namespace sinew {
 
-/// Error: place is the JSON path.
-[[nodiscard]] Result<Preset> presetFromJson(const std::string& text);
-/// Refuses files over 4 MiB.
-[[nodiscard]] Result<Preset> loadPreset(const std::filesystem::path& file);
+[[nodiscard]] Result<Preset> presetFromJson(const std::string& text);        ///< Error: place is the JSON path.
+[[nodiscard]] Result<Preset> loadPreset(const std::filesystem::path& file);  ///< Refuses files over 4 MiB.
 
-/// Numbers are the shortest that read back bit-equal.
-[[nodiscard]] std::string presetToJson(const Preset& preset);
+[[nodiscard]] std::string presetToJson(const Preset& preset);  ///< Numbers are the shortest that read back bit-equal.
 [[nodiscard]] Result<void> savePreset(const Preset& preset, const std::filesystem::path& file);
 
 }  // namespace sinew

@@ -9,8 +9,7 @@
 
 namespace sinew {
 
-/// Omits defaults.
-[[nodiscard]] Json lineNode(const MuscleLine& line);
+[[nodiscard]] Json lineNode(const MuscleLine& line);  ///< Omits defaults.
 [[nodiscard]] MuscleLine readLine(Reader& reader, const Json& node, const Place& place);
 
 /// Sets "animated" of a primitive, line, shape or the surface, unless empty.

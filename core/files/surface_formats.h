@@ -25,7 +25,6 @@ struct MaterialRun {
 enum class Maps { kBaseColor, kAll };
 [[nodiscard]] std::vector<int> usedTextures(const std::vector<int>& materials, const Character& character, Maps maps);
 
-/// An encoded image.
 struct ImageFile {
   std::string bytes;
   std::string mimeType;  ///< "image/png" or "image/jpeg".
@@ -35,7 +34,6 @@ struct ImageFile {
 /// The texture's original PNG or JPEG, else a PNG made from its pixels.
 [[nodiscard]] ImageFile imageFile(const Texture& texture);
 
-/// A file beside the main one.
 struct SideFile {
   std::string name;
   std::string bytes;

@@ -79,8 +79,7 @@ void putEmissive(const Material& from, bool withMap, std::set<std::string>& exte
   extensions.insert("KHR_materials_emissive_strength");
 }
 
-/// @param textureNumber  the character's -> the file's
-/// @param extensions  receives those in use
+/// @param textureNumber  the character's -> the file's  @param extensions  receives those in use
 tinygltf::Material gltfMaterial(const Material& from, const std::map<int, int>& textureNumber,
                                 std::set<std::string>& extensions) {
   tinygltf::Material material;

@@ -16,8 +16,7 @@ namespace {
 constexpr double kEven = 1e-6;     // Relative tolerance of lengths and angles: below the precision of floats in a file.
 constexpr int kJacobiSweeps = 40;  // At most about eight are needed.
 
-/// Rotation of the image under an improper orthogonal map. Either one axis or all three must be negated; the map
-/// decides which, so that the map and its inverse agree.
+/// Rotation under an improper orthogonal map, which decides whether one or all axes are negated, as its inverse does.
 glm::dquat properRotation(const glm::dmat3& linear, const glm::dquat& rotation) {
   // p = -linear as a rotation: near the unit quaternion all three are negated, near i, j or k that axis.
   const glm::dquat p = glm::normalize(glm::quat_cast(-linear));
@@ -149,8 +148,7 @@ Placement withLongAxisY(const Placement& placement) {
   if (!placement.shape.isPlain()) return placement;
   if (r.y >= r.x && r.y >= r.z) return placement;
   Placement turned = placement;
-  // A third of a turn about (1, 1, 1), either way.
-  const float side = r.x >= r.z ? -0.5f : 0.5f;
+  const float side = r.x >= r.z ? -0.5f : 0.5f;  // A third of a turn about (1, 1, 1), either way.
   turned.rotation = glm::normalize(placement.rotation * glm::quat(0.5f, side, side, side));
   turned.radii = side < 0.0f ? glm::vec3(r.z, r.x, r.y) : glm::vec3(r.y, r.z, r.x);
   return turned;

@@ -9,8 +9,7 @@
 
 namespace sinew {
 
-/// One number of a shape, for everything that treats them alike: files, limits, mirror images, keys and drivers, the
-/// inspector, shaders.
+/// A number of a shape, for files, limits, mirror images, keys, drivers, the inspector and shaders.
 struct ShapeNumber {
   static constexpr int kNoAxis = -1;
 
@@ -32,10 +31,8 @@ struct ShapeNumber {
   [[nodiscard]] std::pair<float, float> range(const Shape& shape, float reach) const;
 };
 
-/// In the order of Shape's members.
-[[nodiscard]] std::span<const ShapeNumber, kShapeNumbers> shapeNumbers();
-/// Grouped by key.
-[[nodiscard]] std::span<const std::span<const ShapeNumber>> shapeKeys();
+[[nodiscard]] std::span<const ShapeNumber, kShapeNumbers> shapeNumbers();  ///< In the order of Shape's members.
+[[nodiscard]] std::span<const std::span<const ShapeNumber>> shapeKeys();   ///< Grouped by key.
 
 /// x -> linear x + offset.
 struct AffineMap {

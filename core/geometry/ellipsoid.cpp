@@ -50,8 +50,7 @@ UnitBallMap unitBallMap(const Placement& inBone, float reach, const glm::mat4& b
     return map;
   }
   if (const double radius = map.isPlain() ? ballRadius(axes) : 0.0; radius > 0.0) {
-    // Without rotation, which makes no difference to a sphere.
-    map.form = UnitForm::kSphere;
+    map.form = UnitForm::kSphere;  // Without rotation, which makes no difference to a sphere.
     map.inverseRadius = static_cast<float>(1.0 / radius);
     map.toUnit = glm::mat3(map.inverseRadius);
     map.boundingRadius = static_cast<float>(radius * (1.0 + kRound));

@@ -44,8 +44,7 @@ inline constexpr std::uint64_t kSplitMixStep = 0x9e3779b97f4a7c15ULL;
   return bits;
 }
 
-/// Open addressing with linear probing, at most half full. Does not depend on addresses, so the same input gives the
-/// same result everywhere.
+/// Open addressing, linear probing, at most half full. Independent of addresses: the same result everywhere.
 class IndexTable {
  public:
   /// @param most  largest number of entries (asserted)

@@ -13,8 +13,7 @@ enum class InstructionSet { kAuto, kScalar, kSse4, kAvx2, kAvx512 };
 
 [[nodiscard]] const char* nameOf(InstructionSet set);
 
-/// Error: the processor lacks SSE4, which every kernel needs.
-[[nodiscard]] Result<void> checkProcessor();
+[[nodiscard]] Result<void> checkProcessor();  ///< Error: the processor lacks SSE4, which every kernel needs.
 
 /// Sets that this machine runs, kScalar first, without kAuto.
 [[nodiscard]] std::span<const InstructionSet> availableInstructionSets();
@@ -23,8 +22,7 @@ enum class InstructionSet { kAuto, kScalar, kSse4, kAvx2, kAvx512 };
 [[nodiscard]] InstructionSet chosenInstructionSet();
 /// The chosen set for stages that only have kernels. checkProcessor() must have succeeded.
 [[nodiscard]] InstructionSet chosenVectorSet();
-/// For tests and measurements. Returns the previous choice.
-InstructionSet chooseInstructionSet(InstructionSet set);
+InstructionSet chooseInstructionSet(InstructionSet set);  ///< For tests and measurements. Returns the previous choice.
 
 /// Chooses a set for its lifetime.
 class InstructionSetScope {

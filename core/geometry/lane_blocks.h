@@ -1,5 +1,4 @@
-// core/geometry/lane_blocks.h: blocks of four numbers, the layout of vectors in memory. Included once per instruction
-// set.
+// core/geometry/lane_blocks.h: blocks of four numbers, as vectors lie in memory. Included once per instruction set.
 #if defined(SINEW_LANE_BLOCKS_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef SINEW_LANE_BLOCKS_H
 #undef SINEW_LANE_BLOCKS_H

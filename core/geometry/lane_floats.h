@@ -8,7 +8,6 @@ namespace sinew {
 
 inline constexpr std::size_t kLanes = 16;
 
-/// One number per lane.
 struct alignas(64) LaneFloats {
   std::array<float, kLanes> lane;
 

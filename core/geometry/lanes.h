@@ -1,5 +1,4 @@
-// core/geometry/lanes.h: numbers and vectors in space, one in each lane of a SIMD vector as wide as the processor has.
-// Included once per instruction set.
+// core/geometry/lanes.h: numbers and vectors, one in each lane of the widest SIMD. Included once per instruction set.
 #if defined(SINEW_LANES_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef SINEW_LANES_H
 #undef SINEW_LANES_H
@@ -34,8 +33,7 @@ HWY_INLINE V all(float value) { return hn::Set(kTag, value); }
 HWY_INLINE V zero() { return hn::Zero(kTag); }
 HWY_INLINE bool any(M mask) { return !hn::AllFalse(kTag, mask); }
 HWY_INLINE M both(M a, M b) { return hn::And(a, b); }
-/// a without b.
-HWY_INLINE M andNot(M a, M b) { return hn::AndNot(b, a); }
+HWY_INLINE M andNot(M a, M b) { return hn::AndNot(b, a); }  ///< a without b.
 HWY_INLINE M none() { return hn::Ne(zero(), zero()); }
 HWY_INLINE V select(M mask, V yes, V no) { return hn::IfThenElse(mask, yes, no); }
 
@@ -127,8 +125,7 @@ HWY_INLINE void forEach(M mask, std::size_t first, Visit visit) {
   for (; bits != 0; bits &= bits - 1) visit(first + static_cast<std::size_t>(std::countr_zero(bits)));
 }
 
-/// Vectors that can be read as four numbers each, the fourth arbitrary; the last one is copied, so that reading does
-/// not go beyond the span.
+/// Vectors readable as four numbers each, the fourth arbitrary; the last is copied, to read nothing beyond the span.
 class Rows {
  public:
   explicit Rows(std::span<const glm::vec3> from) : from_(from) {
@@ -183,8 +180,7 @@ HWY_INLINE void scatterTo(const V3& v, Place place, std::size_t used) {
   const auto xyHigh = hn::BitCast(pairs, hn::InterleaveUpper(kTag, v.x, v.y));
   const auto zLow = hn::BitCast(pairs, hn::InterleaveLower(kTag, v.z, v.z));
   const auto zHigh = hn::BitCast(pairs, hn::InterleaveUpper(kTag, v.z, v.z));
-  // Lane 4 b + i in block b of row i.
-  constexpr std::size_t kWidth = hn::MaxLanes(FloatTag());
+  constexpr std::size_t kWidth = hn::MaxLanes(FloatTag());  // Lane 4 b + i in block b of row i.
   alignas(64) float rows[4 * kWidth];
   hn::Store(hn::BitCast(kTag, hn::InterleaveLower(pairs, xyLow, zLow)), kTag, rows);
   hn::Store(hn::BitCast(kTag, hn::InterleaveUpper(pairs, xyLow, zLow)), kTag, rows + kWidth);

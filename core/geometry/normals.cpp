@@ -21,8 +21,7 @@ namespace {
 
 /// Rounding tolerance of angles: an edge of exactly the crease angle is no crease.
 constexpr double kDegreesOfRounding = 0.01;
-/// Height over longest edge below which a triangle has no direction.
-constexpr double kFlatness = 1e-6;
+constexpr double kFlatness = 1e-6;  ///< Height over longest edge below which a triangle has no direction.
 /// Number of triangles of an edge with which each is compared; bounds the work for edges with very many.
 constexpr std::size_t kMostCreasesCompared = 16;
 

@@ -10,8 +10,7 @@
 
 namespace sinew {
 
-/// The crease angle without creases.
-inline constexpr float kNoCreases = 180.0f;
+inline constexpr float kNoCreases = 180.0f;  ///< The crease angle without creases.
 
 /// The same mesh with its wedges split at creases; everything else stays bit for bit. The corners of a vertex form fans
 /// of faces, joined by edges across which the surface bends by at most `degrees` (to 0.01 degrees, in the bind pose).
@@ -21,8 +20,7 @@ inline constexpr float kNoCreases = 180.0f;
 /// @param mesh welded, no wedge creased.  @param degrees 0..180; kNoCreases gives the mesh itself.
 [[nodiscard]] ControlMesh creased(const ControlMesh& mesh, float degrees);
 
-/// Whether any wedge is creased.
-[[nodiscard]] bool hasCreases(const ControlMesh& mesh);
+[[nodiscard]] bool hasCreases(const ControlMesh& mesh);  ///< Whether any wedge is creased.
 
 /// The columns span no volume up to rounding of floats: the determinant is at most a millionth of the product of their
 /// lengths. Independent of scale along the columns. True for matrices that are not finite. The only test of this kind,
@@ -35,8 +33,7 @@ inline constexpr float kNoCreases = 180.0f;
 [[nodiscard]] std::vector<glm::vec3> vertexNormals(std::span<const glm::vec3> positions,
                                                    std::span<const ControlTriangle> triangles);
 
-/// The same for some vertices only.
-/// @param asked [V] which vertices.  @param normals [V] only theirs are written.
+/// The same for some vertices. @param asked [V] which.  @param normals [V] only theirs are written.
 void updateVertexNormals(std::span<const glm::vec3> positions, std::span<const ControlTriangle> triangles,
                          const std::vector<bool>& asked, std::span<glm::vec3> normals);
 

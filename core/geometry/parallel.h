@@ -45,8 +45,7 @@ using Call = void (*)(void* use, std::size_t begin, std::size_t end);
 
 void run(std::size_t count, std::size_t least, void* use, Call call);
 
-/// Cores that this process may use; 1 where Sinew was built without oneTBB.
-[[nodiscard]] int ownThreads();
+[[nodiscard]] int ownThreads();  ///< Cores that this process may use; 1 where Sinew was built without oneTBB.
 /// run() on that many of Sinew's own threads. @param limit  this thread's limit, which holds inside too
 void runOnOwnThreads(std::size_t count, std::size_t least, int threads, int limit, void* use, Call call);
 
@@ -70,12 +69,10 @@ void forEachIndex(std::size_t count, std::size_t least, Use&& use) {
   });
 }
 
-/// Selects items of 0..count-1 in parallel blocks and compacts the blocks in order. Allocates nothing.
-/// @param least  smallest block; blocks begin at multiples of 64.
-/// @param out  room for `count`.
+/// Selects items of 0..count-1 in parallel blocks, compacts them in order, returns their number. Allocates nothing.
+/// @param least  smallest block; blocks begin at multiples of 64.  @param out  room for `count`.
 /// @param list  (begin, end, out): writes the items selected from begin..end-1 and returns how many; may write anything
 ///              up to out[end - begin - 1].
-/// @return  number of selected items
 template <class T, class List>
 std::size_t listInBlocks(std::size_t count, std::size_t least, T* out, const List& list) {
   constexpr std::size_t kMostBlocks = 64;

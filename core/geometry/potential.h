@@ -39,8 +39,7 @@ template <class Real>
   return std::sqrt(Real(1) - isoRoot(iso));
 }
 
-/// s = T / g(1 / reach), with which the iso surface of a single primitive is its visible ellipsoid. reach > 1.
-/// docs/design.md.
+/// s = T / g(1 / reach): a single primitive's iso surface is then its visible ellipsoid. reach > 1. docs/design.md.
 [[nodiscard]] inline float strengthFor(float iso, float reach) { return iso / potential(1.0f / (reach * reach)); }
 
 }  // namespace sinew

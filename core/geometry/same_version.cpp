@@ -3,6 +3,5 @@
 
 const char SINEW_LIBRARY = 0;
 
-/// The same name in all versions, so that two of them do not link into one program, only into separate shared
-/// libraries.
+/// One name in all versions: two of them cannot link into one program, only into separate shared libraries.
 extern "C" __attribute__((visibility("hidden"))) const char sinew_only_one_version_in_a_program = 0;

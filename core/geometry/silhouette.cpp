@@ -78,7 +78,6 @@ class Contour {
   static int down(int row, int column) { return 2 * (row * kColumns + column % kColumns); }
   static int along(int row, int column) { return down(row, column) + 1; }
 
-  /// Records the crossing on an edge, if any.
   void cross(int edge, int row, int column, bool isDown, std::array<int, 4>& crossed, int& count) {
     const float a = facingAt(row, column);
     const float b = isDown ? facingAt(row + 1, column) : facingAt(row, column + 1);

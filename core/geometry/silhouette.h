@@ -14,8 +14,7 @@ inline constexpr int kSilhouettePoints = 96;  ///< As shaders/outline.vert count
 /// Points around the visible body where it turns away from the eye, in order, world space.
 using Silhouette = std::array<glm::vec3, kSilhouettePoints>;
 
-/// All points are equal if the eye is inside.
-/// @param unitBallInWorld  as shapeInWorld() (sinew/geometry/ellipsoid.h).
+/// All points are equal if the eye is inside. @param unitBallInWorld  as shapeInWorld() (sinew/geometry/ellipsoid.h).
 /// @param eye  world; if `parallel`, the direction of sight.
 [[nodiscard]] Silhouette silhouetteOf(const Shape& shape, const glm::mat4& unitBallInWorld, const glm::vec3& eye,
                                       bool parallel);

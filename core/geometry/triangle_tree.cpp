@@ -155,8 +155,7 @@ float TriangleTree::windingAt(const glm::vec3& p) const {
 }
 
 bool TriangleTree::isMetBy(const glm::vec3& from, const glm::vec3& direction) const {
-  // Clamped for rays along an axis, to avoid 0 * infinity.
-  constexpr float kFar = 1e30f;
+  constexpr float kFar = 1e30f;  // Clamped for rays along an axis, to avoid 0 * infinity.
   glm::vec3 inverse(0.0f);
   for (int k = 0; k < 3; ++k) inverse[k] = std::clamp(1.0f / direction[k], -kFar, kFar);
   std::array<int, kMostDepth> open{};

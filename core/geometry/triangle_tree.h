@@ -70,7 +70,6 @@ using TriangleCorners = std::array<glm::vec3, 3>;
   return size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
 }
 
-/// The nearest point of a tree's triangles.
 struct NearestPoint {
   int triangle = -1;       ///< Its number in the tree; -1: none within the distance.
   glm::vec3 shares{0.0f};  ///< Barycentric.
@@ -83,8 +82,7 @@ class TriangleTree {
   /// @param numbers  numbers of the triangles in results
   TriangleTree(std::span<const TriangleCorners> triangles, std::span<const int> numbers);
 
-  /// The triangle with the smallest distance + cost(triangle); the first of equal ones.
-  /// @param within  largest such sum  @param cost  at least 0
+  /// The first triangle of smallest distance + cost(triangle). @param within  largest such sum  @param cost  at least 0
   template <class Cost>
   [[nodiscard]] NearestPoint nearest(const glm::vec3& p, float within, Cost cost) const {
     NearestPoint best;

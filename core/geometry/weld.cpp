@@ -67,14 +67,12 @@ Topology topologyOf(const ControlMesh& mesh) {
 
 namespace {
 
-/// Well below 0.004, the step of an 8-bit weight.
-constexpr float kWeightTolerance = 1e-4f;
+constexpr float kWeightTolerance = 1e-4f;  ///< Well below 0.004, the step of an 8-bit weight.
 /// Width of cells in tolerances, so that a vertex rarely needs neighbor cells.
 constexpr double kCellInTolerances = 8.0;
 /// Most cells along the longest axis, so that cell numbers are exact in double and in 64 bits.
 constexpr double kMostCells = 1e15;
-/// Vertices of one cell that are compared by tolerance; in denser cells only equal ones merge. Bounds the work for
-/// files with very many differently bound vertices at one place.
+/// Vertices of one cell compared by tolerance; in denser cells only equal ones merge, which bounds the work.
 constexpr int kMostCompared = 64;
 
 using Cell = std::array<std::int64_t, 3>;
@@ -247,7 +245,6 @@ class Welder {
   int count_ = 0;
 };
 
-/// A triangle with its representative corners.
 struct KeptTriangle {
   std::array<int, 3> representatives{};
   std::size_t soupTriangle = 0;

@@ -58,8 +58,7 @@ struct TriangleSoup {
 /// [soup triangles] Triangle in the welded mesh, with the same order of corners; -1: dropped.
 [[nodiscard]] std::vector<int> weldedTriangles(const TriangleSoup& soup, float tolerance);
 
-/// Merges vertices by position alone, whatever bones they follow, to show where separate parts touch. Influences,
-/// texture coordinates and colors are dropped.
+/// Merges vertices by position alone, to show where separate parts touch. No influences, texture coordinates, colors.
 [[nodiscard]] ControlMesh joinedByPosition(const ControlMesh& mesh, float tolerance);
 
 }  // namespace sinew

@@ -1,5 +1,4 @@
-// core/rig/animated_edit.h: edits of keys, drivers and channels as pure functions rig -> rig. Indices must be in range
-// (asserted).
+// core/rig/animated_edit.h: edits of keys, drivers and channels, rig -> rig. Indices must be in range (asserted).
 #pragma once
 
 #include <cstddef>
@@ -17,8 +16,7 @@ namespace sinew {
 /// Number of key tracks of a rig for a clip.
 [[nodiscard]] std::size_t countKeyTracks(const Rig& rig, const std::string& clip);
 
-/// Renames the clips of all key tracks. A track that already has one of the new names, for a clip that does not exist,
-/// is removed.
+/// Renames the clips of all key tracks. A track already under a new name, of a clip that does not exist, is removed.
 /// @param names  old -> new, one to one
 [[nodiscard]] Rig withClipsRenamed(Rig rig, const std::map<std::string, std::string>& names);
 
@@ -27,17 +25,14 @@ namespace sinew {
 /// Its keys and drivers, or null.
 [[nodiscard]] const AnimatedNumber* animationOf(const Rig& rig, const NumberRef& ref);
 
-/// Keys nearer than this are the same key, seconds.
-inline constexpr float kSameKey = 1.0f / 120.0f;
+inline constexpr float kSameKey = 1.0f / 120.0f;  ///< Keys nearer than this are the same key, seconds.
 
-/// Adds or replaces a key. Error: see validateAnimated.
-/// @param clip  empty: in every clip
+/// Adds or replaces a key. Error: see validateAnimated. @param clip  empty: in every clip
 [[nodiscard]] Result<Rig> setKey(Rig rig, const NumberRef& ref, const std::string& clip, float time, float value);
 /// Moves key `index` of the clip's track, replacing any key at that time.
 [[nodiscard]] Result<Rig> moveKey(Rig rig, const NumberRef& ref, const std::string& clip, int index, float time);
 [[nodiscard]] Rig removeKey(Rig rig, const NumberRef& ref, const std::string& clip, int index);
-/// Removes the clip's track.
-[[nodiscard]] Rig removeKeys(Rig rig, const NumberRef& ref, const std::string& clip);
+[[nodiscard]] Rig removeKeys(Rig rig, const NumberRef& ref, const std::string& clip);  ///< Removes the clip's track.
 /// Adds or replaces the track of its clip.
 [[nodiscard]] Result<Rig> setTrack(Rig rig, const NumberRef& ref, const KeyTrack& track);
 [[nodiscard]] Result<Rig> setKeyKind(Rig rig, const NumberRef& ref, const std::string& clip, CurveKind kind);
@@ -48,8 +43,7 @@ inline constexpr float kSameKey = 1.0f / 120.0f;
 /// Set driven key: the number is `value` where the input is x. Adds a point to the replacing driver with this input,
 /// which is added if there is none. Error: its curve is full.
 [[nodiscard]] Result<Rig> setDrivenKey(Rig rig, const NumberRef& ref, const DriverInput& input, float x, float value);
-/// Removes keys and drivers.
-[[nodiscard]] Rig removeAnimation(Rig rig, const NumberRef& ref);
+[[nodiscard]] Rig removeAnimation(Rig rig, const NumberRef& ref);  ///< Removes keys and drivers.
 
 /// Index of a channel's track for exactly this clip, or -1.
 [[nodiscard]] int findChannel(const Rig& rig, const std::string& name, const std::string& clip);

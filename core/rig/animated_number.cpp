@@ -122,8 +122,7 @@ float valueAt(const Curve& curve, float x) {
   const glm::vec2& from = points[i];
   const glm::vec2& to = points[i + 1];
   const float y = curve.kind == CurveKind::kSmooth ? smoothBetween(points, i, x) : straightBetween(from, to, x);
-  // Rounding could leave the interval.
-  return std::clamp(y, std::min(from.y, to.y), std::max(from.y, to.y));
+  return std::clamp(y, std::min(from.y, to.y), std::max(from.y, to.y));  // Rounding could leave the interval.
 }
 
 namespace {

@@ -22,7 +22,6 @@ struct Attachment {
   std::vector<std::vector<Candidate>> candidatesOfVertex;  ///< [V] primitives with m_i(v) > 0, ascending.
 };
 
-/// A bone that the rig names and the character lacks.
 struct MissingBone : Error {
   std::string bone;
 };
@@ -48,8 +47,7 @@ struct MissingBone : Error {
 /// m_i(v) = smoothstep(0, 0.5, sum of v's weights on the territory).
 [[nodiscard]] float territoryWeight(const Character& character, int vertex, const std::vector<bool>& isTerritoryBone);
 
-/// Both rigs have the same candidates and graph on any character, as in every drag: they differ at most in shapes,
-/// signs, names and settings.
+/// Both rigs have the same candidates and graph on any character: at most shapes, signs, names and settings differ.
 [[nodiscard]] bool sameCandidates(const Rig& a, const Rig& b);
 
 /// The attached primitives with the shapes, strengths and signs of another rig with the same candidates. No cost per

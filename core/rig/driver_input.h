@@ -20,8 +20,7 @@ namespace sinew {
 /// The direction of a bone in its turn frame (core/character/pose_override.h), unit.
 [[nodiscard]] glm::vec3 boneDirection(const Bone& bone);
 
-/// Degrees of the twist part of a turn about an axis (swing and twist), -180..180. Continuous except at half turns.
-/// @param axis  unit
+/// Degrees of a turn's twist about an axis (swing and twist), -180..180. Jumps only at half turns. @param axis  unit
 [[nodiscard]] float turnAbout(const glm::quat& turn, const glm::vec3& axis);
 
 /// exp(-angle^2 / (2 width^2)) of the rotation between two turns; 1 if they are equal. @param width  degrees
@@ -50,8 +49,7 @@ struct InputScratch {
   std::vector<std::optional<glm::quat>> turnOf;  ///< [bones] cache for one pose.
 };
 
-/// @param lines  [Rig::lines] posed without drivers; only the input's is read
-/// @param scratch  turnOf of this pose, or empty
+/// @param lines  [Rig::lines] without drivers; only the input's is read  @param scratch  turnOf of this pose, or empty
 [[nodiscard]] float valueOf(const FoundInput& input, const Skeleton& skeleton, const Pose& pose,
                             std::span<const PosedLine> lines, InputScratch& scratch);
 
@@ -74,8 +72,7 @@ class DrivenNumbers {
   DrivenNumbers(const Rig& rig, const Character& character);
 
   [[nodiscard]] bool isEmpty() const { return numbers_.empty(); }
-  /// Whether any number belongs to an owner of this kind.
-  [[nodiscard]] bool changes(ParameterOwner owner) const;
+  [[nodiscard]] bool changes(ParameterOwner owner) const;  ///< Whether any number belongs to an owner of this kind.
   /// @param numbers  in: as drawn (drawnNumbers); out: in the pose
   void apply(const Pose& pose, const Skeleton& skeleton, DriverScratch& scratch, RigNumbers& numbers) const;
 

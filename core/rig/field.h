@@ -19,7 +19,6 @@ struct FieldPrimitive {
   int group = 0;
 };
 
-/// A primitive in a pose.
 struct PosedPrimitive {
   UnitBallMap influence;  ///< r < 1 exactly where f_i != 0.
   float strength = 1.0f;

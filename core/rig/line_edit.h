@@ -71,8 +71,7 @@ struct Learned {
 
 // Muscles that move to another bone.
 
-/// The placement on bone `to` of the same ellipsoid in the world, whatever the bones' scale and shear. For a flat bone
-/// the placement is not changed.
+/// The placement on bone `to` of the same ellipsoid in the world, despite scale and shear; unchanged for a flat bone.
 [[nodiscard]] Placement carryToBone(const Placement& inFrom, const glm::mat4& fromInWorld, const glm::mat4& toInWorld);
 
 /// The primitive at the same place along another bone, scaled with the length of the bone, keyed and driven lengths
@@ -83,8 +82,7 @@ struct Learned {
 
 /// Appends a line and makes its name unique. If `mirror` names a line of the rig, the two become twins.
 [[nodiscard]] Result<Rig> addLine(Rig rig, MuscleLine line);
-/// The same in place. Error: the rig is not changed.
-[[nodiscard]] Result<void> append(Rig& rig, MuscleLine line);
+[[nodiscard]] Result<void> append(Rig& rig, MuscleLine line);  ///< The same in place. Error: the rig is not changed.
 /// `change` must not change name and mirror (asserted).
 [[nodiscard]] Result<Rig> editLine(Rig rig, int line, const std::function<void(MuscleLine&)>& change);
 [[nodiscard]] Result<Rig> renameLine(Rig rig, int line, const std::string& name);

@@ -101,8 +101,7 @@ glm::dvec3 swingHeight(const glm::dvec3& from, const glm::dvec3& height, const g
   return height - (glm::dot(height, direction) / opening) * (from + direction);
 }
 
-/// The height of the normalized mixture of the quaternions of two frames around one direction.
-/// @param a, b  unit, perpendicular to the direction
+/// Height of two frames' normalized quaternion mixture around a direction. @param a, b  unit, perpendicular to it
 glm::dvec3 mixHeights(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& direction, double share) {
   const double cosine = std::min(1.0, std::max(-1.0, glm::dot(a, b)));
   const glm::dvec3 beside = glm::cross(direction, a);
@@ -223,8 +222,7 @@ PosedLine poseLine(const LineRest& rest, const PosedBones& bones, double flex) {
   const Course course = courseOf(rest, bones, moved);
   const Contraction now = contractionOf(rest, bones, course.length, flex);
   const LineFrame frame = frameOf(rest, bones, course);
-  // If nothing has moved, muscles stay bit for bit as drawn.
-  const bool asDrawn = !moved && now.activation == 0.0;
+  const bool asDrawn = !moved && now.activation == 0.0;  // If nothing has moved, muscles stay bit for bit as drawn.
   const Deformation deformation = asDrawn ? Deformation{} : deformationOf(rest, course, frame, now);
   if (!deformation.isFinite()) return {};
   PosedLine line;

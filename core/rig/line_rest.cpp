@@ -22,8 +22,7 @@ namespace {
 constexpr double kLn2High = 0x1.62e42feep-1;  ///< Products with integers below 2^21 are exact.
 constexpr double kLn2Low = 0x1.a39ef35793c76p-33;
 
-/// `low` if x is NaN.
-double clamp(double x, double low, double high) { return std::min(high, std::max(low, x)); }
+double clamp(double x, double low, double high) { return std::min(high, std::max(low, x)); }  ///< `low` if x is NaN.
 
 /// ln x to 2e-15 + 1e-13 |ln x| for normal numbers above 0; arbitrary for others.
 double naturalLog(double x) {
@@ -33,8 +32,7 @@ double naturalLog(double x) {
   const std::uint64_t shifted = std::bit_cast<std::uint64_t>(x) + (kOne - kRootOfHalf);
   const double k = static_cast<double>(static_cast<int>(shifted >> 52) - 1023);
   const double m = std::bit_cast<double>((shifted & 0x000FFFFFFFFFFFFF) + kRootOfHalf);
-  // ln m = 2 atanh s.
-  const double s = (m - 1.0) / (m + 1.0);
+  const double s = (m - 1.0) / (m + 1.0);  // ln m = 2 atanh s.
   const double z = s * s;
   const double z2 = z * z;
   const double low = (1.0 + 1.0 / 3.0 * z) + z2 * (1.0 / 5.0 + 1.0 / 7.0 * z);
@@ -47,8 +45,7 @@ double naturalLog(double x) {
 double exponential(double x) {
   constexpr double kMagic = 0x1.8p52;  // Adding it rounds to an integer in the lowest bits.
   x = clamp(x, -700.0, 700.0);
-  // x = k ln 2 + r.
-  const double rounded = x * 0x1.71547652b82fep0 + kMagic;
+  const double rounded = x * 0x1.71547652b82fep0 + kMagic;  // x = k ln 2 + r.
   const double k = rounded - kMagic;
   const double r = (x - k * kLn2High) - k * kLn2Low;
   const double r2 = r * r;

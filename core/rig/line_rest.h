@@ -30,8 +30,7 @@ struct GirthRest {
 
 /// Girth from belly stretch, both relative to the bind pose (omega; Scheepers' closed form if volume is 1).
 [[nodiscard]] double girth(double bellyStretch, const GirthRest& rest);
-/// Fraction of the rest length without tendons.
-[[nodiscard]] double bellyShare(const LineSettings& settings);
+[[nodiscard]] double bellyShare(const LineSettings& settings);  ///< Fraction of the rest length without tendons.
 /// Belly stretch at a line's stretch; tendons keep their length.
 [[nodiscard]] double bellyStretch(double stretch, const LineSettings& settings);
 /// Activation at a line's stretch, 0..1. @param added  added to its base
@@ -46,7 +45,6 @@ struct LinePath {
   friend bool operator==(const LinePath&, const LinePath&) = default;
 };
 
-/// A part of a tendon.
 struct TendonPart {
   std::array<glm::vec3, 4> curve{};  ///< Cubic Bezier.
   glm::vec2 share{0.0f, 1.0f};       ///< Fractions of the tendon's length at its ends; 0 in the belly, 1 at the anchor.
@@ -59,12 +57,10 @@ struct Tendon {
   float side = 1.0f;              ///< End of the belly's y axis: +1, -1.
 };
 
-/// Start of a tendon on the belly's axis, fraction of the half length.
-inline constexpr float kTendonStart = 0.8f;
+inline constexpr float kTendonStart = 0.8f;  ///< Start of a tendon on the belly's axis, fraction of the half length.
 
 /// Tendons of one belly at the origin and at the insertion; none at an anchor in or beside the belly.
-/// @param bellyInWorld  unit ball -> world, y along the fibres
-/// @param bend  Shape::bend of the belly
+/// @param bellyInWorld  unit ball -> world, y along the fibres  @param bend  Shape::bend of the belly
 [[nodiscard]] std::vector<Tendon> tendonsOf(const glm::mat4& bellyInWorld, const LinePath& line,
                                             const glm::vec2& bend = glm::vec2(0.0f));
 
@@ -82,8 +78,7 @@ struct BonePoint {
 [[nodiscard]] std::optional<BonePoint> findPoint(const LineAnchor& anchor, const Skeleton& skeleton);
 /// An anchor on a bone at a point of the bind pose, world.
 [[nodiscard]] LineAnchor anchorOn(const Skeleton& skeleton, int bone, const glm::vec3& inBind);
-/// World.
-[[nodiscard]] glm::dvec3 posedPoint(const BonePoint& point, const Pose& pose);
+[[nodiscard]] glm::dvec3 posedPoint(const BonePoint& point, const Pose& pose);  ///< World.
 
 /// A line in the bind pose, relative to which poses are measured. Character units, world.
 struct LineRest {
@@ -108,8 +103,7 @@ struct LineRest {
 [[nodiscard]] glm::dvec3 viaShift(const glm::dvec3& origin, const glm::dvec3& direction, const glm::dvec3& via,
                                   double tendon, double belly);
 
-/// Shortest line, fraction of H.
-inline constexpr float kShortestLine = 1e-3f;
+inline constexpr float kShortestLine = 1e-3f;  ///< Shortest line, fraction of H.
 
 /// Changes the settings of a line, with the same result as lineRest(), bit for bit.
 void settle(LineRest& rest, const LineSettings& settings);

@@ -42,8 +42,7 @@ struct Merged {
 /// Appends the primitives of `from` under free names, with their lines. Twins stay twins, and the second is named after
 /// the first. Missing groups and channels are added, and missing groups linked as in `from`. Primitives are left out if
 /// their bone is missing, they have no mirror image, or the rig is full. Error: the groups make too many cliques.
-/// @param from    valid
-/// @param mirror  not null: merges the mirror images
+/// @param from  valid  @param mirror  not null: merges the mirror images
 [[nodiscard]] Result<Merged> mergeRigs(Rig into, const Rig& from, const Skeleton& skeleton, const MirrorPlan* mirror);
 
 /// Moves all primitives from one bone to another (scaleToBone). Of a pair of twins it moves the one on the side of the

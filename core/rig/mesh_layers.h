@@ -12,15 +12,12 @@
 
 namespace sinew {
 
-/// Names in files, menus and on the command line.
-[[nodiscard]] const char* nameOf(SkinLayer layer);
+[[nodiscard]] const char* nameOf(SkinLayer layer);  ///< Names in files, menus and on the command line.
 [[nodiscard]] std::optional<SkinLayer> skinLayerNamed(const std::string& name);
 
-/// Index into Rig::layers, or -1.
-[[nodiscard]] int findLayer(const Rig& rig, const std::string& part);
+[[nodiscard]] int findLayer(const Rig& rig, const std::string& part);  ///< Index into Rig::layers, or -1.
 
-/// The layers chosen in the rig, else those guessed. Parts that the character lacks are ignored.
-/// @param guessed [parts]
+/// The layers chosen in the rig, else those guessed ([parts]). Parts that the character lacks are ignored.
 [[nodiscard]] std::vector<SkinLayer> layersOf(const Rig& rig, const Character& character,
                                               std::span<const SkinLayer> guessed);
 
@@ -28,11 +25,9 @@ namespace sinew {
 
 /// @param layer  nullopt: removes the choice
 [[nodiscard]] Result<Rig> setLayer(Rig rig, const std::string& part, std::optional<SkinLayer> layer);
-/// Removes all choices.
-[[nodiscard]] Rig withoutLayers(Rig rig);
+[[nodiscard]] Rig withoutLayers(Rig rig);  ///< Removes all choices.
 
-/// Unique names.
-[[nodiscard]] Result<void> validateLayers(const Rig& rig);
+[[nodiscard]] Result<void> validateLayers(const Rig& rig);  ///< Unique names.
 
 /// Parts that the rig names and the character lacks.
 [[nodiscard]] std::vector<std::string> missingParts(const Rig& rig, const Character& character);
@@ -58,11 +53,9 @@ struct MeshLayers {
   [[nodiscard]] bool hasCloth() const { return !skinUnder.empty(); }
 };
 
-/// Largest distance between skin and the cloth over it, fraction of H.
-inline constexpr float kClothReach = 0.1f;
+inline constexpr float kClothReach = 0.1f;  ///< Largest distance between skin and the cloth over it, fraction of H.
 
-/// Distances grow by up to half of kClothReach where bones differ, so that a sleeve at the flank belongs to its arm.
-/// @param layers [parts]
+/// Where bones differ, distances grow by up to half of kClothReach: a sleeve belongs to its arm. @param layers [parts]
 [[nodiscard]] MeshLayers meshLayers(const Character& character, std::span<const SkinLayer> layers);
 
 /// The triangles of skin, only with positions and corners.

@@ -52,8 +52,7 @@ void tidy(AffineMap& mirror) {
 
 const Bone& boneAt(const MirrorPlan& plan, int bone) { return at(plan.skeleton.bones, bone); }
 
-/// Whether equal ellipsoids also have equal shapes. Compares the axis y, and the vectors of numbers along axes.
-/// @param allowed  world units.
+/// Whether equal ellipsoids have equal shapes: axis y and vectors of numbers along axes. @param allowed  world units
 bool sameShape(const Placement& a, const Placement& b, const glm::dmat3& bone, double allowed) {
   if (a.shape.isPlain() && b.shape.isPlain()) return true;
   const auto axis = [&](const Placement& placement, int i) {

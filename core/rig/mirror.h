@@ -34,10 +34,8 @@ struct MirrorPlane {
 [[nodiscard]] std::optional<AffineMap> boneMirror(const glm::mat4& boneInBind, const glm::mat4& twinBoneInBind,
                                                   const MirrorPlane& plane);
 
-/// How a bone's counterpart was found.
 enum class PairedBy { kNothing, kName, kPlace, kCenter };  ///< kCenter: it lies in the plane, its own counterpart.
 
-/// Everything needed to mirror muscles on a character.
 struct MirrorPlan {
   MirrorPlane plane;
   std::vector<int> twinOf;         ///< [bones] counterpart, itself for center bones; -1: none. Its own inverse.
@@ -62,8 +60,7 @@ struct MirrorPlan {
 /// Finds the pairs for a given plane.
 [[nodiscard]] MirrorPlan pairBones(const Skeleton& skeleton, const MirrorPlane& plane, float characterHeight);
 
-/// The counterpart of a bone (Primitive::bone), by its name in rig files. Error: the character has no such bone, or it
-/// has no counterpart.
+/// The counterpart of a bone (Primitive::bone) by its name in files. Error: no such bone, or it has no counterpart.
 [[nodiscard]] Result<std::string> twinBone(const MirrorPlan& plan, const std::string& bone);
 
 /// The mirror image of a muscle: bone, placement, animation and territory (bones without counterpart stay) are
@@ -72,8 +69,7 @@ struct MirrorPlan {
 [[nodiscard]] Result<Primitive> mirroredPrimitive(const MirrorPlan& plan, const Primitive& primitive);
 
 /// Name of the image of something on a bone: with the other bone's name if it begins with the bone's; else
-/// mirroredName(); else the name itself.
-/// @param bone  with a counterpart
+/// mirroredName(); else the name itself. @param bone  with a counterpart
 [[nodiscard]] std::string imageName(const MirrorPlan& plan, const std::string& name, const std::string& bone);
 
 /// The muscle is on a center bone and its own mirror image within `tolerance` (fraction of H).

@@ -332,8 +332,7 @@ double middleOf(std::vector<double> values) {
   return *middle;
 }
 
-/// Candidate offsets for a normal, the simplest first: of the origin, the root, the middle of named pairs, and the
-/// middle of the skin.
+/// Candidate offsets for a normal, simplest first: of the origin, the root, the middles of named pairs and of the skin.
 std::vector<double> offsets(const Finder& finder, const glm::dvec3& normal) {
   std::vector<double> result{0.0};
   if (!finder.character.skeleton.bones.empty()) result.push_back(glm::dot(normal, originOf(finder.bone(0))));

@@ -35,8 +35,7 @@ struct ClipTime {
   float time;  ///< Seconds.
 };
 
-/// Evenly spaced times in every clip, 15 per second; fewer if the clips are so long that there would be more than
-/// about `most`.
+/// Evenly spaced times in every clip, 15 per second; fewer if that would be more than about `most` in all.
 [[nodiscard]] std::vector<ClipTime> sampleTimes(std::span<const AnimationClip> clips, double most);
 
 }  // namespace sinew

@@ -32,7 +32,6 @@ struct BentMuscle {
 /// @param carrier  bone space in the bind pose -> world now, with the whole shift  @param shift  world
 [[nodiscard]] BentMuscle bentMuscle(const ViaBend& bend, const glm::mat4& carrier, const glm::vec3& shift);
 
-/// One muscle in a pose.
 struct PosedMuscle {
   bool usable = false;      ///< False: its bone or those of its line are missing or flat; it is invisible.
   int line = -1;            ///< Index into Rig::lines, or -1.
@@ -56,15 +55,12 @@ struct PosedRig {
 /// Poses one rig on one skeleton. Immutable, so that several threads may share it, each with its own PosedRig.
 class RigPoser {
  public:
-  /// @param character  its skeleton must outlive this
-  RigPoser(const Rig& rig, const Character& character);
+  RigPoser(const Rig& rig, const Character& character);  ///< @param character  its skeleton must outlive this
 
-  /// Allocates nothing once `out` has grown.
-  void pose(const Pose& pose, PosedRig& out) const;
+  void pose(const Pose& pose, PosedRig& out) const;  ///< Allocates nothing once `out` has grown.
   [[nodiscard]] PosedRig pose(const Pose& pose) const;
 
-  /// The numbers without keys and drivers.
-  [[nodiscard]] const RigNumbers& drawn() const { return drawn_; }
+  [[nodiscard]] const RigNumbers& drawn() const { return drawn_; }  ///< The numbers without keys and drivers.
   /// Whether keys or drivers change numbers of primitives.
   [[nodiscard]] bool drivesMuscles() const { return drivesMuscles_; }
 

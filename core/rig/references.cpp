@@ -50,8 +50,7 @@ bool onlyAdded(const std::vector<Item>& before, const std::vector<Item>& edited)
 
 using Renames = std::unordered_map<std::string, std::string>;
 
-/// Gives items the names that they have in `edited` and removes those that are gone there, whose names may be in use.
-/// @return former name -> name
+/// Names items as in `edited` and removes those gone there, whose names may be in use. @return former name -> name
 template <class Item>
 Renames rename(std::vector<Item>& items, const std::vector<Item>& edited) {
   std::unordered_map<std::uint32_t, const std::string*> nameOf;

@@ -31,8 +31,7 @@ class IdentitySource {
 /// Nothing: `edited` only adds. Items without identity, such as channels, stay as they are.
 [[nodiscard]] std::optional<Rig> withNamesOf(const Rig& before, const Rig& edited);
 
-/// The kind of thing that a reference names.
-enum class Named { kPrimitive, kGroup, kLine, kChannel };
+enum class Named { kPrimitive, kGroup, kLine, kChannel };  ///< The kind of thing that a reference names.
 
 /// Calls visit(Named, std::string&) for each reference that is not empty; it may change the name.
 template <class Visit>

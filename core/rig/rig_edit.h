@@ -25,18 +25,14 @@ enum class KeepIdle { kNo, kYes };
 /// not written to files.
 /// @param idle  kYes: keeps other entries that are idle, since no entry may vanish while a document is edited
 [[nodiscard]] Rig withMorphsOf(Rig rig, const Character& character, KeepIdle idle = KeepIdle::kNo);
-/// Weight 0 and not animated.
-[[nodiscard]] bool isIdle(const MorphWeight& morph);
+[[nodiscard]] bool isIdle(const MorphWeight& morph);  ///< Weight 0 and not animated.
 
 /// Adds the entry if there is none. Error: not in kLeastMorphWeight..kMostMorphWeight.
 [[nodiscard]] Result<Rig> setMorphWeight(Rig rig, const std::string& name, float weight);
-/// Sets all weights to 0; keys and drivers stay.
-[[nodiscard]] Rig withoutMorphWeights(Rig rig);
+[[nodiscard]] Rig withoutMorphWeights(Rig rig);  ///< Sets all weights to 0; keys and drivers stay.
 
-/// Unique names; weights in range; valid keys and drivers.
-[[nodiscard]] Result<void> validateMorphs(const Rig& rig);
+[[nodiscard]] Result<void> validateMorphs(const Rig& rig);  ///< Unique names; weights in range; valid keys and drivers.
 
-/// Refers to a number of a rig.
 struct NumberRef {
   Parameter parameter = Parameter::kAmount;
   int owner = 0;  ///< Index into Rig::primitives, Rig::lines or Rig::morphs; not read for the surface.
@@ -65,13 +61,11 @@ struct RigNumbers {
 
 [[nodiscard]] RigNumbers drawnNumbers(const Rig& rig);
 
-/// Null: the parameter has another owner.
-[[nodiscard]] float* numberIn(MuscleNumbers& numbers, Parameter parameter);
+[[nodiscard]] float* numberIn(MuscleNumbers& numbers, Parameter parameter);  ///< Null: the parameter has another owner.
 [[nodiscard]] float& numberIn(RigNumbers& numbers, const NumberRef& ref);
 [[nodiscard]] float numberOf(const RigNumbers& numbers, const NumberRef& ref);
 
-/// Changes several primitives. `change` must not change name and mirror (asserted). Error: any of them is invalid
-/// afterwards, or its group does not exist; then none is changed.
+/// `change` must not change name and mirror (asserted). Error: one is invalid or lacks its group; then none is changed.
 [[nodiscard]] Result<Rig> editPrimitives(Rig rig, std::span<const int> indices,
                                          const std::function<void(Primitive&)>& change);
 

@@ -22,8 +22,7 @@ struct Skin {
   std::vector<int> vertices;
 };
 
-/// Bones with skin, the largest area first.
-[[nodiscard]] std::vector<Skin> skinsOf(const Character& character);
+[[nodiscard]] std::vector<Skin> skinsOf(const Character& character);  ///< Bones with skin, the largest area first.
 
 /// An ellipsoid along the bone, half below the skin at a vertex.
 [[nodiscard]] Placement placementAt(const Character& character, const Bone& bone, const Segment& segment, int vertex);

@@ -15,8 +15,7 @@ namespace sinew {
 
 // Mirror images of keys and drivers. docs/muscles.md.
 
-/// Takes the counterparts of bones and reverses a twist; names of lines and channels stay. nullopt: a bone has no
-/// counterpart.
+/// Takes counterparts of bones, reverses a twist; lines and channels stay. nullopt: a bone has no counterpart.
 [[nodiscard]] std::optional<Driver> mirroredDriver(const MirrorPlan& plan, const Driver& driver);
 
 /// Keys and drivers of a primitive's image, with numbers along an axis moved to the image of that axis. Without those
@@ -39,7 +38,6 @@ void readTwinLines(const Rig& rig, std::vector<AnimatedNumber>& animated);
 /// The line is its own image: every anchor is on a center bone and within `tolerance` (fraction of H) of the plane.
 [[nodiscard]] bool liesInPlane(const MirrorPlan& plan, const MuscleLine& line, float tolerance);
 
-/// A rig and the name of a line in it.
 struct TwinLine {
   Rig rig;
   std::string name;  ///< Empty: none.
@@ -49,8 +47,7 @@ struct TwinLine {
 /// both get one. Error: see mirroredLine.
 [[nodiscard]] Result<TwinLine> withTwinLine(Rig rig, std::string line, const MirrorPlan& plan);
 
-/// Puts the twin of a primitive on the twin of its line (withTwinLine). Unchanged if there is no twin, no line, or the
-/// line has no image.
+/// Puts a primitive's twin on its line's twin (withTwinLine). Unchanged without twin, line or image of the line.
 [[nodiscard]] Rig withTwinOnLine(Rig rig, int primitive, const MirrorPlan& plan);
 
 /// The name of a line's twin, or of the line itself if it has none.
@@ -67,22 +64,19 @@ void keepLineTwins(const Rig& atStart, const Rig& shown, Rig& edited, const Mirr
 /// ignored. Items of the rigs are matched by identity, so that renaming has no effect.
 [[nodiscard]] Rig keepTwins(const Rig& atStart, const Rig& shown, Rig edited, const MirrorPlan& plan);
 
-/// Index of the twin, or -1.
-[[nodiscard]] int twinOf(const Rig& rig, int index);
+[[nodiscard]] int twinOf(const Rig& rig, int index);  ///< Index of the twin, or -1.
 /// The indices with their twins, ascending, each once.
 [[nodiscard]] std::vector<int> withTwins(const Rig& rig, std::span<const int> indices);
 
 /// Adds a primitive and its linked mirror image, or only the primitive if it is its own image: on a center bone, in the
 /// plane within 1e-4 H. If the name has no side, both get one: "belly L", "belly R". Error: see twinBone, addPrimitive.
 [[nodiscard]] Result<Rig> addPair(Rig rig, Primitive primitive, const MirrorPlan& plan);
-/// Makes the twin of a primitive its image, or adds one, named as by addPair(). Error: it lies in the plane, or see
-/// twinBone.
+/// Makes the twin of a primitive its image, or adds one, named as by addPair(). Error: in the plane, or see twinBone.
 [[nodiscard]] Result<Rig> mirrorToOtherSide(Rig rig, int index, const MirrorPlan& plan);
 /// Links two different primitives and makes the second the image of the first, except for its name. Former twins are
 /// unlinked. Error: see twinBone.
 [[nodiscard]] Result<Rig> linkTwins(Rig rig, int leader, int follower, const MirrorPlan& plan);
-/// Replaces primitives and their twins by their images, but keeps names and links. Error: the first one without
-/// counterpart.
+/// Replaces primitives and twins by their images, with names and links kept. Error: the first one without counterpart.
 [[nodiscard]] Result<Rig> flipPrimitives(Rig rig, std::span<const int> indices, const MirrorPlan& plan);
 
 /// Appends copies in rig order, the first at rig.primitives.size(), with free names; copies of twins are linked. Stops
@@ -92,8 +86,7 @@ void keepLineTwins(const Rig& atStart, const Rig& shown, Rig& edited, const Mirr
 /// Renames a primitive, and its twin if mirroredName() of the new name exists and is free. Error: see renamePrimitive.
 [[nodiscard]] Result<Rig> renameWithTwin(Rig rig, int index, const std::string& name);
 
-/// The side of the plane on which a muscle's center lies in the bind pose. Left follows from the names of bones, else
-/// it is +X, as in glTF.
+/// Side of the plane of a muscle's center in the bind pose. Left is from the names of bones, else +X, as in glTF.
 [[nodiscard]] Side sideOf(const MirrorPlan& plan, const Primitive& primitive);
 
 /// mirroredName() of a name if that is free, else a similar free name.

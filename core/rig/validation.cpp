@@ -44,8 +44,7 @@ namespace {
 
 constexpr double kValidationUnitTolerance = 1e-3;  // Of a quaternion's length; files written by hand have few digits.
 
-/// "radius Y"
-std::string ofAxis(const std::string& what, int axis) { return what + ' ' + "XYZ"[axis]; }
+std::string ofAxis(const std::string& what, int axis) { return what + ' ' + "XYZ"[axis]; }  ///< "radius Y"
 
 /// Bytes of the UTF-8 sequence at the beginning of `text`; 0: ill-formed (overlong, surrogate, beyond U+10FFFF).
 std::size_t utf8Length(std::string_view text) {

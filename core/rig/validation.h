@@ -16,12 +16,9 @@ namespace sinew {
 [[nodiscard]] std::string numberText(float value);
 /// "expected ..., got ..."
 [[nodiscard]] Error outOfRange(std::string place, const std::string& expected, float value, std::string subject);
-/// muscle "biceps L"
-[[nodiscard]] std::string quoted(const char* what, const std::string& name);
-/// The error with another subject.
-[[nodiscard]] Error named(const char* subject, Error error);
-/// primitives[3]
-[[nodiscard]] std::string indexed(const char* list, std::size_t index);
+[[nodiscard]] std::string quoted(const char* what, const std::string& name);  ///< muscle "biceps L"
+[[nodiscard]] Error named(const char* subject, Error error);                  ///< The error with another subject.
+[[nodiscard]] std::string indexed(const char* list, std::size_t index);       ///< primitives[3]
 
 inline constexpr int kMaxPrimitives = 65536;
 
@@ -51,8 +48,7 @@ inline constexpr int kMaxPrimitives = 65536;
                                             const std::string& place);
 /// Channels have names and valid tracks, one for each name and clip.
 [[nodiscard]] Result<void> validateChannels(const Rig& rig);
-/// The lines and channels that inputs name exist.
-[[nodiscard]] Result<void> validateInputs(const Rig& rig);
+[[nodiscard]] Result<void> validateInputs(const Rig& rig);  ///< The lines and channels that inputs name exist.
 /// A name is not empty and in UTF-8.
 [[nodiscard]] Result<void> validateName(const std::string& name, const std::string& place);
 

@@ -18,7 +18,6 @@ thread_local std::array<char, 512> lastError{};
 
 bool isOne(int index, std::size_t size) { return index >= 0 && toIndex(index) < size; }
 
-/// Copies the matrices of a pose to the caller's floats.
 sinew_code putBones(const Pose& pose, float* out, std::size_t floats) {
   if (out == nullptr) return fail(SINEW_BAD_ARGUMENT, "bones: null");
   if (floats < 16 * pose.boneInWorld.size()) return fail(SINEW_BAD_ARGUMENT, "bones: too few floats for all bones");

@@ -17,7 +17,6 @@ std::optional<BufferVertices> verticesOf(sinew_vertices vertices) {
   return std::nullopt;
 }
 
-/// The rig with the requested detail.
 Result<Rig> detailed(Rig rig, const sinew_detail* detail) {
   if (detail == nullptr || (detail->depth == 0 && detail->tolerance == 0.0f)) return rig;
   if (detail->depth != 0 && detail->tolerance != 0.0f) return errorAt("detail", "give depth or tolerance, not both");

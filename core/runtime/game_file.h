@@ -31,8 +31,7 @@ static_assert(sizeof(Head) == 32);
   return sum;
 }
 
-/// Checks every index, order and range of a character that was read (layout.h), and completes the skeleton. Edges and
-/// normals are still missing.
+/// Checks all indices, orders and ranges that were read (layout.h), completes the skeleton; no edges or normals yet.
 [[nodiscard]] Result<void> checkCharacter(Character& character);
 
 }  // namespace sinew::gamefile

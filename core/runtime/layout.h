@@ -150,12 +150,10 @@ class Reader {
   void maybe(std::optional<T>& value, Item item) {
     if (byteUpTo(1) != 0) item(value.emplace());
   }
-  /// Names the part that is read next, for errors.
-  void section(const char* name) { section_ = name; }
+  void section(const char* name) { section_ = name; }  ///< Names the part that is read next, for errors.
 
   [[nodiscard]] bool failed() const { return error_.has_value(); }
-  /// Only when failed().
-  [[nodiscard]] const Error& error() const { return *error_; }
+  [[nodiscard]] const Error& error() const { return *error_; }  ///< Only when failed().
   [[nodiscard]] std::size_t left() const { return bytes_.size() - at_; }
   void refuse(const std::string& reason) {
     if (!error_) error_ = errorAt(std::string(section_) + ", byte " + std::to_string(at_), reason);

@@ -1,5 +1,4 @@
-// core/surface/adaptive_levels.cpp: picks poses, samples the surface finely in them and fits flat pieces to the
-// samples.
+// core/surface/adaptive_levels.cpp: picks poses, samples the surface finely in them and fits flat pieces.
 #include "core/surface/adaptive_levels.h"
 
 #include <algorithm>
@@ -108,8 +107,7 @@ double squaredDifference(const Features& a, const Features& b) {
   return sum;
 }
 
-/// Poses at evenly spaced sample times of a character's clips and of its range of motion. Made once per character;
-/// clips made in memory do not count.
+/// Poses at even times of a character's clips and range of motion, once per character; without clips made in memory.
 std::vector<Pose> detailMoments(const Character& character) {
   std::vector<Pose> moments;
   std::vector<const AnimationClip*> clips;
@@ -182,7 +180,6 @@ class ClothSplitter {
     return glm::distance(at(mesh_.positions, a), at(mesh_.positions, b));
   }
 
-  /// Length of the longest side.
   [[nodiscard]] float longest(std::span<const int> corners) const {
     float length = 0.0f;
     for (std::size_t i = 0; i < corners.size(); ++i) {

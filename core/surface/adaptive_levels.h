@@ -28,7 +28,6 @@ using CheckedSplits = std::vector<std::vector<CheckedSplit>>;
 [[nodiscard]] RefinementLevels levelsThatFit(const Preparation& next, const std::vector<Pose>& poses, float tolerance,
                                              RefinementLevels needed, CheckedSplits& known);
 
-/// The muscles of a rig in one pose.
 struct LevelMuscles {
   std::vector<PosedPrimitive> primitives;  ///< [A] world; hidden ones included.
   float skinBlend = 0.0f;

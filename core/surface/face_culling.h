@@ -28,8 +28,7 @@ struct FaceCulling {
   std::vector<std::uint8_t> carriers;   ///< [V+E+T] not projected: only at culled triangles.
   int culled = 0;                       ///< Triangles.
 
-  /// Skips nothing; keeps its memory.
-  void clear();
+  void clear();  ///< Skips nothing; keeps its memory.
 };
 
 /// Marks control triangles without a pixel in a picture from the eye: the material is one-sided, all refined triangles

@@ -1,5 +1,4 @@
-// core/surface/level_changes.cpp: compares the muscles of two rigs by pose, and finds skin whose rays meet changed
-// ones.
+// core/surface/level_changes.cpp: muscles of two rigs compared by pose; skin whose rays meet changed ones.
 #include "core/surface/adaptive_levels.h"
 
 #include <algorithm>
@@ -63,8 +62,7 @@ struct TriangleRays {
   float turn = 0.0f;
 };
 
-/// @param from, way  of the corners' rays, unit directions.  @param bulge  largest distance of the patch from the
-/// triangle
+/// @param from, way  the corners' rays, unit.  @param bulge  largest distance of the patch from the triangle
 TriangleRays raysFrom(const std::array<glm::vec3, 3>& from, const std::array<glm::vec3, 3>& way, float bulge) {
   TriangleRays out{(from[0] + from[1] + from[2]) / 3.0f, (way[0] + way[1] + way[2]) / 3.0f, 0.0f, 0.0f};
   float near = 0.0f;
@@ -94,7 +92,6 @@ bool mayMeet(const TriangleRays& rays, bool bothWays, const glm::vec3& center, f
   return toward > 0.0f && 1.001f * toward * toward >= narrow * (apart - within) * (apart + within);
 }
 
-/// The rays of a triangle in one pose.
 struct PosedTriangle {
   std::array<glm::vec3, 3> from{};
   std::array<glm::vec3, 3> way{};

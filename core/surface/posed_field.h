@@ -35,7 +35,6 @@ void poseFieldAndSkin(const std::shared_ptr<const Preparation>& preparation, con
 void placeMuscles(const std::shared_ptr<const Preparation>& preparation, const PosedRig& rig, PosedField& out);
 
 /// Places only the primitives; reads nothing made from a mesh or bind pose.  @param numbers  scratch.  @param out [A]
-/// world
 void posePrimitives(const Preparation& preparation, const PosedRig& rig, std::vector<FieldPrimitive>& numbers,
                     std::vector<PosedPrimitive>& out);
 

@@ -121,8 +121,7 @@ struct PreparationOptions {
                                                                  const Rig& rig, const PreparationOptions& options,
                                                                  const Preparation* former, BlendingGraphMemo& graphs);
 
-/// For sampling the surface at given points; makes nothing that needs triangles.
-/// @param next  attached; its refinement is not read
+/// For sampling at given points; makes nothing that needs triangles.  @param next  attached; its refinement is not read
 [[nodiscard]] std::shared_ptr<const Preparation> prepareSamples(const Preparation& next, Refinement points);
 
 /// Memory for repeated readBindPose().

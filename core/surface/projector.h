@@ -22,8 +22,7 @@ struct Projector {
   void (*project)(const Projection& projection, const Pose& pose, Workspace& workspace, Surface& surface);
 };
 
-/// "scalar", the reference: vertices one by one in double precision, by every ProjectionKind. "vectors": 16 vertices at
-/// a time, by newton.
+/// "scalar", the reference: single vertices in double, every ProjectionKind. "vectors": 16 vertices at a time, newton.
 [[nodiscard]] std::span<const Projector> projectors();
 /// "vectors" for newton, unless the process has chosen scalar code (core/geometry/instruction_set.h); else "scalar".
 [[nodiscard]] const Projector& chosenProjector(const Preparation& preparation);

@@ -24,7 +24,6 @@ std::size_t sizeOfPieces(std::size_t asked) {
   return (asked + 2 * pairs - 1) / (2 * pairs);
 }
 
-/// The kept items and their new numbers.
 struct Numbering {
   std::vector<int> kept;   ///< Ascending.
   std::vector<int> newOf;  ///< New number by old number; valid only for kept items.

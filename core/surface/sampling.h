@@ -22,11 +22,9 @@ struct SampledPart {
   [[nodiscard]] const ControlMesh& mesh() const { return preparation->mesh(); }
 };
 
-/// Indices in a part of some of its edges or triangles.
-/// @param inWhole  SampledPart::edges or triangles.  @param asked  some of these, ascending
+/// Indices in a part.  @param inWhole  SampledPart::edges or triangles.  @param asked  some of these, ascending
 [[nodiscard]] std::vector<int> placesIn(const std::vector<int>& inWhole, const std::vector<int>& asked);
 
-/// Edges and triangles sampled together.
 struct SampledPiece {
   std::vector<int> edges;      ///< Ascending.
   std::vector<int> triangles;  ///< Ascending.
@@ -44,11 +42,9 @@ struct SampledPiece {
 /// Skin, patch and projection at given points, pose after pose.
 class SurfaceSampler {
  public:
-  /// @param points  of the part's mesh
-  SurfaceSampler(const SampledPart& part, Refinement points);
+  SurfaceSampler(const SampledPart& part, Refinement points);  ///< @param points  of the part's mesh
 
-  /// Valid until the next call.
-  [[nodiscard]] const Surface& sample(const Pose& pose);
+  [[nodiscard]] const Surface& sample(const Pose& pose);  ///< Valid until the next call.
 
  private:
   std::shared_ptr<const Preparation> preparation_;

@@ -14,8 +14,7 @@ struct SmoothingMemory {
   Workspace workspace;
 };
 
-/// Skin, patch, projection, folds, cloth, shading normals. Threads may share the preparation; each needs its own
-/// memory.
+/// Skin, patch, projection, folds, cloth, shading normals. Threads may share the preparation, but not the memory.
 /// @param rig  posed by preparation->poser in this pose.  @param eye  as in Smoother::smooth
 /// @param posingSeconds  time to pose the rig, added to that of the skin
 void smooth(const std::shared_ptr<const Preparation>& preparation, const PosedRig& rig, const Pose& pose,

@@ -163,8 +163,7 @@ RefinementLevels levelsThatFit(const Preparation& next, const std::vector<Pose>&
     std::vector<std::uint8_t> unknown(mesh.triangles.size(), 0);
     forEachIndex(unknown.size(), kFewSplits, [&](std::size_t t) {
       const SplitLevels split = splitOf(mesh, levels, static_cast<int>(t));
-      // The fit has covered n^2 splits.
-      if (!split.isUniform() && !find(known[t], split)) unknown[t] = 1;
+      if (!split.isUniform() && !find(known[t], split)) unknown[t] = 1;  // The fit has covered n^2 splits.
     });
     const std::vector<SampledPiece> pieces =
         sampledPieces(next, std::vector<std::uint8_t>(mesh.edges.size(), 0), unknown);

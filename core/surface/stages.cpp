@@ -49,8 +49,7 @@ void cull(const Preparation& p, const PosedField& posed, const FieldView& field,
   out.report.culledTriangles = culling.culled;
 }
 
-/// Updates positions and normals of vertices whose heights have been lowered: lower skin is flatter.
-/// @param lifted  vertices with a height.  @param raw [V'] heights before.
+/// Updates vertices whose heights were lowered: lower skin is flatter.  @param raw [V'] heights before.
 void placeLowered(std::span<const int> lifted, std::span<const float> raw, const Workspace& w, Surface& out) {
   constexpr std::size_t kFew = 2048;  // For one thread.
   forEachIndex(lifted.size(), kFew, [&](std::size_t i) {

@@ -91,8 +91,7 @@ void clearStrayParts(const fs::path& folder, std::time_t now) {
 
 namespace {
 
-/// How long a pipe waits for its reader.
-constexpr int kReaderTries = 50;
+constexpr int kReaderTries = 50;  ///< How long a pipe waits for its reader.
 constexpr std::chrono::milliseconds kReaderPause{100};
 /// Previous versions up to this size are copied where the file system has no hard links.
 constexpr std::uintmax_t kMostCopied = 1U << 30U;
@@ -245,8 +244,7 @@ int doubleFile(const fs::path& file, Written& made) {
   return writeNamed(file, bytes.value(), present.st_mode & 07777, made);
 }
 
-/// Keeps the previous version as NAME~. If that fails (a folder has the name, the disk is full), the new version still
-/// replaces the file: it is whole on the disk.
+/// Keeps the previous version as NAME~. If that fails (a folder, a full disk), the new one still replaces the file.
 void keepPrevious(const fs::path& file) {
   Written made;
   fs::path kept = file;

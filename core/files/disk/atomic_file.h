@@ -22,8 +22,7 @@ namespace sinew {
 class Descriptor {
  public:
   Descriptor() = default;
-  /// @param number  from the system; -1: not open
-  explicit Descriptor(int number) : number_(number) {}
+  explicit Descriptor(int number) : number_(number) {}  ///< @param number  from the system; -1: not open
   Descriptor(Descriptor&& other) noexcept : number_(std::exchange(other.number_, -1)) {}
   Descriptor& operator=(Descriptor&& other) noexcept {
     std::swap(number_, other.number_);
@@ -52,8 +51,7 @@ class Descriptor {
 /// Younger parts are kept: no write takes so long, and locks may be missing.
 inline constexpr std::chrono::hours kStrayAge{1};
 
-/// A new name in this process.
-[[nodiscard]] std::filesystem::path freshPart(const std::filesystem::path& folder);
+[[nodiscard]] std::filesystem::path freshPart(const std::filesystem::path& folder);  ///< A new name in this process.
 
 /// Marks an open file as in use until it and its copies are closed. Does nothing without locks.
 void lockPart(const Descriptor& file);
@@ -85,8 +83,7 @@ struct NamedBytes {
 [[nodiscard]] Result<void> writeFilesAtomically(const std::vector<NamedBytes>& files,
                                                 Previous previous = Previous::kKept);
 
-/// The same for a file that another program has written. @param made  in the folder of `file`; removed, even on an
-/// Error
+/// The same for a file written by another program. @param made  in the folder of `file`; removed, even on an Error
 [[nodiscard]] Result<void> putFileAtomically(const std::filesystem::path& made, const std::filesystem::path& file);
 
 /// Error: it is absent, a folder, unreadable, or larger than `limit` bytes.

@@ -43,8 +43,7 @@ Result<usd::Stage> stageOf(const Source& source, const PackedGltf& packed, const
 }
 
 /// Writes the .usda and its textures, all or none. Returns their bytes. Throws gltf::Refusal.
-/// @param left     receives what .usda cannot hold
-/// @param moments  points over time instead of a skeleton; null: skinned
+/// @param left  receives what .usda cannot hold  @param moments  points over time instead of a skeleton; null: skinned
 Result<std::uint64_t> writeStage(const Source& source, const PackedGltf& packed, const std::filesystem::path& file,
                                  std::vector<std::string>& left, const usd::PointMoments* moments) {
   auto stage = stageOf(source, packed, file, moments);
@@ -120,8 +119,7 @@ class PointCache {
 constexpr int kMostFrames = 1'000'000;
 constexpr double kMostCacheBytes = 4e9;
 constexpr double kMostStageBytes = 2e9;
-/// Approximate bytes of a point and a normal as text.
-constexpr double kTextOfVertex = 96.0;
+constexpr double kTextOfVertex = 96.0;  ///< Approximate bytes of a point and a normal as text.
 
 using SharedCharacter = std::shared_ptr<const Character>;
 

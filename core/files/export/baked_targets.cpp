@@ -20,10 +20,8 @@
 namespace sinew::exporting {
 namespace {
 
-/// Frames of a clip. The search for targets is cubic in them.
-constexpr int kMostTargetFrames = 4000;
-/// Vertices times frames in memory: 3 GB.
-constexpr std::size_t kMostPoints = 100'000'000;
+constexpr int kMostTargetFrames = 4000;           ///< Frames of a clip. The search for targets is cubic in them.
+constexpr std::size_t kMostPoints = 100'000'000;  ///< Vertices times frames in memory: 3 GB.
 /// Smaller changes of normals, about a quarter of a degree, have no entry in a target.
 constexpr float kNormalStep = 1.0f / 256.0f;
 constexpr std::size_t kLeastTargetRange = 1024;  ///< Vertices per thread, at least.
@@ -45,7 +43,6 @@ struct PrimitiveDeltas {
   std::vector<std::vector<glm::vec3>> normals;    ///< [targets][vertices]
 };
 
-/// Adds morph targets to the written primitives.
 class TargetMaker {
  public:
   TargetMaker(std::shared_ptr<const Character> character, const Rig& rig, const JointFit& fit,

@@ -16,12 +16,10 @@
 namespace sinew::exporting {
 namespace {
 
-/// Validators accept rotations whose length differs less from 1.
-constexpr float kToldWithin = 1e-4f;
+constexpr float kToldWithin = 1e-4f;  ///< Validators accept rotations whose length differs less from 1.
 
 enum class ClipRepairKeys { kStep, kLinear, kCubic };
 
-/// The keys of a sampler.
 struct KeyTrack {
   ClipRepairKeys kind = ClipRepairKeys::kLinear;
   bool turns = false;      ///< Rotations.

@@ -10,8 +10,7 @@
 namespace sinew::exporting {
 
 /// Sorts key times, cuts keys before 0, normalizes rotations, all as they play. Removes channels that do not play: a
-/// second one for a property, one of a node placed by a matrix, one with unreadable keys. @param left  receives the
-/// changes
+/// second one of a property, one of a node with a matrix, one with unreadable keys. @param left  receives the changes
 void repairClips(Source& source, GltfRewrite& rewrite, std::set<std::string>& left);
 
 }  // namespace sinew::exporting

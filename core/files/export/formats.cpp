@@ -94,8 +94,7 @@ Result<Report> withSource(const std::filesystem::path& characterFile, const Char
   });
 }
 
-/// Percent of the height; a larger error is refused.
-constexpr double kMostError = 100.0;
+constexpr double kMostError = 100.0;  ///< Percent of the height; a larger error is refused.
 
 Result<void> checkError(const std::filesystem::path& file, const SkinnedExportReport& report) {
   const bool isBetween = report.allBetween.largest > report.allClips.largest;

@@ -57,8 +57,7 @@ std::uint64_t elementBytes(const Json& accessor, std::uint64_t componentType) {
   return shape == kShapes.end() ? 0 : shape->components * componentBytes(componentType);
 }
 
-/// Intervals of a view that accessors use, and their places without the rest. They begin at multiples of 4 and keep
-/// their order, so that numbers stay aligned.
+/// Used intervals of a view, and their places without the rest: at multiples of 4, in order, to keep numbers aligned.
 class UsedBytes {
  public:
   void add(std::uint64_t begin, std::uint64_t end) {
@@ -101,8 +100,7 @@ class UsedBytes {
   std::vector<std::pair<std::uint64_t, std::uint64_t>> intervals_;  ///< Begin and end.
 };
 
-/// Calls visit(user of a bufferView, bytes used from its byteOffset on) for all accessors and their sparse parts; 0
-/// bytes: unknown.
+/// Calls visit(user of a bufferView, bytes used from its byteOffset; 0: unknown) for all accessors and sparse parts.
 void visitUses(Json& root, const std::function<void(Json& user, std::uint64_t bytes)>& visit) {
   Json* const accessors = memberOf(root, "accessors");
   if (!accessors) return;
@@ -130,8 +128,7 @@ void visitUses(Json& root, const std::function<void(Json& user, std::uint64_t by
 }
 
 constexpr std::uint64_t kMostBytes = std::numeric_limits<std::uint32_t>::max();
-/// Fewer unused bytes of a view are padding, and stay.
-constexpr std::uint64_t kLeastUnused = 16;
+constexpr std::uint64_t kLeastUnused = 16;  ///< Fewer unused bytes of a view are padding, and stay.
 
 /// Beginnings of the names of extensions that use no accessor and no bufferView.
 constexpr std::array<std::string_view, 10> kWithoutData{
@@ -189,8 +186,7 @@ void visitViews(Json& root, const std::function<void(Json&)>& visit) {
   }
 }
 
-/// [bufferViews] used intervals of partly used views, such as one with the keys of all clips; moves accessors to their
-/// new places. Empty for views that stay whole.
+/// [bufferViews] used intervals of partly used views, empty for whole ones; moves accessors to their new places.
 std::vector<UsedBytes> findUsedBytes(Json& root) {
   const std::vector<Json>& views = root.at("bufferViews").items();
   std::vector<UsedBytes> used(views.size());

@@ -16,14 +16,12 @@
 
 namespace sinew::exporting {
 
-/// Mutable member of an object, or null.
-[[nodiscard]] Json* memberOf(Json& object, std::string_view name);
+[[nodiscard]] Json* memberOf(Json& object, std::string_view name);  ///< Mutable member of an object, or null.
 /// Member of an object, created as `empty` if absent.
 [[nodiscard]] Json& ensureMember(Json& object, std::string_view name, const Json& empty);
 void removeMember(Json& object, std::string_view name);
 
-/// With all digits of the floats, as readers compare them.
-[[nodiscard]] Json numbersOf(const glm::dvec3& values);
+[[nodiscard]] Json numbersOf(const glm::dvec3& values);  ///< With all digits of the floats, as readers compare them.
 [[nodiscard]] Json numbersOf(const std::vector<float>& values);
 
 /// Values as bytes of the file.
@@ -32,7 +30,6 @@ template <class Value>
   return {reinterpret_cast<const char*>(values.data()), values.size() * sizeof(Value)};
 }
 
-/// An accessor to add.
 struct AccessorData {
   std::string_view bytes;
   int componentType = 0;  ///< TINYGLTF_COMPONENT_TYPE_*
@@ -42,7 +39,6 @@ struct AccessorData {
   std::optional<Bounds> bounds{};  ///< For positions.
 };
 
-/// A finished file.
 struct PackedGltf {
   Json root;           ///< Its buffer has a byteLength but no uri.
   std::string binary;  ///< 4-byte aligned.
@@ -54,8 +50,7 @@ class GltfRewrite {
   GltfRewrite(Json root, gltf::File& file) : root_(std::move(root)), file_(file) {}
 
   [[nodiscard]] Json& root() { return root_; }
-  /// An element of one of the root's lists.
-  [[nodiscard]] Json& element(std::string_view list, int index);
+  [[nodiscard]] Json& element(std::string_view list, int index);  ///< An element of one of the root's lists.
   /// Appends to one of the root's lists, created if absent. Returns the index.
   int append(std::string_view list, Json element);
   int addAccessor(const AccessorData& data);
@@ -65,10 +60,8 @@ class GltfRewrite {
     return addAccessor({bytesOf(values), TINYGLTF_COMPONENT_TYPE_FLOAT, type, values.size(),
                         TINYGLTF_TARGET_ARRAY_BUFFER, std::move(bounds)});
   }
-  /// @param target  TINYGLTF_TARGET_*, 0 for none
-  int addView(std::string_view bytes, int target);
-  /// Throws gltf::Refusal where used bytes cannot be read.
-  [[nodiscard]] PackedGltf pack() &&;
+  int addView(std::string_view bytes, int target);  ///< @param target  TINYGLTF_TARGET_*, 0 for none
+  [[nodiscard]] PackedGltf pack() &&;               ///< Throws gltf::Refusal where used bytes cannot be read.
 
  private:
   void takeImages();
@@ -80,15 +73,13 @@ class GltfRewrite {
   std::string binary_;
 };
 
-/// As a .glb. Error: over 4 GiB.
-[[nodiscard]] Result<std::string> glbOf(const PackedGltf& packed);
+[[nodiscard]] Result<std::string> glbOf(const PackedGltf& packed);  ///< As a .glb. Error: over 4 GiB.
 /// As the text of a .gltf with its buffer in a file beside it.
 [[nodiscard]] std::string gltfOf(const PackedGltf& packed, const std::string& binaryName);
 
 // Clips of the file as JSON.
 
-/// Name of a clip, as in the import.
-[[nodiscard]] std::string clipName(const Json& clip, int index);
+[[nodiscard]] std::string clipName(const Json& clip, int index);  ///< Name of a clip, as in the import.
 
 /// Appends a clip. @param fileNode  [skeleton nodes]  @param targets  of the character
 void addClip(const AnimationClip& clip, std::span<const int> fileNode, std::span<const MorphTarget> targets,

@@ -48,8 +48,7 @@ void requireFrames(const Character& character, const BakedExportSettings& settin
 
 namespace {
 
-/// Approximate size of the JSON of a sparse accessor and its two views.
-constexpr std::size_t kSparseJson = 250;
+constexpr std::size_t kSparseJson = 250;  ///< Approximate size of the JSON of a sparse accessor and its two views.
 
 template <class Number>
 int addIndices(GltfRewrite& rewrite, const std::vector<std::size_t>& indices) {

@@ -1,5 +1,4 @@
-// core/files/export/morph_targets.h: sample times of baked clips; morph targets of written primitives and their
-// weights.
+// core/files/export/morph_targets.h: sample times of baked clips; morph targets of written primitives, and weights.
 #pragma once
 
 #include <functional>
@@ -40,7 +39,6 @@ struct TargetDeltas {
   std::vector<glm::vec3> normals;    ///< [vertices]
 };
 
-/// The targets of one mesh.
 struct MeshTargets {
   std::vector<std::string> names;
   std::vector<float> weights;  ///< [names] without a clip.
@@ -51,8 +49,7 @@ struct MeshTargets {
 /// The nodes that show one of the primitives.
 [[nodiscard]] std::set<int> nodesOf(std::span<const OutPrimitive> primitives);
 
-/// Adds the targets to the mesh of a node; its other primitives get as many idle ones, as glTF requires. Uses sparse
-/// accessors where they are smaller.
+/// Adds targets to a node's mesh, and as many idle ones to its other primitives (glTF). Sparse where that is smaller.
 void addMorphTargets(int node, std::span<const OutPrimitive> primitives, const MeshTargets& targets,
                      GltfRewrite& rewrite);
 

@@ -298,8 +298,7 @@ namespace {
 std::string notFinite(const std::string& attribute) {
   return attribute + ": values that are not finite, which glTF does not allow; others stand for them";
 }
-/// Smaller changes of normals are rounding: the file's normal stays exactly.
-constexpr float kSameNormal = 1e-4f;
+constexpr float kSameNormal = 1e-4f;  ///< Smaller changes of normals are rounding: the file's normal stays exactly.
 
 std::vector<glm::vec3> pointsOf(const std::vector<float>& values) {
   std::vector<glm::vec3> points;

@@ -20,20 +20,17 @@ namespace sinew::exporting {
 /// first
 bool addLineData(const Source& source, const LineJoints& lines, std::span<const int> nodes, GltfRewrite& rewrite);
 
-/// Skins keep their joints, order and matrices; joints that only fitted weights use are appended. A node without a skin
-/// gets one.
+/// Skins keep joints, order and matrices; joints that only fitted weights use are appended. Nodes without skin get one.
 class OutSkins {
  public:
   explicit OutSkins(Source& source);
 
   /// Joints of bindings beyond the skeleton's. @param nodes  [joints] of the file
   void addJoints(std::span<const HelperJoint> joints, std::span<const int> nodes);
-  /// Number of a binding among the joints of a node's skin, appended if absent.
-  int jointOf(int node, int binding);
+  int jointOf(int node, int binding);  ///< Number of a binding among the joints of a node's skin, appended if absent.
   /// Mesh space of a node's skin -> world in the bind pose.
   [[nodiscard]] const glm::dmat4& meshToBind(int node) const;
-  /// Writes the skins and assigns them to nodes. Call once, at the end.
-  void write(GltfRewrite& rewrite);
+  void write(GltfRewrite& rewrite);  ///< Writes the skins and assigns them to nodes. Call once, at the end.
   /// Nodes that are joints of the skins written.
   [[nodiscard]] int jointNodes() const { return static_cast<int>(nodes_.size()); }
 

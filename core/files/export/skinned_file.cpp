@@ -32,7 +32,6 @@ std::string freeName(std::set<std::string>& taken, const std::string& wanted) {
   return name;
 }
 
-/// Adds channels to a clip of the file.
 class ClipKeys {
  public:
   ClipKeys(int clip, const HelperClip& keys, GltfRewrite& rewrite)

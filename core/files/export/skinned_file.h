@@ -22,7 +22,6 @@ struct SkinnedFile {
   std::vector<std::string> left;  ///< SkinnedExportReport::left
 };
 
-/// A refined primitive in the file.
 struct OutPrimitive {
   int node = 0;              ///< The file's node that shows the mesh.
   int place = 0;             ///< Index in the mesh.

@@ -64,8 +64,7 @@ std::optional<std::pair<Json, Json>> boundsIn(gltf::Bytes view, const tinygltf::
   return bounds;
 }
 
-/// Makes views, accessors and primitives plain, as in the file's model; the extensions that compressed them are gone,
-/// and nothing refers to the compressed bytes any more. `root` is all of the file's JSON.
+/// Makes views, accessors and primitives plain, as in the file's model; compression leaves no trace. `root`: all JSON.
 class PlainMaker {
  public:
   PlainMaker(Json& root, const gltf::File& file) : root_(root), file_(file), model_(file.model()) {}

@@ -57,10 +57,8 @@ struct Source {
 
   /// Whether a path is the file itself or one of its buffers or images.
   [[nodiscard]] bool reads(const std::filesystem::path& other) const;
-  /// Node of a bone in the file.
-  [[nodiscard]] int nodeOfBone(int bone) const;
-  /// Node of a binding's bone.
-  [[nodiscard]] int nodeOf(int binding) const;
+  [[nodiscard]] int nodeOfBone(int bone) const;  ///< Node of a bone in the file.
+  [[nodiscard]] int nodeOf(int binding) const;   ///< Node of a binding's bone.
 
  private:
   Source(const std::filesystem::path& from, std::vector<std::uint8_t> contents);
@@ -80,8 +78,7 @@ void requireSame(const Source& source, const Character& character);
 [[nodiscard]] Result<void> checkSeconds(const std::filesystem::path& file, const Character& character,
                                         const std::vector<std::string>& asked);
 
-/// Error: no such folder, a target that is a folder, or one that the character is read from.
-/// @param files  the main one last
+/// Error: no such folder, a target is a folder, or the character is read from it. @param files  the main one last
 [[nodiscard]] Result<void> checkPlaces(const Source& source, const std::vector<std::filesystem::path>& files);
 
 /// checkPlaces(), then writes all files or none. Returns their bytes.

@@ -1,5 +1,4 @@
-// core/files/fit/fit_kernel.cpp: sums over poses, compiled once per instruction set. Every lane does the same
-// operations in the same order for all sets.
+// core/files/fit/fit_kernel.cpp: sums over poses, compiled once per instruction set; all sets give the same bits.
 #include "core/files/fit/weight_fit.h"
 
 #include <algorithm>

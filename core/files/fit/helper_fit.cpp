@@ -291,8 +291,7 @@ class HelperFit {
     }
   }
 
-  /// [vertices] candidates: bindings of the initial and the current weights, and the helpers that alone would remove
-  /// most of the error.
+  /// [vertices] candidates: bindings of the initial and current weights, and the helpers that alone remove most error.
   [[nodiscard]] std::vector<std::vector<int>> choices() const {
     const std::size_t n = task_.rest.size();
     const std::size_t helpers = this->helpers();

@@ -1,5 +1,4 @@
-// core/files/fit/helper_fit.h: rigid helper joints where joints and weights leave the most error: a decomposition of
-// linear blend skinning with given joints (after Le and Deng 2012).
+// core/files/fit/helper_fit.h: rigid helper joints where skinning errs most (decomposition after Le and Deng 2012).
 #pragma once
 
 #include <array>
@@ -12,7 +11,6 @@
 
 namespace sinew::exporting {
 
-/// Input of a fit of helpers.
 struct HelperTask {
   const Skeleton& skeleton;
   std::span<const glm::vec3> rest;                ///< [vertices] the exported bind pose.

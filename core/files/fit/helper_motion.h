@@ -1,5 +1,4 @@
-// core/files/fit/helper_motion.h: joints that an export adds: rigid helpers and muscle lines, and their motion in a
-// pose.
+// core/files/fit/helper_motion.h: joints that an export adds (rigid helpers, muscle lines) and their motion in a pose.
 #pragma once
 
 #include <optional>
@@ -34,8 +33,7 @@ struct Trs {
 /// direction. A column of zeros gives scale 0.
 [[nodiscard]] Trs trsOf(const glm::dmat4& matrix);
 
-/// Rounded to floats, with a unit rotation.
-[[nodiscard]] Trs roundToFloats(const Trs& exact);
+[[nodiscard]] Trs roundToFloats(const Trs& exact);  ///< Rounded to floats, with a unit rotation.
 
 /// A joint that the export adds.
 struct HelperJoint {
@@ -46,7 +44,6 @@ struct HelperJoint {
   int line = -1;                ///< The rig's line that it follows; -1: a rigid helper.
 };
 
-/// How helper joints move in a clip.
 struct HelperClip {
   std::string clip;
   std::vector<float> times;              ///< [keys] seconds, rising.
@@ -73,8 +70,7 @@ class RigidMotion {
     glm::dquat rotation{1.0, 0.0, 0.0, 0.0};  ///< Unit; p -> rotation * p + translation.
     glm::dvec3 translation{0.0};
   };
-  /// Minimizes the sum of weight * |motion(from) - to|^2. Identity without points.
-  [[nodiscard]] Motion best() const;
+  [[nodiscard]] Motion best() const;  ///< Minimizes the sum of weight * |motion(from) - to|^2. Identity without points.
 
  private:
   double weight_ = 0.0;
@@ -83,7 +79,6 @@ class RigidMotion {
   glm::dmat3 products_{0.0};  // Column i: sum of from[i] * to.
 };
 
-/// A pose for fitting weights and helpers.
 struct FitPose {
   Pose pose;
   std::vector<glm::dmat4> matrices;  ///< [bindings and lines' joints] world of the bind pose -> world now.
@@ -121,15 +116,13 @@ class HelperMotion {
   int first_ = 0;
 };
 
-/// Joints for the lines with muscles, in the rig's order: one each, or two where joints may not scale. A line's
-/// deformation is a rotation, a translation and a scale along its own axes (docs/muscles.md), so that a joint can
-/// follow it.
+/// Joints for the lines with muscles, in the rig's order: one each, or two where joints may not scale. A line deforms
+/// by a rotation, a translation and a scale along its own axes (docs/muscles.md), so that a joint can follow it.
 class LineJoints {
  public:
   LineJoints() = default;
   /// @param poses  where joints must be exact: the parent is the nearest bone, from that of the line's origin upwards,
-  /// that
-  ///               is never scaled unevenly in them
+  ///               that they never scale unevenly
   LineJoints(const Rig& rig, const Character& character, JointScale scale, std::span<const Pose> poses);
 
   [[nodiscard]] const std::vector<HelperJoint>& joints() const { return joints_; }
@@ -137,10 +130,8 @@ class LineJoints {
   /// The bind pose of a joint's line, with the rig's own settings. @param line  HelperJoint::line
   [[nodiscard]] const LineRest& restOf(int line) const { return *at(rests_, line); }
   [[nodiscard]] const std::string& nameOf(int line) const { return at(names_, line); }
-  /// [joints] in their parents' spaces.
-  void pose(const Pose& pose, std::vector<Trs>& locals) const;
-  /// Removes joints. @param kept  [joints]
-  void keep(const std::vector<bool>& kept);
+  void pose(const Pose& pose, std::vector<Trs>& locals) const;  ///< [joints] in their parents' spaces.
+  void keep(const std::vector<bool>& kept);                     ///< Removes joints. @param kept  [joints]
 
  private:
   void add(int line, std::string name, int bone, const glm::dvec3& place);

@@ -301,18 +301,12 @@ namespace {
 
 /// Weight of the range of motion relative to all clips: its poses may never occur in clips.
 constexpr double kShareOfFurther = 0.25;
-/// Fraction of the height: vertices this near are not fitted.
-constexpr double kNearEnough = 1e-5;
-/// Rounds of moving one helper after the other in a pose.
-constexpr int kRoundsInPose = 6;
-/// Vertices for fitting joints; of more, a sample of this size.
-constexpr std::size_t kMostFitted = 8'000;
-/// Points of live surfaces in memory: 240 MB.
-constexpr std::size_t kMostFitPoints = 20'000'000;
-/// Poses of the range of motion for fitting helpers.
-constexpr std::size_t kMostFurtherPoses = 100;
-/// Poses of clips for fitting all vertices after a sample.
-constexpr std::size_t kMostWeighed = 150;
+constexpr double kNearEnough = 1e-5;                ///< Fraction of the height: vertices this near are not fitted.
+constexpr int kRoundsInPose = 6;                    ///< Rounds of moving one helper after the other in a pose.
+constexpr std::size_t kMostFitted = 8'000;          ///< Vertices for fitting joints; of more, a sample of this size.
+constexpr std::size_t kMostFitPoints = 20'000'000;  ///< Points of live surfaces in memory: 240 MB.
+constexpr std::size_t kMostFurtherPoses = 100;      ///< Poses of the range of motion for fitting helpers.
+constexpr std::size_t kMostWeighed = 150;           ///< Poses of clips for fitting all vertices after a sample.
 
 /// Approximate fraction of the work for each stage.
 struct StageShares {

@@ -70,18 +70,14 @@ class JointFit {
   JointFit(std::shared_ptr<const Character> character, const Character& moving, const Rig& rig,
            const SkinnedExportSettings& settings, const ExportProgress& progress);
 
-  /// Error: the rig does not fit the character.
-  Result<void> findWeights();
-  /// Compares all poses, and finds the keys of the added joints.
-  void measure(SkinnedExportReport& report);
+  Result<void> findWeights();                 ///< Error: the rig does not fit the character.
+  void measure(SkinnedExportReport& report);  ///< Compares all poses, and finds the keys of the added joints.
   /// After measure(): compares the clips between their keys, as a program plays them.
   void measureBetween(SkinnedExportReport& report);
 
   [[nodiscard]] const Surface& bind() const { return bind_; }
-  /// [exported vertices]
-  [[nodiscard]] const std::vector<FourWeights>& weights() const { return weights_; }
-  /// Added joints: those of lines first.
-  [[nodiscard]] std::vector<HelperJoint> helpers() const;
+  [[nodiscard]] const std::vector<FourWeights>& weights() const { return weights_; }  ///< [exported vertices]
+  [[nodiscard]] std::vector<HelperJoint> helpers() const;  ///< Added joints: those of lines first.
   [[nodiscard]] const LineJoints& lines() const { return lines_; }
   /// After measure(): one for each exported clip, in the character's order.
   [[nodiscard]] const std::vector<HelperClip>& helperClips() const { return helperClips_; }

@@ -20,10 +20,8 @@ namespace {
 
 /// Determinant of a blend, relative to a rotation of the same size, below which its inverse is damped ...
 constexpr double kSingular = 0.01;
-/// ... by this, of the mean square of its singular values.
-constexpr double kDamping = 1e-4;
-/// Fraction of the height that other readers' arithmetic may differ by ...
-constexpr double kReaders = 1e-6;
+constexpr double kDamping = 1e-4;  ///< ... by this, of the mean square of its singular values.
+constexpr double kReaders = 1e-6;  ///< Fraction of the height that other readers' arithmetic may differ by ...
 /// ... and of the distance from the origin: products of matrices, and a sum for each vertex.
 constexpr double kReadersFar = 4.0 * static_cast<double>(std::numeric_limits<float>::epsilon());
 constexpr std::size_t kLeastMorphRange = 1024;  ///< Vertices per thread, at least.
@@ -92,22 +90,15 @@ ErrorFigures MorphFit::skinnedFigures() const {
 
 namespace {
 
-/// Rounds of reweighting.
-constexpr int kSearchRounds = 24;
-/// Approximate limit of products for all Gram matrices: with many vertices and frames there are fewer rounds, at
-/// least 1.
+constexpr int kSearchRounds = 24;  ///< Rounds of reweighting.
+/// Approximate limit of products for all Gram matrices: with many vertices and frames fewer rounds, at least 1.
 constexpr double kMostProducts = 3e10;
-/// Rounds without improvement before the search ends.
-constexpr int kFutile = 6;
-/// Least weight factor of a vertex, relative to one at the bound.
-constexpr double kLeastShare = 0.05;
-/// Entries below this fraction of the bound are dropped, if the bound allows.
-constexpr double kSparsest = 0.25;
+constexpr int kFutile = 6;            ///< Rounds without improvement before the search ends.
+constexpr double kLeastShare = 0.05;  ///< Least weight factor of a vertex, relative to one at the bound.
+constexpr double kSparsest = 0.25;    ///< Entries below this fraction of the bound are dropped, if the bound allows.
 constexpr double kDensest = 1.0 / 256.0;
-/// Vertices in a block of a thread.
-constexpr std::size_t kBlock = 2048;
-/// Rows in a block of the Gram matrix.
-constexpr Eigen::Index kRows = 768;
+constexpr std::size_t kBlock = 2048;  ///< Vertices in a block of a thread.
+constexpr Eigen::Index kRows = 768;   ///< Rows in a block of the Gram matrix.
 
 }  // namespace
 

@@ -43,10 +43,8 @@ class MorphFit {
   void add(std::vector<glm::dmat4> matrices, std::span<const glm::vec3> live);
   /// A distance that other readers, which compute in floats, may differ by: no smaller bound can hold.
   [[nodiscard]] double coarseness() const;
-  /// Error of skinning alone.
-  [[nodiscard]] ErrorFigures skinnedFigures() const;
-  /// The fewest targets found that keep all vertices in all frames within `bound`, a distance. nullopt: one target per
-  /// frame is not enough. Throws Canceled.
+  [[nodiscard]] ErrorFigures skinnedFigures() const;  ///< Error of skinning alone.
+  /// The fewest targets found within `bound`, a distance. nullopt: one target per frame is not enough. Throws Canceled.
   [[nodiscard]] std::optional<MorphTargets> solve(double bound, const StageProgress& progress) const;
 
  private:

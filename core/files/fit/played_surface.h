@@ -41,8 +41,7 @@ struct PlayedMorphs {
   std::vector<MorphKeys> clips;        ///< Exported clips.
 };
 
-/// The pose with all weights 0.
-[[nodiscard]] Pose withoutMorphs(const Character& character, Pose pose);
+[[nodiscard]] Pose withoutMorphs(const Character& character, Pose pose);  ///< The pose with all weights 0.
 
 /// The surface with each target at 1, minus `bind`.
 /// @param surfaces  prepared with a rig without weights  @param bind  their surface without targets
@@ -58,8 +57,7 @@ void setMorphKeys(const Character& character, const Rig& rig, std::span<const Ex
 /// of 1/1024 of an octave, with memory only for octaves in use. Their order affects only the last bits of the sum.
 class ErrorMeter {
  public:
-  /// @param height  H: figures are in percent of it
-  explicit ErrorMeter(double height) : scale_(100.0 / height) {}
+  explicit ErrorMeter(double height) : scale_(100.0 / height) {}  ///< @param height  H: figures are in percent of it
 
   void add(double distance, int vertex);
   /// Begins a pose: its distances follow.
@@ -75,8 +73,7 @@ class ErrorMeter {
   }
   /// Index of the clip of the largest distance; -1: none.
   [[nodiscard]] int farthestClip() const { return farthestClip_; }
-  /// Without names of clip and bone.
-  [[nodiscard]] ErrorFigures figures() const;
+  [[nodiscard]] ErrorFigures figures() const;  ///< Without names of clip and bone.
 
  private:
   static constexpr std::size_t kOctaves = 256;  ///< A float's exponents.

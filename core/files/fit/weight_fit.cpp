@@ -19,8 +19,7 @@ namespace {
 
 constexpr std::size_t kMost = 4;
 
-/// Cholesky factor of A = G + mu I on the chosen candidates, extended row by row, with the forward substitutions of two
-/// right-hand sides: mu near, and ones.
+/// Cholesky factor of A = G + mu I on chosen candidates, row by row, and the forward substitutions of mu near and ones.
 class Choice {
  public:
   Choice(const Gram& gram, double mu, const CandidateWeights& near) : gram_(gram), mu_(mu), near_(near) {}
@@ -276,7 +275,6 @@ void WeightFit::addKept() {
             [&](std::size_t first, std::size_t end) { kernels.addGrams(sums, first, end); });
 }
 
-/// Input for solving one vertex.
 struct WeightFit::Vertex {
   std::size_t count = 0;  ///< Candidates.
   CandidateWeights start{};

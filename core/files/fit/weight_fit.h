@@ -76,7 +76,6 @@ void bindingMatrices(const Skeleton& skeleton, const Pose& pose, std::vector<glm
 
 // Sums over poses, by instruction set.
 
-/// A pose for fitting weights.
 struct PoseToFit {
   std::span<const glm::dmat4> matrices;  ///< [bindings, helpers] world of the bind pose -> world now.
   std::span<const glm::vec3> live;       ///< [count] vertices of the live surface; world.
@@ -96,8 +95,7 @@ struct GramSums {
   std::span<const PoseToFit> poses;
 };
 
-/// Helpers in a group.
-inline constexpr std::size_t kHelperGroup = 8;
+inline constexpr std::size_t kHelperGroup = 8;  ///< Helpers in a group.
 
 /// How much of a vertex's error each helper alone could remove, summed over poses.
 struct GainSums {

@@ -35,8 +35,7 @@ class Accessor {
  private:
   friend class Accessors;
 
-  /// Bits without the sign of normalized integers; 0 for others.
-  [[nodiscard]] int normalizedBits() const;
+  [[nodiscard]] int normalizedBits() const;  ///< Bits without the sign of normalized integers; 0 for others.
   /// Whether every value is a number of `bits` bits, shifted to the top, with its highest bits repeated below.
   [[nodiscard]] bool hasBits(int bits, int stored) const;
   [[nodiscard]] const std::uint8_t* element(std::size_t index) const;

@@ -201,8 +201,7 @@ namespace {
 /// Far above any character; protects the memory from a wrong file.
 constexpr std::uintmax_t kMaxFileBytes = 1ULL << 30;
 constexpr std::uint64_t kMaxStride = 65536;
-/// Files need about ten levels; extras may have more.
-constexpr int kMaxNesting = 200;
+constexpr int kMaxNesting = 200;  ///< Files need about ten levels; extras may have more.
 
 /// Checks even unused ones: a file that refers outside its folder is not trusted.
 void checkUris(const Json& root) {

@@ -18,8 +18,7 @@
 
 namespace sinew::gltf {
 
-/// Humanoid bones and expressions of a .vrm file, 1.0 (VRMC_vrm) or 0.x (VRM); empty for other files. Unchecked, except
-/// that numbers are indices.
+/// Humanoid bones and expressions of a .vrm file 1.0 (VRMC_vrm) or 0.x (VRM); else empty. Only indices are checked.
 struct Vrm {
   struct HumanBone {
     std::string name;  ///< "leftUpperArm"
@@ -39,8 +38,7 @@ struct Vrm {
   std::vector<Expression> expressions;
 };
 
-/// Whether it starts with "data:", ignoring case.
-[[nodiscard]] bool isDataUri(std::string_view uri);
+[[nodiscard]] bool isDataUri(std::string_view uri);  ///< Whether it starts with "data:", ignoring case.
 
 /// The relative path of a uri, percent-decoded once; the disk is not checked. Error: absolute, with a scheme, "..", a
 /// backslash or a control character, or empty.
@@ -87,8 +85,7 @@ class File {
   /// Decoded bytes of the model's bufferViews[index]. Refuses a buffer without bytes.
   [[nodiscard]] Bytes bufferView(std::size_t index) const;
   [[nodiscard]] const Unpacked& unpacked() const { return unpacked_; }
-  /// Error: cannot be read; reason only.
-  [[nodiscard]] Result<EncodedImage> encodedImage(std::size_t index);
+  [[nodiscard]] Result<EncodedImage> encodedImage(std::size_t index);  ///< Error: cannot be read; reason only.
 
  private:
   void parse(const std::string& text);

@@ -15,8 +15,7 @@ using Kind = Json::Kind;
 
 /// Elements of all lists; each takes up to about 2 KiB during the import.
 constexpr std::size_t kMaxJsonElements = 500'000;
-/// One more fault refuses the file, used or not.
-constexpr std::size_t kMaxFaults = 1000;
+constexpr std::size_t kMaxFaults = 1000;  ///< One more fault refuses the file, used or not.
 constexpr Rule kAttribute = {.type = Type::kIndex, .list = "accessors", .otherwise = "-1", .whenUsed = true};
 constexpr std::array<double, 6> kComponentTypes{5120, 5121, 5122, 5123, 5125, 5126};
 // MAT2 and MAT3 have padded columns; nothing that is read uses them.

@@ -37,12 +37,10 @@ std::vector<std::uint8_t> webpPixels(std::span<const std::uint8_t> bytes) {
   return whole ? rgba : std::vector<std::uint8_t>();
 }
 
-/// Largest compression ratio of deflate.
-constexpr std::uint64_t kMaxDeflateRatio = 1032;
+constexpr std::uint64_t kMaxDeflateRatio = 1032;  ///< Largest compression ratio of deflate.
 /// Compressed pixels that unpack to no more than this need no test.
 constexpr std::uint64_t kHarmlessBytes = 256U << 20;
-/// Each scan of a progressive JPEG visits the whole image; encoders write about ten.
-constexpr int kMaxScans = 200;
+constexpr int kMaxScans = 200;  ///< Each scan of a progressive JPEG visits the whole image; encoders write about ten.
 
 std::uint32_t bigEndian(Bytes bytes, std::size_t at) {
   return static_cast<std::uint32_t>(bytes[at]) << 24 | static_cast<std::uint32_t>(bytes[at + 1]) << 16 |
@@ -159,8 +157,7 @@ class TextureReader {
  public:
   TextureReader(File& file, Notes& notes) : file_(file), notes_(notes) {}
 
-  /// Index into take(), or -1 for one that cannot be read, which is noted. Refuses an unsound texture, and a uri
-  /// outside the folder.
+  /// Index into take(); -1: unreadable, which is noted. Refuses an unsound texture and a uri outside the folder.
   int read(int index) {
     const std::string place = placeOf("textures", toIndex(index));
     file_.expectSound(place);
@@ -238,8 +235,7 @@ UvSource uvSourceOf(int set, const tinygltf::Value* transform) {
   return uv;
 }
 
-/// Map from the coordinates of `from` to those of `to`, as in TextureMap::place. nullopt: different sets, or a singular
-/// `from`.
+/// Map from the coordinates of `from` to those of `to`, as TextureMap::place. nullopt: other set, or singular `from`.
 std::optional<std::array<glm::vec3, 2>> placeFrom(const UvSource& from, const UvSource& to) {
   if (from.set != to.set) return std::nullopt;
   if (from.transform == to.transform) return TextureMap{}.place;

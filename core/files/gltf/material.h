@@ -49,8 +49,7 @@ struct Image {
 
 inline constexpr int kMaxImageSide = 8192;  ///< Pixels.
 
-/// Decodes an image after checking its dimensions and unpacked size. Error: reason only.
-/// @param maxPixels  rest of the budget for all images of the file
+/// Checks dimensions and unpacked size, then decodes. Error: reason only. @param maxPixels  left for the file's images
 [[nodiscard]] Result<Image> decodeImage(Bytes encoded, std::size_t maxPixels);
 
 // Materials.
@@ -71,8 +70,7 @@ struct Materials {
 
 enum class Images { kRead, kLeftOut };
 
-/// Notes textures that cannot be read; refuses a uri outside the folder.
-/// @param images  kLeftOut: no textures, for callers that need only the uv sources
+/// Notes unreadable textures; refuses uris outside the folder. @param images  kLeftOut: for callers that need only uvs
 [[nodiscard]] Materials readMaterials(File& file, Notes& notes, Images images = Images::kRead);
 
 }  // namespace sinew::gltf

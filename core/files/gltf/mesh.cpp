@@ -28,7 +28,6 @@ constexpr double kMostRoundedWeight = 0.02;
 constexpr float kMostRoundedPlace =
     2.5e-4f;  ///< Of the height. Coarser pieces stay separate where rounding separated them.
 
-/// The accessors of one primitive.
 struct Attributes {
   const Accessor* position = nullptr;
   const Accessor* uv = nullptr;

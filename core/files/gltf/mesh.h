@@ -43,7 +43,6 @@ struct SoupPart {
   std::size_t endVertex = 0;
 };
 
-/// Origin of a soup.
 struct SoupOrigin {
   std::vector<SoupPart> parts;            ///< In the soup's order; only those with triangles.
   std::vector<std::uint32_t> fileVertex;  ///< [N] number of each vertex in its primitive.
@@ -73,7 +72,6 @@ void keepUsedParts(ControlMesh& mesh, std::vector<MeshMaterial>& parts);
 
 /// H of docs/design.md: the y extent, or the largest extent if flat.
 [[nodiscard]] float heightOf(const std::vector<glm::vec3>& positions);
-/// Tolerance for welding a soup (core/geometry/weld.h).
-[[nodiscard]] float weldTolerance(const TriangleSoup& soup);
+[[nodiscard]] float weldTolerance(const TriangleSoup& soup);  ///< Tolerance for welding a soup (core/geometry/weld.h).
 
 }  // namespace sinew::gltf

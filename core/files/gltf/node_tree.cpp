@@ -19,8 +19,7 @@ namespace sinew::gltf {
 
 namespace {
 
-/// Smaller values round to 0 in 8 bits.
-constexpr float kLeastShown = 0.5f / 255.0f;
+constexpr float kLeastShown = 0.5f / 255.0f;  ///< Smaller values round to 0 in 8 bits.
 
 /// [materials] the largest alpha of the vertex colors; nullopt: unused.
 std::vector<std::optional<float>> vertexAlphas(const Character& character) {

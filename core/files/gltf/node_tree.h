@@ -38,13 +38,11 @@ struct NodeTree {
   [[nodiscard]] const TreeNode& operator[](int node) const { return nodes[static_cast<std::size_t>(node)]; }
 };
 
-/// The default scene is used; without scenes every root. Refuses cycles, nodes with two parents, and transforms that
-/// are not finite.
+/// Takes the default scene, else every root. Refuses cycles, nodes with two parents, transforms that are not finite.
 [[nodiscard]] NodeTree readNodes(const File& file, Notes& notes);
 
 /// Inverse of an affine matrix; nullopt if it is singular or nearly so.
 [[nodiscard]] std::optional<glm::dmat4> affineInverse(const glm::dmat4& matrix);
-/// Whether every entry, and products of a few, fit a float.
-[[nodiscard]] bool isTame(const glm::dmat4& matrix);
+[[nodiscard]] bool isTame(const glm::dmat4& matrix);  ///< Whether every entry, and products of a few, fit a float.
 
 }  // namespace sinew::gltf

@@ -134,8 +134,7 @@ constexpr Rule kKeys = object("", kKeyMembers).checkedWhenUsed(R"({"input":-1,"o
 constexpr std::array kAnimationMembers{text("name"), list("channels", kChannel), list("samplers", kKeys)};
 constexpr Rule kAnimation = object("", kAnimationMembers).checkedWhenUsed("{}");
 
-// Noted, not read.
-constexpr std::array kLightMembers{list("lights", kAnything).keptAside()};
+constexpr std::array kLightMembers{list("lights", kAnything).keptAside()};  // Noted, not read.
 constexpr std::array kFileExtensions{object("KHR_lights_punctual", kLightMembers)};
 
 constexpr std::array kFile{list("buffers", kBuffer).keptAside(),

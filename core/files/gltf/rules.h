@@ -68,8 +68,7 @@ struct Rule {
   }
 };
 
-/// The rules of `asset`, and of everything else.
-[[nodiscard]] const Rule& assetRule();
+[[nodiscard]] const Rule& assetRule();  ///< The rules of `asset`, and of everything else.
 [[nodiscard]] std::span<const Rule> fileRules();
 
 }  // namespace sinew::gltf

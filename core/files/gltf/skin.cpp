@@ -15,8 +15,7 @@ namespace {
 constexpr double kSameBinding = 1e-5;
 /// Paths repeat the names of all ancestors: long chains of long names could fill the memory.
 constexpr std::size_t kMaxPathBytes = 64U << 20;
-/// Joints of all skins, and additional bindings.
-constexpr std::size_t kMaxSkinJoints = 1U << 18;
+constexpr std::size_t kMaxSkinJoints = 1U << 18;  ///< Joints of all skins, and additional bindings.
 constexpr std::size_t kMaxExtraBindings = 4096;
 
 struct Skin {

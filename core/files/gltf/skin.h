@@ -10,7 +10,6 @@
 
 namespace sinew::gltf {
 
-/// Binding of a node's mesh.
 struct MeshBinding {
   glm::dmat4 meshToBind{1.0};  ///< POSITION -> world in the bind pose.
   int skin = -1;               ///< -1 for a rigid mesh.
@@ -24,7 +23,6 @@ struct BoundSkeleton {
   std::vector<std::vector<int>> jointBindings;     ///< [skins][JOINTS_n value] index into Skeleton::bindings.
 };
 
-/// Nodes that become bones.
 enum class BonesFrom {
   kMeshes,  ///< Those that move a mesh.
   kNodes,   ///< Every node of a scene without skinned meshes; else as kMeshes.

@@ -25,8 +25,7 @@ namespace sinew::gltf {
 
 namespace {
 
-/// Largest compression ratio of vertices: two bits for sixteen bytes.
-constexpr std::uint64_t kMostRatio = 64;
+constexpr std::uint64_t kMostRatio = 64;  ///< Largest compression ratio of vertices: two bits for sixteen bytes.
 constexpr std::uint64_t kMostStride = 256;
 
 /// Checks the library's assertions and the rules of EXT_meshopt_compression. nullptr: no fault.
@@ -125,8 +124,7 @@ constexpr int kMostAttributes = 64;
 /// Triangles times tables of connectivity, one for each attribute with seams: about 1 GiB.
 constexpr std::uint64_t kMostTableTriangles = 20'000'000;
 
-/// Bytes that Draco needs for a vertex and attribute besides the value.
-constexpr std::uint64_t kBytesBeside = 8;
+constexpr std::uint64_t kBytesBeside = 8;  ///< Bytes that Draco needs for a vertex and attribute besides the value.
 
 /// Sizes in the header of the bytes.
 struct DracoSizes {

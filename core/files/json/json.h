@@ -17,10 +17,8 @@ namespace sinew {
 
 /// Deeper nesting is refused, so that walking a tree cannot overflow the stack.
 inline constexpr int kMaxJsonDepth = 128;
-/// More values are refused: a small file must not fill the memory.
-inline constexpr int kMaxJsonValues = 4'000'000;
+inline constexpr int kMaxJsonValues = 4'000'000;  ///< More values are refused: a small file must not fill the memory.
 
-/// Limits of a parse.
 struct JsonLimits {
   int depth = kMaxJsonDepth;
   int values = kMaxJsonValues;
@@ -28,8 +26,7 @@ struct JsonLimits {
   std::string_view keptIn{};  ///< But kept in elements of the root's list of this name.
 };
 
-/// One JSON value, with value semantics. Objects keep the order of their keys. Numbers stay text, so that unknown
-/// members are written back unchanged.
+/// A JSON value. Objects keep their order of keys; numbers stay text, so that unknown members are rewritten unchanged.
 struct Json {
   enum class Kind { kNull, kFalse, kTrue, kNumber, kString, kArray, kObject };
   Kind kind = Kind::kNull;
@@ -66,16 +63,14 @@ struct Json {
   [[nodiscard]] std::string text(const std::string& fallback) const;
   [[nodiscard]] bool isNull() const { return kind == Kind::kNull; }
 
-  /// One line without spaces; or, indented, by two spaces with short lists of plain values kept on one line. Invalid
-  /// UTF-8 is replaced by U+FFFD.
+  /// One line without spaces; or, indented by two spaces, short lists of plain values on one line. Bad UTF-8 -> U+FFFD.
   [[nodiscard]] std::string dump(bool indented = false) const;
 
  private:
   Json(Kind of, std::vector<Json> items) : kind(of), children(std::move(items)) {}
 };
 
-/// The text with invalid UTF-8 replaced by U+FFFD.
-[[nodiscard]] std::string validUtf8(const std::string& text);
+[[nodiscard]] std::string validUtf8(const std::string& text);  ///< The text with invalid UTF-8 replaced by U+FFFD.
 
 /// A library's message cut to a length a person reads, in ASCII and on one line.
 [[nodiscard]] std::string shortened(std::string message);

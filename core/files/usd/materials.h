@@ -24,8 +24,7 @@ class Materials {
 
   /// Writes a scope of materials below the prim `above`, if there are any.
   void write(const std::string& above, Text& text);
-  /// Binds a mesh to its material.
-  void bind(const Mesh& mesh, const std::string& above, Text& text) const;
+  void bind(const Mesh& mesh, const std::string& above, Text& text) const;  ///< Binds a mesh to its material.
 
   [[nodiscard]] glm::vec4 factorOf(const Mesh& mesh) const;
   [[nodiscard]] bool isDoubleSided(const Mesh& mesh) const;
@@ -49,8 +48,7 @@ class Materials {
   void writeMaterial(int number, const std::string& path, Text& text);
   [[nodiscard]] std::vector<Input> inputsOf(const Json& material) const;
   std::string writeTransform(const Input& input, const std::string& path, Text& text);
-  /// Name of the image file; "" if unreadable.
-  std::string fileOf(const Json& textureInfo);
+  std::string fileOf(const Json& textureInfo);  ///< Name of the image file; "" if unreadable.
   ImageFile imageOf(int image);
 
   gltf::File& file_;

@@ -13,8 +13,7 @@
 namespace sinew::usd {
 namespace {
 
-/// Limit of vertices of a primitive.
-constexpr std::size_t kMeshesMostVertices = 200'000'000;
+constexpr std::size_t kMeshesMostVertices = 200'000'000;  ///< Limit of vertices of a primitive.
 constexpr std::size_t kFour = 4;
 
 class MeshReader {

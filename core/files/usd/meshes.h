@@ -37,21 +37,17 @@ struct Mesh {
   std::vector<BlendShape> shapes;           ///< Morph targets, in the file's order.
 };
 
-/// All triangles of the scene, node by node. Throws gltf::Refusal for unreadable attributes.
-/// @param root  the same file's JSON  @param left  receives what .usda cannot hold
+/// All triangles of the scene by node. Throws gltf::Refusal for bad attributes. @param left  what .usda cannot hold
 [[nodiscard]] std::vector<Mesh> meshesOf(const gltf::File& file, const Json& root, const gltf::NodeTree& tree,
                                          const gltf::BoundSkeleton& bound, gltf::Accessors& accessors,
                                          std::set<std::string>& left);
 
-/// "primvars:st" for TEXCOORD_0, "primvars:st1" ...
-[[nodiscard]] std::string uvName(std::size_t set);
+[[nodiscard]] std::string uvName(std::size_t set);  ///< "primvars:st" for TEXCOORD_0, "primvars:st1" ...
 
-/// Constant attributes of an open mesh prim: faces, texture coordinates, colors.
-/// @param factor  color of the material, multiplied with vertex colors
+/// Constant attributes of an open mesh prim: faces, uvs, colors. @param factor  the material's, times vertex colors
 void writeTopology(const Mesh& mesh, const glm::vec4& factor, bool doubleSided, Text& text);
 
-/// Bounding box for `extent`.
-[[nodiscard]] std::string extentText(const std::vector<glm::vec3>& points);
+[[nodiscard]] std::string extentText(const std::vector<glm::vec3>& points);  ///< Bounding box for `extent`.
 
 /// Metadata of arrays with a value per vertex.
 [[nodiscard]] inline std::vector<std::string> perVertex() { return {"interpolation = \"vertex\""}; }

@@ -28,8 +28,7 @@ using exporting::trsOf;
 
 constexpr double kFramesPerSecond = 30.0;
 constexpr double kMostSamples = 4e7;  ///< Joints times frames of all clips.
-/// Relative difference of keys of a constant scale.
-constexpr double kSameScale = 1e-6;
+constexpr double kSameScale = 1e-6;   ///< Relative difference of keys of a constant scale.
 
 bool isEven(const glm::dvec3& scale) {
   const double slack = kSameScale * std::abs(scale.x);
@@ -93,8 +92,7 @@ class JointMaker {
       roots += wanted[node] && !below[node] ? 1 : 0;
       if (wanted[node]) nodes_.push_back(static_cast<int>(node));
     }
-    // Readers need one root.
-    if (roots != 1) result_.joints.push_back({.name = "root"});
+    if (roots != 1) result_.joints.push_back({.name = "root"});  // Readers need one root.
   }
 
   void addNodes() {
@@ -260,8 +258,7 @@ void putSamples(const std::string& declaration, std::span<const double> frames, 
   text.close();
 }
 
-/// USD animates blend shapes by name, all meshes together; glTF node by node. So each target of each node has a name of
-/// its own. At rest USD has no weights but 0.
+/// USD animates blend shapes by name, glTF by node, so each target of a node has its own name. At rest weights are 0.
 class BlendShapes {
  public:
   BlendShapes(const gltf::File& file, const gltf::NodeTree& tree, std::span<const Mesh> meshes) {

@@ -39,8 +39,7 @@ struct Joints {
   std::vector<SampledClip> clips;
 };
 
-/// Frames of a clip: whole ones, and its end.
-[[nodiscard]] std::vector<double> framesOf(const AnimationClip& clip);
+[[nodiscard]] std::vector<double> framesOf(const AnimationClip& clip);  ///< Frames of a clip: whole ones, and its end.
 
 /// Joints are the bones, and nodes above them that ever scale unevenly, which would shear joints below if folded. Other
 /// nodes above a joint are folded into it. A bone that two skins bind differently has a joint for each. Constant
@@ -61,18 +60,15 @@ struct Stage {
 /// prim and textures
 [[nodiscard]] Stage skinnedStage(gltf::File& file, const Json& root, const std::string& stem);
 
-/// A mesh at one time.
 struct MeshPoints {
   std::vector<glm::vec3> points;   ///< [vertices] world, in the file's order.
   std::vector<glm::vec3> normals;  ///< [vertices] unit, or none.
 };
 
-/// Meshes over time.
 struct PointMoments {
   double framesPerSecond = 30.0;
   std::vector<double> frames;  ///< Rising; at least one.
-  /// Fills `meshes`, one for each triangle primitive of each node of the scene, in the order of nodes. Called once for
-  /// every frame, in order.
+  /// Fills `meshes`: each triangle primitive of each node, in node order. Called once for every frame, in order.
   std::function<void(std::size_t moment, std::vector<MeshPoints>& meshes)> at;
 };
 

@@ -14,14 +14,12 @@
 
 namespace sinew::usd {
 
-/// The shortest exact text; 0 if not finite.
-void appendNumber(std::string& out, float value);
+void appendNumber(std::string& out, float value);  ///< The shortest exact text; 0 if not finite.
 void appendNumber(std::string& out, double value);
 [[nodiscard]] std::string numberText(float value);
 [[nodiscard]] std::string numberText(double value);
 
-/// "(1, 2, 3)"; a rotation with its real part first.
-void appendItem(std::string& out, const glm::vec2& value);
+void appendItem(std::string& out, const glm::vec2& value);  ///< "(1, 2, 3)"; a rotation with its real part first.
 void appendItem(std::string& out, const glm::vec3& value);
 void appendItem(std::string& out, const glm::vec4& value);
 void appendItem(std::string& out, const glm::quat& value);
@@ -50,11 +48,9 @@ template <class Value>
 
 /// With quotation marks, escaped; invalid UTF-8 is replaced.
 [[nodiscard]] std::string quoted(const std::string& text);
-/// `["a", "b"]`
-[[nodiscard]] std::string quotedList(std::span<const std::string> texts);
+[[nodiscard]] std::string quotedList(std::span<const std::string> texts);  ///< `["a", "b"]`
 
-/// Letters, digits and underscores, no digit first; other characters become underscores.
-/// @param otherwise  for a text without any letter or digit
+/// Letters, digits, underscores, no digit first; others become underscores. @param otherwise  without letter or digit
 [[nodiscard]] std::string identifierOf(const std::string& text, const std::string& otherwise);
 
 /// Unique names of sibling prims.
@@ -71,15 +67,12 @@ class Siblings {
 class Text {
  public:
   void line(std::string_view text);
-  /// head ( metadata ) {
-  void open(std::string_view head, const std::vector<std::string>& metadata = {});
-  /// "type name.timeSamples = {"
-  void openSamples(std::string_view declaration);
+  void open(std::string_view head, const std::vector<std::string>& metadata = {});  ///< head ( metadata ) {
+  void openSamples(std::string_view declaration);                                   ///< "type name.timeSamples = {"
   void close();
   /// type name = value ( metadata )
   void attribute(std::string_view declaration, std::string_view value, const std::vector<std::string>& metadata = {});
-  /// Indented lines.
-  void append(std::string_view lines) { out_ += lines; }
+  void append(std::string_view lines) { out_ += lines; }  ///< Indented lines.
   /// Without a value; samples follow.
   void declare(std::string_view declaration, const std::vector<std::string>& metadata);
 

@@ -1,5 +1,4 @@
-// core/surface/finish/cloth_binding.h: binds refined vertices of cloth to the skin under them, and skin to the cloth
-// over it, once per refinement. docs/characters.md.
+// core/surface/finish/cloth_binding.h: binds cloth to skin under it, and skin to cloth over it. docs/characters.md.
 #pragma once
 
 #include <span>
@@ -12,7 +11,6 @@
 
 namespace sinew {
 
-/// A place on a refined mesh.
 struct SurfacePlace {
   int triangle = -1;       ///< Refined.
   glm::vec3 shares{0.0f};  ///< Barycentric.

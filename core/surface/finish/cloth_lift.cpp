@@ -30,7 +30,6 @@ bool footHasMoved(const Refinement& refinement, int triangle, const ClothView& v
                              [&](int v) { return at(surface.positions, v) != at(view.patchPositions, v); });
 }
 
-/// Motion of a vertex of cloth.
 struct ClothMove {
   float share = 0.0f;  ///< Fraction of the foot's motion.
   float more = 0.0f;   ///< Along the normal.

@@ -9,7 +9,6 @@
 
 namespace sinew {
 
-/// Input of ClothLift besides the surface.
 struct ClothView {
   const VertexRings& rings;
   const MeshLayers& layers;

@@ -1,5 +1,4 @@
-// core/surface/finish/fold.h: lifted triangles that have turned over against their patch, and the region around them.
-// docs/design.md, Folds.
+// core/surface/finish/fold.h: lifted triangles that have turned over, and the region around. docs/design.md, Folds.
 #pragma once
 
 #include <algorithm>
@@ -19,7 +18,6 @@
 
 namespace sinew {
 
-/// A patch in its pose.
 struct PatchView {
   std::span<const glm::vec3> positions;  ///< [V'] world.
   std::span<const glm::vec3> normals;    ///< [V'] unit.
@@ -75,12 +73,10 @@ struct ShrunkSearch {
   int* shrunk = nullptr;                          ///< Out: triangles with q < least, in order; room for all and 4 more.
 };
 
-/// Returns the number of shrunk triangles.
-using FoldKernel = std::size_t (*)(const ShrunkSearch& search);
+using FoldKernel = std::size_t (*)(const ShrunkSearch& search);  ///< Returns the number of shrunk triangles.
 
 [[nodiscard]] FoldKernel foldKernel(InstructionSet set);
 
-/// A refined triangle and its patch.
 struct FoldTriangle {
   int index = 0;
   std::array<int, 3> corners{};
@@ -93,10 +89,9 @@ struct FoldTriangle {
 /// Grows as more triangles fold. Reused from pose to pose for its memory.
 class FoldRegion {
  public:
-  /// Finds the folds. All arguments must outlive the use of the region.
-  /// @param rings  of the refinement.  @param moved  only its triangles can fold.
-  /// @param pairs  vertices of moved.refined in the patch and in positions.  @param least  q below which a triangle
-  /// folds.
+  /// Finds the folds. All arguments must outlive the use of the region.  @param moved  only its triangles can fold.
+  /// @param rings  of the refinement.  @param pairs  vertices of moved.refined in the patch and in positions.
+  /// @param least  q below which a triangle folds.
   void find(const ControlMesh& mesh, const Refinement& refinement, const VertexRings& rings,
             const MovedTriangles& moved, const PatchView& patch, const VertexPairs& pairs,
             std::span<const glm::vec3> positions, float least);

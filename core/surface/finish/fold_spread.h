@@ -72,8 +72,7 @@ class FoldMesh {
     }
   }
 
-  /// @param local  a vertex that may move
-  void move(int local, const glm::vec3& to);
+  void move(int local, const glm::vec3& to);  ///< @param local  a vertex that may move
 
   /// Adds a fold: the next grow() extends the mesh around its control triangle.
   void add(int triangle) { region_->add(at(region_->triangles(), triangle)); }
@@ -117,8 +116,7 @@ class FoldSpread {
   static constexpr float kLeastArea = 0.3f;  ///< q below which a triangle counts as folded.
   static constexpr int kMostRounds = 8;
 
-  /// @param mesh  of a region found with kLeastArea.
-  void apply(FoldMesh& mesh);
+  void apply(FoldMesh& mesh);  ///< @param mesh  of a region found with kLeastArea.
 
  private:
   void findFolded(FoldMesh& mesh);

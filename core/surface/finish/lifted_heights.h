@@ -1,5 +1,4 @@
-// core/surface/finish/lifted_heights.h: the heights of moved vertices over their patch, a bound for their slopes and a
-// filter. docs/design.md, Slopes and Sampling.
+// core/surface/finish/lifted_heights.h: heights over the patch, bound and filter. docs/design.md, Slopes and Sampling.
 #pragma once
 
 #include <array>
@@ -52,8 +51,7 @@ struct SteepInputs {
                          ///< than the slope times the distance, or nearly so.
 };
 
-/// @return number of steep vertices
-using SteepKernel = std::size_t (*)(const SteepInputs& inputs);
+using SteepKernel = std::size_t (*)(const SteepInputs& inputs);  ///< @return number of steep vertices
 
 [[nodiscard]] SteepKernel steepKernel(InstructionSet set);
 
@@ -88,8 +86,7 @@ class LiftedHeights {
 /// triangles nor on where the search begins.
 class SlopeBound {
  public:
-  /// Flanks of muscles up to 56 degrees stay as they are.
-  static constexpr float kSlope = 1.5f;
+  static constexpr float kSlope = 1.5f;  ///< Flanks of muscles up to 56 degrees stay as they are.
 
   /// @param heights  in and out.  @return lowered vertices, each once. Valid until the next call.
   std::span<const int> lower(LiftedHeights& heights);

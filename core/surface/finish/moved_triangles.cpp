@@ -24,7 +24,6 @@ void listFlagged(std::span<const std::uint8_t> flags, std::vector<int>& out) {
 using Triangles = std::span<const std::array<int, 3>>;
 using Flags = std::span<std::uint8_t>;
 
-/// Whether one of a triangle's corners is flagged.
 bool isAny(Flags flags, const std::array<int, 3>& t) {
   return (at(flags, t[0]) | at(flags, t[1]) | at(flags, t[2])) != 0;
 }

@@ -1,5 +1,4 @@
-// core/surface/finish/normals_kernel.cpp: normals softened at rims, held to the faces and freed of teeth, once per
-// instruction set.
+// core/surface/finish/normals_kernel.cpp: normals softened at rims, held to faces, freed of teeth, per instruction set.
 #include "core/surface/finish/shading_normals.h"
 
 #include <algorithm>

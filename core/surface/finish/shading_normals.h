@@ -31,8 +31,7 @@ struct alignas(64) NormalsVertex {
 
 static_assert(offsetof(NormalsVertex, normal) == sizeof(NormalsVertex::delta));
 
-/// Spans and arrays of vertices are [V']; all but `rings` are read and written only at moved.corners. The kernel
-/// allocates nothing.
+/// Vertex arrays are [V']; all but `rings` are used only at moved.corners. The kernel allocates nothing.
 struct NormalsInputs {
   const Refinement* refinement = nullptr;
   const VertexRings* rings = nullptr;

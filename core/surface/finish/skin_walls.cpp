@@ -1,5 +1,4 @@
-// core/surface/finish/skin_walls.cpp: a tree of boxes refitted to each pose; sides by normals of faces, edges,
-// vertices.
+// core/surface/finish/skin_walls.cpp: a box tree refitted to each pose; sides by normals of faces, edges, vertices.
 #include "core/surface/finish/skin_walls.h"
 
 #include <algorithm>
@@ -14,8 +13,7 @@ namespace {
 constexpr std::size_t kMostWallDepth = 64;
 constexpr float kWallSeenWhole = 0.05f;  ///< Cosine to a wall's normal from which it counts as it is.
 
-/// Walls::below: infinite for skin seen from the side.
-/// @param along  height of the place along the skin's normal, negative
+/// Walls::below: infinite for skin seen from the side. @param along  height along the skin's normal, negative
 float asSeen(float distance, float along) {
   const float share = smoothstep(0.0f, kWallSeenWhole, -along / distance);
   return share > 0.0f ? distance / share : std::numeric_limits<float>::infinity();

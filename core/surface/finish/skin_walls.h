@@ -1,5 +1,4 @@
-// core/surface/finish/skin_walls.h: distances of a place from the skin above and below it in a pose.
-// docs/characters.md.
+// core/surface/finish/skin_walls.h: distances from the skin above and below a place in a pose. docs/characters.md.
 #pragma once
 
 #include <array>
@@ -53,7 +52,6 @@ struct WallsUnder {
   glm::vec3 bindFace{0.0f};  ///< Unit normal of the nearest skin.
 };
 
-/// The skin around a place.
 struct Walls {
   float above = std::numeric_limits<float>::infinity();  ///< Distance of the nearest skin that the place is above.
   float below = std::numeric_limits<float>::infinity();  ///< The same for skin that it is below, increased if seen at
@@ -94,8 +92,7 @@ class SkinWalls {
   /// Considers skin up to `within` and up to kWallsApart times the distance of the nearest.
   [[nodiscard]] Walls around(const glm::vec3& p, const WallsUnder& under, float within) const;
 
-  /// Parts of the tree for several places close together.
-  using NearNodes = std::array<int, 128>;
+  using NearNodes = std::array<int, 128>;  ///< Parts of the tree for several places close together.
   /// Parts nearer to a box than `within`. @param out  memory for the result
   [[nodiscard]] std::span<const int> nearTo(const Bounds& box, float within, NearNodes& out) const;
   /// Whether a place may be below skin nearer than `within`. If not, much faster than around().

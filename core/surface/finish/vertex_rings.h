@@ -15,8 +15,7 @@ namespace sinew {
 /// [V'] 1: on an edge with a single triangle, where the surface is open.
 [[nodiscard]] std::vector<std::uint8_t> borderVertices(const ControlMesh& mesh, const Refinement& refinement);
 
-/// Neighbors, for means: each counts once per common triangle, so neighbors along a border count half. Depends only on
-/// the refinement.
+/// Neighbors, for means: each counts once per common triangle, so half along a border. Depends only on the refinement.
 struct VertexRings {
   static constexpr std::size_t kMultiple = 6;  ///< Number of neighbors of nearly every vertex.
 

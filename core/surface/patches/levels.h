@@ -20,8 +20,7 @@ inline constexpr std::array kGradedLevels{1, 2, 3, 4, 6, 12, 16};
 /// the triangle's own shape. Lengths are those of the bind pose.
 class LevelGrader {
  public:
-  /// @param mesh  must outlive this.
-  explicit LevelGrader(const ControlMesh& mesh);
+  explicit LevelGrader(const ControlMesh& mesh);  ///< @param mesh  must outlive this.
 
   /// Never lowers a level. The result does not depend on the order of triangles.
   [[nodiscard]] RefinementLevels graded(RefinementLevels levels) const;
@@ -43,8 +42,7 @@ struct LevelTolerance {
   float normalCosine = 0.99f;  ///< Between sampled and interpolated normals where the surface is smooth.
 };
 
-/// Distance of a sample from a flat piece: from the point with the sample's own barycentric coordinates, or from the
-/// plane, whichever is less.
+/// Distance of a sample from a flat piece: from the point of its barycentric coordinates or the plane, the lesser one.
 [[nodiscard]] float distanceFromPiece(const glm::vec3& sample, const std::array<glm::vec3, 3>& corners,
                                       const std::array<float, 3>& shares);
 

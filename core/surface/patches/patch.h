@@ -61,8 +61,7 @@ void evaluatePatches(PatchKind kind, const ControlMesh& mesh, const Refinement& 
                      std::span<const glm::vec3> positions, std::span<const glm::vec3> normals,
                      std::span<glm::vec3> outPositions, std::span<glm::vec3> outNormals);
 
-/// Interpolates directions barycentrically and renormalizes them; on an edge from its two ends alone.
-/// @param control [V] unit.  @param out [V'] unit.
+/// Interpolates directions barycentrically; on an edge from its two ends alone.  @param control [V], out [V'] unit.
 void interpolateDirections(const ControlMesh& mesh, const Refinement& refinement, std::span<const glm::vec3> control,
                            std::span<glm::vec3> out);
 

@@ -1,5 +1,4 @@
-// core/surface/patches/patch_lanes.h: formulas of the four patches, an edge or triangle per lane. Included once per
-// instruction set.
+// core/surface/patches/patch_lanes.h: the patches, an edge or triangle per lane. Included once per instruction set.
 #if defined(SINEW_PATCH_LANES_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef SINEW_PATCH_LANES_H
 #undef SINEW_PATCH_LANES_H

@@ -1,5 +1,4 @@
-// core/surface/projection/candidates.h: the primitives that each piece of the control mesh can ever see, found once per
-// edit, and a walk over the vertices that some primitive reaches in a pose.
+// core/surface/projection/candidates.h: primitives that pieces of the mesh can see; a walk over reached vertices.
 #pragma once
 
 #include <array>

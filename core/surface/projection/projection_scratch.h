@@ -12,7 +12,6 @@
 
 namespace sinew {
 
-/// Statistics of some vertices.
 struct VertexCounts {
   int projected = 0;
   int unresolved = 0;
@@ -41,8 +40,7 @@ struct TileScratch {
   std::vector<int> uncertified;  ///< Vertices whose first root the vector path cannot certify. All vertices fit.
 };
 
-/// Reused from frame to frame, so that nothing is allocated once it has grown; carries nothing over. One per surface
-/// in the making; its base is for the calling thread.
+/// Reused from frame to frame for its memory alone. One per surface in the making; the base is for the calling thread.
 struct ProjectionScratch : VertexScratch {
   std::vector<float> omega;           ///< [V'] in `replace`.
   std::vector<VertexScratch> shares;  ///< For the parts of a frame's vertices.

@@ -118,8 +118,7 @@ class VertexReplacer {
                        scratch_.roots);
   }
 
-  /// Largest sampled phi of an interval, or enough for full weight: continuous in the interval's ends, 0 as it
-  /// vanishes.
+  /// Largest sampled phi of an interval, or enough for full weight: continuous in its ends, 0 as it vanishes.
   double prominence(double begin, double end) {
     const double whole = static_cast<double>(kFullProminence * settings_.iso);
     double largest = 0.0;

@@ -26,7 +26,6 @@ struct CompositeLanes {
   [[nodiscard]] V left() const { return all(1.0f) - weight; }
 };
 
-/// Vertices and the lines through them.
 struct LineLanes {
   V3 p;
   V3 inwards;  ///< Unit.

@@ -1,5 +1,4 @@
-// core/surface/projection/rise.h: the directions in which muscles lift the skin, and how far it can rise before it
-// meets other skin. docs/design.md, Rise limits.
+// core/surface/projection/rise.h: directions of rising skin, and how far it can rise. docs/design.md, Rise limits.
 #pragma once
 
 #include <algorithm>

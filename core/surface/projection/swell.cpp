@@ -11,8 +11,7 @@
 namespace sinew {
 namespace {
 
-/// f_skin(s) = g(max(0, s/W + r_T)), s along the rise direction: T on the skin, 0 from s = h on, 1 from s = -r_T W
-/// inwards.
+/// f_skin(s) = g(max(0, s/W + r_T)), s along the rise direction: T on the skin, 0 for s >= h, 1 for s <= -r_T W.
 struct SkinField {
   double isoRadius;   ///< r_T
   double width;       ///< W = h / (1 - r_T)

@@ -1,5 +1,4 @@
-// core/surface/projection/swell.h: the default mode: skin rises over the muscles along the rise direction.
-// docs/design.md, Swell.
+// core/surface/projection/swell.h: the default mode: skin rises over the muscles. docs/design.md, Swell.
 #pragma once
 
 #include <algorithm>
@@ -74,7 +73,6 @@ template <class Real, class Psi>
 
 inline constexpr float kLeastAlong = 0.2f;  ///< Cosine of rise direction and normal that divides slopes, at the least.
 
-/// How the skin may rise in one pose.
 struct RiseView {
   std::span<const glm::vec3> directions;  ///< [V'] world, unit, outward (rise.h).
   std::span<const float> inverseLimits;   ///< [V'] 1/L, 0: none (rise.h).

@@ -206,8 +206,7 @@ class TileField {
   LanePoints points_;
 
  private:
-  /// Whether lines may meet a ball; never false by rounding.
-  /// @param fromCenter  the line's origin minus the ball's center.  @param d  unit.
+  /// Never false by rounding.  @param fromCenter  the line's origin minus the ball's center.  @param d  unit.
   static HWY_INLINE M mayMeet(const V3& fromCenter, const V3& d, float radius, bool ahead) {
     const V squared = dot(fromCenter, fromCenter);
     const V along = dot(fromCenter, d);

@@ -49,8 +49,7 @@ struct ReplaceInputs {
 using SwellKernel = void (*)(SwellInputs& inputs);
 using ReplaceKernel = void (*)(ReplaceInputs& inputs);
 
-/// @param set  not kScalar; one that this machine runs.
-[[nodiscard]] SwellKernel swellKernel(InstructionSet set);
+[[nodiscard]] SwellKernel swellKernel(InstructionSet set);  ///< @param set  not kScalar; one that this machine runs.
 [[nodiscard]] ReplaceKernel replaceKernel(InstructionSet set);
 
 }  // namespace sinew

@@ -1,5 +1,4 @@
-// core/surface/projection/vertex_tiles.h: refined vertices in tiles of 16 neighbors with one list of muscles, made once
-// per edit.
+// core/surface/projection/vertex_tiles.h: tiles of 16 neighboring vertices with one list of muscles, made per edit.
 #pragma once
 
 #include <array>

@@ -104,8 +104,7 @@ struct Roots {
   std::size_t count = 0;
 };
 
-/// Adds the changes of sign of q, whose [0, 1] is [low, high]. Two closer than 2^-halvingsLeft count as a touch, and
-/// are left out.
+/// Adds changes of sign of q, whose [0, 1] is [low, high]; two closer than 2^-halvingsLeft are a touch, left out.
 template <class Polynomial>
 void allRoots(const Polynomial& q, double low, double high, double tolerance, Roots& roots, int halvingsLeft = 26) {
   const int changes = signChanges(q);

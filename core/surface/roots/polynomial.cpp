@@ -19,8 +19,7 @@ std::array<double, 5> powerBasis(const Quartic& q) {
 void addQuadraticRoots(double b, double c, RealRoots& roots) {  // u^2 + b u + c
   const double half = -0.5 * b;
   const double discriminant = half * half - c;
-  // Rounding makes the discriminant of a double root slightly negative. The test is relative: an absolute one loses
-  // roots.
+  // Rounding makes a double root's discriminant slightly negative: a test that is not relative would lose roots.
   if (discriminant < -1e-12 * (half * half + std::abs(c))) return;
   const double root = std::sqrt(std::max(discriminant, 0.0));
   const double far = half >= 0.0 ? half + root : half - root;

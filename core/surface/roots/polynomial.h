@@ -71,8 +71,7 @@ class RealRoots {
   std::size_t count_ = 0;
 };
 
-/// Real roots of c[0] + c[1] u + ... + c[4] u^4, ascending; a multiple root may come once. Leading coefficients that
-/// are negligible beside the others count as 0.
+/// Real roots of c[0] + ... + c[4] u^4, ascending; a multiple root may come once. Negligible leading c count as 0.
 [[nodiscard]] RealRoots realRoots(const std::array<double, 5>& c);
 
 /// sum b_i B_i^n(u), u in [0, 1], with a degree up to 10, for shaped primitives.
@@ -87,8 +86,7 @@ struct Bernstein {
   [[nodiscard]] static Bernstein linear(double atStart, double atEnd);
 
   void addConstant(double value);
-  /// Raises the degree of the lower one first.
-  void addScaled(const Bernstein& other, double factor);
+  void addScaled(const Bernstein& other, double factor);  ///< Raises the degree of the lower one first.
   [[nodiscard]] double at(double u) const;
   [[nodiscard]] std::span<const double> coefficients() const { return std::span(b).first(degree + 1); }
   void split(double u, Bernstein& left, Bernstein& right) const;

@@ -1,5 +1,4 @@
-// core/surface/roots/ray_field.h: the field along a ray and its first root. An ellipsoid is a quadratic in t (paper
-// 4.1), a shaped primitive a few polynomials.
+// core/surface/roots/ray_field.h: the field along a ray, piecewise polynomial (paper 4.1), and its first root.
 #pragma once
 
 #include <array>
@@ -38,8 +37,7 @@ struct PolynomialSums {
   std::vector<Polynomial> sums;  ///< One per clique.
 };
 
-/// Memory reused from ray to ray, so that nothing is allocated. Its contents mean nothing to the next call. One per
-/// thread.
+/// Memory reused from ray to ray, so that nothing is allocated; carries nothing over. One per thread.
 struct RayScratch {
   std::vector<ValueAndSlope> ofSlot;
   std::vector<double> breakpoints;
@@ -50,8 +48,7 @@ struct RayScratch {
 /// phi(t) = skin(t) + F(p + t d) - T. Refilled from ray to ray, so that nothing is allocated.
 class RayField {
  public:
-  /// Removes all terms. @param cliques  must outlive the use.
-  void reset(double iso, const CliqueLists& cliques);
+  void reset(double iso, const CliqueLists& cliques);  ///< Removes all terms. @param cliques  must outlive the use.
   /// Adds a primitive if the ray meets its influence at some t > 0 (or >= 0 inside). Distances along the ray are in
   /// world units. @param weight  m_i.  @param direction  unit.
   void addPrimitive(const PosedPrimitive& primitive, float weight, int slot, const glm::vec3& origin,
@@ -68,8 +65,7 @@ class RayField {
   [[nodiscard]] ValueAndSlope sample(double t, RayScratch& scratch) const;
   /// Where phi changes its formula in (begin, end), sorted, with begin and end. Stored in scratch.breakpoints.
   [[nodiscard]] std::span<const double> breakpoints(double begin, double end, RayScratch& scratch) const;
-  /// phi is -T beyond this t.
-  [[nodiscard]] double lastLeave() const;
+  [[nodiscard]] double lastLeave() const;  ///< phi is -T beyond this t.
 
  private:
   void addShaped(const PosedPrimitive& primitive, float weight, int slot, const glm::vec3& origin,

@@ -152,8 +152,7 @@ class RayLanes {
     const V to = hn::Min(rise.to, rise.end);
     search.low = select(open, from, search.low);
     search.high = select(open, to, search.high);
-    // Outwards, psi is -T at the end.
-    march(to, rise.end, outward, 20, open, search);
+    march(to, rise.end, outward, 20, open, search);  // Outwards, psi is -T at the end.
     return search;
   }
 
@@ -239,8 +238,7 @@ class RayLanes {
     const M adds = hn::Ge(factor, zero());
     const V atLow = factor * of.w.low * of.w.low;
     const V atHigh = factor * of.w.high * of.w.high;
-    // The derivative is -4 factor rate slope w.
-    const V rate = factor * of.rate;
+    const V rate = factor * of.rate;  // The derivative is -4 factor rate slope w.
     const V minDw = rate * (hn::Min(of.slope.low, zero()) * of.w.high + hn::Max(of.slope.low, zero()) * of.w.low);
     const V maxDw = rate * (hn::Max(of.slope.high, zero()) * of.w.high + hn::Min(of.slope.high, zero()) * of.w.low);
     const V min = select(adds, atLow, atHigh);

@@ -147,8 +147,7 @@ class ShapeOnRays {
   /// Half the derivative of r^2 = S(y) (x^2 + z^2) + end^2 on [s0, s1].
   Range slopes(V s0, V s1, const ShapePoint& p0, const ShapePoint& p1, const V3& d) const {
     const UnitShape& unit = *shape_.unit;
-    // end grows with y: end dend/ds with s.
-    const V endRate = all(unit.inverseEnd) * d.y;
+    const V endRate = all(unit.inverseEnd) * d.y;  // end grows with y: end dend/ds with s.
     const Range ends = rangeOf(p0.end * endRate, p1.end * endRate);
     const bool bent = unit.curve != glm::vec2(0.0f);
     if (!bent && unit.taper == 0.0f) {
@@ -178,9 +177,8 @@ class ShapeOnRays {
   std::size_t first_;
 };
 
-/// Intersects lines p + t d with a shape. Fills in all but factor, primitive and slot.
+/// Intersects lines p + t d with a shape. Fills all but factor, primitive and slot.  @return lanes that meet its box.
 /// @param y, yd  p minus the shape's center, and d, in its unit space.
-/// @return lanes whose line meets the shape's box.
 inline M fillShape(const UnitShape& unit, const V3& y, const V3& yd, std::size_t first, LaneShape& out) {
   const V middle = zero() - dot(y, yd) / dot(yd, yd);
   const V3 point = y + middle * yd;

@@ -34,8 +34,7 @@ class ShapedStretches {
   std::size_t count_ = 0;
 };
 
-/// A ray in the unit space of a shaped primitive. Degree of r^2: 2 with a core alone, 3 with a belly, 4 with a bend, 5
-/// with both.
+/// A ray in the unit space of a shaped primitive. Degree of r^2: 2 with a core alone, 3 belly, 4 bend, 5 both.
 struct ShapedRay {
   UnitShape shape;
   glm::dvec3 start{0.0};
@@ -44,10 +43,8 @@ struct ShapedRay {
   ShapedRay(const UnitBallMap& influence, const glm::vec3& origin, const glm::vec3& direction);
 
   [[nodiscard]] glm::dvec3 at(double t) const { return start + t * along; }
-  /// Whether r^2 is a quadratic on every interval.
-  [[nodiscard]] bool isQuadratic() const;
-  /// r^2 on the interval around t, if isQuadratic().
-  [[nodiscard]] RayQuadratic quadraticAround(double t) const;
+  [[nodiscard]] bool isQuadratic() const;                      ///< Whether r^2 is a quadratic on every interval.
+  [[nodiscard]] RayQuadratic quadraticAround(double t) const;  ///< r^2 on the interval around t, if isQuadratic().
   /// 1 - r^2 from `begin` to `end`, within one interval.
   [[nodiscard]] Bernstein insideness(double begin, double end) const;
   [[nodiscard]] ShapedStretches stretches() const;

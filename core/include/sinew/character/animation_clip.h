@@ -43,8 +43,7 @@ struct AnimationClip {
   std::string addedFrom{};  ///< File of an additional clip (Rig::clipFiles); empty: the character's own.
 };
 
-/// Weights at a time in seconds, clamped to the first and last key.
-/// @param out [targets]
+/// Weights at a time in seconds, clamped to the first and last key. @param out [targets]
 void sampleMorphs(const MorphChannel& channel, float time, std::span<float> out);
 
 /// Value at a time in seconds, clamped to the first and last key. Rotations are unit.

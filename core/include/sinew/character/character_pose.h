@@ -6,8 +6,7 @@
 
 namespace sinew {
 
-/// samplePose() of pose.h with the weights of the character's morph targets.
-/// @param clip  one of the character's
+/// samplePose() of pose.h with the weights of the character's morph targets. @param clip  one of the character's
 [[nodiscard]] Pose samplePose(const Character& character, const AnimationClip& clip, float time);
 
 }  // namespace sinew

@@ -35,8 +35,7 @@ struct TextureMap {
   friend bool operator==(const TextureMap&, const TextureMap&) = default;
 };
 
-/// glTF's metallic-roughness model (glTF 2.0, 3.9 and appendix B). Colors linear. The base color is baseColor * texture
-/// * Wedge::color.
+/// glTF's metallic-roughness model (glTF 2.0, 3.9, B). Colors linear; base color: baseColor * texture * Wedge::color.
 struct Material {
   std::string name;
   glm::vec4 baseColor{1.0f};

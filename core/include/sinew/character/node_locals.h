@@ -10,14 +10,12 @@
 
 namespace sinew {
 
-/// [nodes] without animation.
-[[nodiscard]] std::vector<LocalTransform> restLocals(const Skeleton& skeleton);
+[[nodiscard]] std::vector<LocalTransform> restLocals(const Skeleton& skeleton);  ///< [nodes] without animation.
 
 /// [nodes] at a time in seconds of a file's clip; nodes without a channel are at rest.
 [[nodiscard]] std::vector<LocalTransform> sampleLocals(const Skeleton& skeleton, const AnimationClip& clip, float time);
 
-/// The pose of all bones for local transforms of nodes. A bone's node is Bone::node.
-/// @param locals [nodes] as Skeleton::nodes (asserted)
+/// The pose of all bones for node transforms (Bone::node). @param locals [nodes] as Skeleton::nodes (asserted)
 [[nodiscard]] Pose poseFromLocals(const Skeleton& skeleton, std::span<const LocalTransform> locals);
 
 }  // namespace sinew

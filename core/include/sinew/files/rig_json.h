@@ -15,8 +15,7 @@ namespace sinew {
 /// A validated rig. Error: place is the JSON path (or the byte if it is no JSON), reason what was expected.
 [[nodiscard]] Result<Rig> rigFromJson(const std::string& text);
 
-/// A validated rig; refuses files over 64 MiB.
-[[nodiscard]] Result<Rig> loadRig(const std::filesystem::path& file);
+[[nodiscard]] Result<Rig> loadRig(const std::filesystem::path& file);  ///< A validated rig; refuses files over 64 MiB.
 
 /// Writes atomically: after an Error the old file is unchanged.
 [[nodiscard]] Result<void> saveRig(const Rig& rig, const std::filesystem::path& file);

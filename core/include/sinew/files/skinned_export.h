@@ -37,8 +37,7 @@ enum class JointScale {
   kNone,     ///< None: two joints for each line, one below the belly, one on top.
 };
 
-/// "refined", "refitted", "full" ...
-[[nodiscard]] const char* nameOf(ExportMesh mesh);
+[[nodiscard]] const char* nameOf(ExportMesh mesh);  ///< "refined", "refitted", "full" ...
 [[nodiscard]] const char* nameOf(ExportWeights weights);
 [[nodiscard]] const char* nameOf(JointScale scale);
 

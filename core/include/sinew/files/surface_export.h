@@ -12,8 +12,7 @@ namespace sinew {
 
 /// The ending is one that exportSurface() writes, in any case.
 [[nodiscard]] bool isExportName(const std::filesystem::path& file);
-/// ".obj, .ply or .glb"
-[[nodiscard]] std::string exportNameEndings();
+[[nodiscard]] std::string exportNameEndings();  ///< ".obj, .ply or .glb"
 
 /// Format by ending. .obj: one v and vn per refined vertex, shared across seams, so that a closed surface is closed in
 /// the file (vn per drawn vertex if the surface has creases); vt per wedge; nine significant digits; one usemtl per

@@ -60,7 +60,6 @@ struct ControlMesh {
   }
 };
 
-/// Whether any wedge has a color other than white.
-[[nodiscard]] bool hasColors(const ControlMesh& mesh);
+[[nodiscard]] bool hasColors(const ControlMesh& mesh);  ///< Whether any wedge has a color other than white.
 
 }  // namespace sinew

@@ -11,8 +11,7 @@
 
 namespace sinew {
 
-/// Place and shape of an ellipsoid, never as a matrix, so that nothing needs to be decomposed. Bone space, character
-/// units.
+/// Place and shape of an ellipsoid; not a matrix, so nothing needs decomposing. Bone space, character units.
 struct Placement {
   glm::vec3 center{0.0f};
   glm::quat rotation{1.0f, 0.0f, 0.0f, 0.0f};  ///< Unit; primitive axes -> bone axes.
@@ -43,8 +42,7 @@ struct UnitBallMap {
   UnitForm form = UnitForm::kEllipsoid;
   UnitShape shape{};  ///< For kShape.
 
-  /// An ellipsoid or a sphere.
-  [[nodiscard]] bool isPlain() const { return form != UnitForm::kShape; }
+  [[nodiscard]] bool isPlain() const { return form != UnitForm::kShape; }  ///< An ellipsoid or a sphere.
 
   /// r^2 at a point: < 1 inside.
   [[nodiscard]] float rSquared(const glm::vec3& point) const {

@@ -29,8 +29,7 @@ struct Bounds {
   }
 };
 
-/// Smallest box around points; empty for none.
-[[nodiscard]] Bounds boundsOf(std::span<const glm::vec3> points);
+[[nodiscard]] Bounds boundsOf(std::span<const glm::vec3> points);  ///< Smallest box around points; empty for none.
 
 /// v / |v|, or fallback if v is too short or not finite.
 [[nodiscard]] glm::vec3 normalizeOr(const glm::vec3& v, const glm::vec3& fallback);

@@ -24,8 +24,7 @@ struct Shape {
   float belly = 0.0f;    ///< Place of the thickest section: y = belly if core = 0. At most mostBelly(), +-.
   glm::vec2 bend{0.0f};  ///< Displacement of the middle of the axis in radii x and z; -kMostBend..kMostBend each.
 
-  /// An ellipsoid.
-  [[nodiscard]] bool isPlain() const { return *this == Shape{}; }
+  [[nodiscard]] bool isPlain() const { return *this == Shape{}; }  ///< An ellipsoid.
   friend bool operator==(const Shape&, const Shape&) = default;
 };
 
@@ -37,12 +36,10 @@ inline constexpr int kShapeNumbers = sizeof(Shape) / sizeof(float);
 /// The shape with each number clamped to its range; numbers that are not finite become 0.
 [[nodiscard]] Shape legalShape(const Shape& shape, float reach);
 
-/// y of the thickest section, whose lateral radii are exactly 1.
-[[nodiscard]] float thickestAt(const Shape& shape);
+[[nodiscard]] float thickestAt(const Shape& shape);  ///< y of the thickest section, whose lateral radii are exactly 1.
 /// Radius of the visible section at y, relative to the lateral radii.
 [[nodiscard]] float sectionAt(const Shape& shape, float y);
-/// Place of the axis at y, in radii x and z.
-[[nodiscard]] glm::vec2 axisAt(const Shape& shape, float y);
+[[nodiscard]] glm::vec2 axisAt(const Shape& shape, float y);  ///< Place of the axis at y, in radii x and z.
 
 /// Maps the unit sphere onto the surface rho = scale, in the primitive's space divided by its radii; continuous, and
 /// the identity times `scale` for an ellipsoid. Poles map to the ends of the axis, points next to the equator to the
@@ -88,8 +85,7 @@ struct UnitShape {
   }
 };
 
-/// @param shape  legal for the reach.
-[[nodiscard]] UnitShape unitShape(const Shape& shape, float reach);
+[[nodiscard]] UnitShape unitShape(const Shape& shape, float reach);  ///< @param shape  legal for the reach.
 
 /// Radius of a ball around the center that contains the influence. @param axes  images of the unit space's axes.
 [[nodiscard]] double ballAround(const UnitShape& shape, const glm::dmat3& axes);

@@ -9,8 +9,7 @@ namespace sinew {
 /// Results do not depend on it, bit for bit.
 class ThreadLimit {
  public:
-  /// @param most  at least 1; 0: no limit
-  explicit ThreadLimit(int most);
+  explicit ThreadLimit(int most);  ///< @param most  at least 1; 0: no limit
   ~ThreadLimit();
   ThreadLimit(const ThreadLimit&) = delete;
   ThreadLimit& operator=(const ThreadLimit&) = delete;

@@ -18,8 +18,7 @@ class MirrorEdits {
   MirrorEdits(MirrorEdits&&) noexcept;
   MirrorEdits& operator=(MirrorEdits&&) noexcept;
 
-  /// Whether anything can be mirrored.
-  [[nodiscard]] bool usable() const;
+  [[nodiscard]] bool usable() const;  ///< Whether anything can be mirrored.
 
   /// Appends a primitive and its mirror image, linked; only the primitive if it is its own image.
   /// Error: its bone is missing or has no counterpart, or addPrimitive() refuses it.
@@ -34,8 +33,7 @@ class MirrorEdits {
   std::unique_ptr<State> state_;
 };
 
-/// A clip "Range of motion" that moves every joint through its range (docs/editor.md). No channels if no joint can
-/// turn.
+/// A clip "Range of motion" that moves every joint through its range (docs/editor.md); no channels if none can turn.
 [[nodiscard]] AnimationClip rangeOfMotion(const Character& character);
 
 }  // namespace sinew

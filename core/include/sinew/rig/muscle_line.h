@@ -49,8 +49,7 @@ struct LineSettings {
   friend bool operator==(const LineSettings&, const LineSettings&) = default;
 };
 
-/// From a point on one bone to a point on another, or on the same. Primitives on the line stretch and thicken with it
-/// (core/rig/line_pose.h).
+/// From a point on one bone to one on another or the same; its primitives stretch and thicken (core/rig/line_pose.h).
 struct MuscleLine {
   std::string name;  ///< Unique among lines, not empty.
   LineAnchor origin;

@@ -53,14 +53,11 @@ enum class ParameterOwner { kPrimitive, kLine, kSurface, kMorph };
 [[nodiscard]] constexpr bool isLength(Parameter parameter) {
   return parameter >= Parameter::kCenterX && parameter <= Parameter::kRadiusZ;
 }
-/// Name in files: "radii.x".
-[[nodiscard]] const char* nameOf(Parameter parameter);
+[[nodiscard]] const char* nameOf(Parameter parameter);  ///< Name in files: "radii.x".
 [[nodiscard]] std::optional<Parameter> parameterNamed(const std::string& name);
-/// Label in the user interface: "Radius X".
-[[nodiscard]] const char* wordsFor(Parameter parameter);
+[[nodiscard]] const char* wordsFor(Parameter parameter);  ///< Label in the user interface: "Radius X".
 
-/// Null: the parameter has another owner.
-[[nodiscard]] float* numberIn(Primitive& primitive, Parameter parameter);
+[[nodiscard]] float* numberIn(Primitive& primitive, Parameter parameter);  ///< Null: the parameter has another owner.
 [[nodiscard]] float* numberIn(LineSettings& line, Parameter parameter);
 [[nodiscard]] float* numberIn(SurfaceSettings& surface, Parameter parameter);
 [[nodiscard]] float* numberIn(MorphWeight& morph, Parameter parameter);

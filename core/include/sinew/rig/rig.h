@@ -161,27 +161,23 @@ struct Rig {
   friend bool operator==(const Rig&, const Rig&) = default;
 };
 
-/// Index by name, or -1.
-[[nodiscard]] int findPrimitive(const Rig& rig, const std::string& name);
+[[nodiscard]] int findPrimitive(const Rig& rig, const std::string& name);  ///< Index by name, or -1.
 [[nodiscard]] int findGroup(const Rig& rig, const std::string& name);
 [[nodiscard]] int findLine(const Rig& rig, const std::string& name);
 [[nodiscard]] int findMorph(const Rig& rig, const std::string& name);
 /// The line that carries a primitive, or null.
 [[nodiscard]] const MuscleLine* lineOf(const Rig& rig, const Primitive& primitive);
-/// Index by identity, or -1.
-[[nodiscard]] int findPrimitive(const Rig& rig, PrimitiveId id);
+[[nodiscard]] int findPrimitive(const Rig& rig, PrimitiveId id);  ///< Index by identity, or -1.
 [[nodiscard]] int findGroup(const Rig& rig, GroupId id);
 [[nodiscard]] int findLine(const Rig& rig, LineId id);
 
-/// The first free name of `wanted`, `wanted 2`, `wanted 3` ... A number at the end of `wanted` is counted up: "thigh 2"
-/// -> "thigh 3".
+/// The first free of `wanted`, `wanted 2`, `wanted 3` ... A number at the end is counted up: "thigh 2" -> "thigh 3".
 [[nodiscard]] std::string freePrimitiveName(const Rig& rig, const std::string& wanted);
 [[nodiscard]] std::string freeGroupName(const Rig& rig, const std::string& wanted);
 [[nodiscard]] std::string freeLineName(const Rig& rig, const std::string& wanted);
 [[nodiscard]] std::string freeChannelName(const Rig& rig, const std::string& wanted);
 
-/// Names in files, menus and on the command line.
-[[nodiscard]] const char* nameOf(SurfaceMode mode);
+[[nodiscard]] const char* nameOf(SurfaceMode mode);  ///< Names in files, menus and on the command line.
 [[nodiscard]] const char* nameOf(PatchKind patch);
 [[nodiscard]] const char* nameOf(DetailKind detail);
 [[nodiscard]] std::optional<SurfaceMode> surfaceModeNamed(const std::string& name);

@@ -23,12 +23,10 @@ namespace sinew {
 [[nodiscard]] Result<Rig> renamePrimitive(Rig rig, int index, const std::string& name);
 /// Makes two different primitives twins without changing their placements; former twins are unlinked.
 [[nodiscard]] Rig setMirror(Rig rig, int index, int twin);
-/// Unlinks a primitive and its twin.
-[[nodiscard]] Rig clearMirror(Rig rig, int index);
+[[nodiscard]] Rig clearMirror(Rig rig, int index);  ///< Unlinks a primitive and its twin.
 [[nodiscard]] Result<Rig> addGroup(Rig rig, const std::string& name);
 [[nodiscard]] Result<Rig> renameGroup(Rig rig, int group, const std::string& name);
-/// Error: primitives are in it.
-[[nodiscard]] Result<Rig> removeGroup(Rig rig, int group);
+[[nodiscard]] Result<Rig> removeGroup(Rig rig, int group);  ///< Error: primitives are in it.
 /// Links or unlinks two different groups.
 [[nodiscard]] Result<Rig> setLink(Rig rig, int groupA, int groupB, bool linked);
 [[nodiscard]] Result<Rig> setSurface(Rig rig, const SurfaceSettings& surface);

@@ -38,16 +38,14 @@ struct VertexLayout {
 };
 
 [[nodiscard]] std::size_t vertexCount(const Refinement& refinement, BufferVertices vertices);
-/// Three for each triangle.
-[[nodiscard]] std::size_t indexCount(const Refinement& refinement);
+[[nodiscard]] std::size_t indexCount(const Refinement& refinement);  ///< Three for each triangle.
 
 /// Writes positions and normals, each frame. With origin 0, floats are those of Surface::positions and shadingNormal(),
 /// to the bit. Allocates nothing.
 /// Error: members do not fit the stride, or the buffer is too short; then nothing is written.
 [[nodiscard]] Result<void> writeVertices(const Surface& surface, const VertexLayout& layout, std::span<std::byte> out);
 
-/// Writes texture coordinates of the drawn vertices, once per preparation: 2 floats each, as in glTF (v downwards).
-/// @param offset  byte in the vertex
+/// Writes uvs of drawn vertices, once per preparation: 2 floats, as in glTF (v down). @param offset  byte in the vertex
 [[nodiscard]] Result<void> writeUvs(const Refinement& refinement, std::size_t stride, std::size_t offset,
                                     std::span<std::byte> out);
 

@@ -10,9 +10,8 @@
 
 namespace sinew {
 
-/// A Smoother for many poses: instances of a crowd, or frames of a clip. Needs memory per thread, not per pose.
-/// Surfaces share one Refinement and are, to the bit, those of a Smoother, for any number of threads
-/// (sinew/geometry/threads.h).
+/// A Smoother for many poses: instances of a crowd, or frames of a clip. Needs memory per thread, not per pose. All
+/// surfaces share one Refinement and are those of a Smoother, to the bit, with any number of threads (threads.h).
 class CrowdSmoother {
  public:
   explicit CrowdSmoother(std::shared_ptr<const Character> character);

@@ -17,8 +17,7 @@ namespace sinew {
 /// Skin, patch, project, remove folds, shading normals: stages in files of their own, in order.
 /// prepare() once per edit, smooth() once per pose. Editor, command line, export and tests all go through here.
 /// The surface depends only on the character, the rig and the pose, never on earlier ones.
-/// Not thread-safe; use one Smoother per thread (the character is shared, read-only), or a
-/// CrowdSmoother.
+/// Not thread-safe; use one Smoother per thread (the character is shared, read-only), or a CrowdSmoother.
 class Smoother {
  public:
   /// @param projection  all but newton work vertex by vertex in double precision: references to compare with.

@@ -62,8 +62,7 @@ struct Surface {
   SmoothingReport report;
 };
 
-/// The normal of a drawn vertex for shading and export: the surface's own, except at creases.
-/// @param drawn 0 .. D-1
+/// The normal of a drawn vertex (0 .. D-1) for shading and export: the surface's own, except at creases.
 [[nodiscard]] inline glm::vec3 shadingNormal(const Surface& surface, std::size_t drawn) {
   if (!surface.shadingNormals.empty()) return surface.shadingNormals[drawn];
   return surface.normals[static_cast<std::size_t>(surface.refinement->drawVertex[drawn])];
