@@ -83,8 +83,7 @@ struct RenderPlan {
   [[nodiscard]] bool isOneFile() const { return isMovie || sheet.x > 0; }
 };
 
-/// Error: place is the option.
-[[nodiscard]] Result<RenderPlan> planRender(const RenderOptions& options);
+[[nodiscard]] Result<RenderPlan> planRender(const RenderOptions& options);  ///< Error: place is the option.
 
 /// A picture of the job.
 struct Moment {

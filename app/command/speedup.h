@@ -102,7 +102,6 @@ struct ThreadGain {
   double crowd = 1.0;   ///< A hundred moments at depth 3, smoothed together.
 };
 
-/// Error: the rig is refused.
-[[nodiscard]] Result<ThreadGain> measureThreads(const BenchScene& scene, int rounds);
+[[nodiscard]] Result<ThreadGain> measureThreads(const BenchScene& scene, int rounds);  ///< Error: the rig is refused.
 
 }  // namespace sinew::app

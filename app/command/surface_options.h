@@ -32,14 +32,12 @@ struct SurfaceOptions {
 /// --depth, --detail, --tolerance, --mode, --patch, --crease and --shape. `options` must outlive the parse.
 void addSurfaceOptions(CLI::App& verb, SurfaceOptions& options);
 
-/// --clips, once for each file.
-void addClipsOption(CLI::App& verb, std::vector<std::string>& files);
+void addClipsOption(CLI::App& verb, std::vector<std::string>& files);  ///< --clips, once for each file.
 
 /// openDocument; reports clips that are left out. Error: also if one of these files cannot be read.
 [[nodiscard]] Result<Document> openWithClips(const std::filesystem::path& file, const std::vector<std::string>& clips);
 
-/// --depth, --detail and --tolerance only.
-void addDetailOptions(CLI::App& verb, DetailOverride& detail);
+void addDetailOptions(CLI::App& verb, DetailOverride& detail);  ///< --depth, --detail and --tolerance only.
 
 /// The document's rig with the overrides. The words have passed the parser. Error: no such shape; lists those that
 /// exist.

@@ -31,8 +31,7 @@ struct Machine {
 [[nodiscard]] std::string processorName(std::istream& cpuinfo);
 
 [[nodiscard]] Json jsonOf(const Machine& machine);
-/// A few lines.
-[[nodiscard]] std::string textOf(const Machine& machine);
+[[nodiscard]] std::string textOf(const Machine& machine);  ///< A few lines.
 
 /// Figures of one surface mode on its first scene.
 struct ModeFigures {
@@ -54,8 +53,7 @@ struct Whole {
   std::vector<Table2Row> table2;  ///< All scenes.
 };
 
-/// Scenes of one mode, at least one.
-using ModeScenes = std::vector<BenchScene>;
+using ModeScenes = std::vector<BenchScene>;  ///< Scenes of one mode, at least one.
 
 /// Error: a rig is refused, or there is no skin for muscles.
 /// @param rounds  1 or more: how often everything is timed  @param show  how many of all parts are done
@@ -66,7 +64,6 @@ using ModeScenes = std::vector<BenchScene>;
 /// docs/formats.md.
 [[nodiscard]] Json jsonOf(const Whole& whole);
 
-/// For people.
-[[nodiscard]] std::string textOf(const Whole& whole);
+[[nodiscard]] std::string textOf(const Whole& whole);  ///< For people.
 
 }  // namespace sinew::app

@@ -69,19 +69,15 @@ struct ExportOutcome {
 class ExportQueue {
  public:
   ExportQueue();
-  /// Cancels everything.
-  ~ExportQueue();
+  ~ExportQueue();  ///< Cancels everything.
   ExportQueue(ExportQueue&&) noexcept;
   ExportQueue& operator=(ExportQueue&&) noexcept;
 
   void add(ExportOrder order);
-  /// Cancels the running export.
-  void cancel();
-  /// The running export, then the waiting ones in order.
-  [[nodiscard]] std::vector<ExportStand> stands() const;
+  void cancel();                                          ///< Cancels the running export.
+  [[nodiscard]] std::vector<ExportStand> stands() const;  ///< The running export, then the waiting ones in order.
   [[nodiscard]] bool empty() const;
-  /// Exports that ended since the last call.
-  [[nodiscard]] std::vector<ExportOutcome> takeDone();
+  [[nodiscard]] std::vector<ExportOutcome> takeDone();  ///< Exports that ended since the last call.
 
  private:
   struct Run;

@@ -52,8 +52,7 @@ TaskNeeds larger(const TaskNeeds& a, const TaskNeeds& b) {
 
 namespace {
 
-/// GNU parallel replaces it with the shard's number.
-constexpr const char* kShardWord = "SINEW_SHARD";
+constexpr const char* kShardWord = "SINEW_SHARD";  ///< GNU parallel replaces it with the shard's number.
 
 std::string inFolder(const FarmJob& job) { return "cd " + shellWord(job.folder.string()) + " && "; }
 

@@ -40,8 +40,7 @@ struct FileStamp {
 /// Includes the buffers that a .gltf names. nullopt: the file cannot be read.
 [[nodiscard]] std::optional<FileStamp> stampOfFile(const std::filesystem::path& file);
 
-/// For the recovery file; "" for none.
-[[nodiscard]] std::string textOfStamp(const std::optional<FileStamp>& stamp);
+[[nodiscard]] std::string textOfStamp(const std::optional<FileStamp>& stamp);  ///< For the recovery file; "" for none.
 [[nodiscard]] std::optional<FileStamp> stampFromText(const std::string& text);
 
 /// Time and size of a file; `looked` is false before the first look.

@@ -26,8 +26,7 @@ namespace sinew::app {
 /// A list for --list, one rig per line.
 [[nodiscard]] std::string listText(const std::filesystem::path& folder, const std::vector<std::filesystem::path>& rigs);
 
-/// Lower case.
-inline constexpr std::array<std::string_view, 3> kCharacterEndings{".glb", ".gltf", ".vrm"};
+inline constexpr std::array<std::string_view, 3> kCharacterEndings{".glb", ".gltf", ".vrm"};  ///< Lower case.
 
 /// @param lowerName  in lower case
 [[nodiscard]] inline bool isCharacterName(std::string_view lowerName) {
@@ -90,8 +89,7 @@ void refresh(FolderListing& listing, const std::filesystem::path& folder, const 
 /// Appends ".rig.json" unless the name ends in ".json"; replaces a character's ending.
 [[nodiscard]] std::filesystem::path withRigEnding(std::filesystem::path file);
 
-/// $HOME, else the working folder.
-[[nodiscard]] std::filesystem::path homeFolder();
+[[nodiscard]] std::filesystem::path homeFolder();  ///< $HOME, else the working folder.
 
 /// A shortcut of the path dialog.
 struct Place {
@@ -103,9 +101,7 @@ struct Place {
 [[nodiscard]] std::vector<Place> places(const std::vector<std::filesystem::path>& recentFiles,
                                         const std::filesystem::path& sampleFolder);
 
-/// "2026-11-21 04:35", local time.
-[[nodiscard]] std::string dateText(std::filesystem::file_time_type when);
-/// "812 B", "34 KB", "1.2 MB".
-[[nodiscard]] std::string sizeText(std::uintmax_t bytes);
+[[nodiscard]] std::string dateText(std::filesystem::file_time_type when);  ///< "2026-11-21 04:35", local time.
+[[nodiscard]] std::string sizeText(std::uintmax_t bytes);                  ///< "812 B", "34 KB", "1.2 MB".
 
 }  // namespace sinew::app

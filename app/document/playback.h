@@ -21,8 +21,7 @@ namespace sinew::app {
 
 /// Greatest automatic depth: neither the paper (5) nor we see a gain beyond it.
 inline constexpr int kMaxAutoDepth = 8;
-/// Wanted length of a refined edge on screen, pixels.
-inline constexpr float kAutoEdgePixels = 8.0f;
+inline constexpr float kAutoEdgePixels = 8.0f;  ///< Wanted length of a refined edge on screen, pixels.
 /// Mean length of the control mesh's edges in the bind pose, as a fraction of the character's height.
 [[nodiscard]] float meanEdgeFraction(const ControlMesh& mesh, float height);
 
@@ -59,8 +58,7 @@ struct Transport {
 /// The chosen clip's range, else the whole clip.
 [[nodiscard]] PlayRange playRange(const Transport& transport, const Character& character);
 
-/// The chosen clip has a range.
-[[nodiscard]] bool hasPlayRange(const Transport& transport);
+[[nodiscard]] bool hasPlayRange(const Transport& transport);  ///< The chosen clip has a range.
 
 /// Snaps the range to whole frames, at least one, within the clip. A range of the whole clip is removed.
 void setPlayRange(Transport& transport, const PlayRange& range, const Character& character);
@@ -120,8 +118,7 @@ class LiveSurface {
 
  private:
   explicit LiveSurface(std::shared_ptr<const Character> character);
-  /// @param rig  posed by the preparation's poser
-  void smooth(const PosedRig& rig, double posingSeconds) const;
+  void smooth(const PosedRig& rig, double posingSeconds) const;  ///< @param rig  posed by the preparation's poser
   /// Given to prepare() in place of the rig's own.
   struct Detail {
     int depth = 0;  ///< 0: nothing was given yet.

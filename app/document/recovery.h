@@ -21,15 +21,11 @@ namespace sinew::app {
 /// This process's file in the folder. The destructor keeps it; finish() removes it.
 class RecoveryFile {
  public:
-  /// Makes the folder.
-  [[nodiscard]] static Result<RecoveryFile> claim(const std::filesystem::path& folder);
+  [[nodiscard]] static Result<RecoveryFile> claim(const std::filesystem::path& folder);  ///< Makes the folder.
 
-  /// Writes the document's rig and paths, atomically.
-  [[nodiscard]] Result<void> write(const Document& document);
-  /// Removes the unsaved work.
-  void remove();
-  /// Clean exit: removes the lock too.
-  void finish();
+  [[nodiscard]] Result<void> write(const Document& document);  ///< Writes the document's rig and paths, atomically.
+  void remove();                                               ///< Removes the unsaved work.
+  void finish();                                               ///< Clean exit: removes the lock too.
 
   [[nodiscard]] const std::filesystem::path& file() const { return file_; }
   [[nodiscard]] bool written() const { return written_; }
@@ -74,8 +70,7 @@ class AutosaveClock {
   [[nodiscard]] Deed look(double now, double interval, const CommandStack& commands, std::size_t document, int clip);
   /// The next look() writes unwritten work regardless of the interval.
   void hurry() { hurried_ = true; }
-  /// Call after a successful write; a failed one is due again an interval later.
-  void wrote(std::size_t revision);
+  void wrote(std::size_t revision);  ///< Call after a successful write; a failed one is due again an interval later.
   /// Seconds until look() may write; nullopt: nothing is unwritten.
   [[nodiscard]] std::optional<double> secondsLeft(double now, double interval) const;
 

@@ -36,14 +36,12 @@ inline constexpr std::size_t kManyNames = 8;
 /// that no font can show are "bone N" or "clip N" (app/ui/code_points.h).
 [[nodiscard]] std::vector<std::string> shownBoneNames(const Skeleton& skeleton);
 [[nodiscard]] std::vector<std::string> shownClipNames(const Character& character);
-/// [parts] of the mesh.
-[[nodiscard]] std::vector<std::string> shownPartNames(const Character& character);
+[[nodiscard]] std::vector<std::string> shownPartNames(const Character& character);  ///< [parts] of the mesh.
 /// [bones] regardless of fonts: for names of new muscles.
 [[nodiscard]] std::vector<std::string> shortBoneNames(const Skeleton& skeleton);
 /// [bones] the path where the name is ambiguous: for lists to choose from.
 [[nodiscard]] std::vector<std::string> shownFileNames(const Skeleton& skeleton);
-/// "" for index -1.
-[[nodiscard]] std::string shownBoneName(const Skeleton& skeleton, int bone);
+[[nodiscard]] std::string shownBoneName(const Skeleton& skeleton, int bone);  ///< "" for index -1.
 /// By a rig file's name, which is returned if the bone is unknown.
 [[nodiscard]] std::string shownBoneName(const Skeleton& skeleton, const std::string& fileName);
 

@@ -11,8 +11,7 @@
 
 namespace sinew::app {
 
-/// A switch of muscles and bones.
-enum class Mark { kHidden, kLocked, kSolo };
+enum class Mark { kHidden, kLocked, kSolo };  ///< A switch of muscles and bones.
 
 /// View state. Bones by path (Bone::path); a bone's mark applies to every muscle on it and below. Marks of muscles that
 /// undo removed stay.
@@ -36,8 +35,7 @@ struct Visibility {
   [[nodiscard]] const Marks& marks(Mark mark) const;
   void setMuscle(Mark mark, PrimitiveId muscle, bool on);
   void setBone(Mark mark, const std::string& bonePath, bool on);
-  /// Nothing is hidden or locked.
-  [[nodiscard]] bool plain() const;
+  [[nodiscard]] bool plain() const;  ///< Nothing is hidden or locked.
 
   friend bool operator==(const Visibility&, const Visibility&) = default;
 };

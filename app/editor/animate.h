@@ -23,11 +23,9 @@ namespace sinew::app {
 [[nodiscard]] std::string wordsFor(const DriverInput& input, const Skeleton& skeleton);
 /// An input's value in degrees, percent or as a plain number.
 [[nodiscard]] std::string inputText(DriverInputKind kind, float value);
-/// "Smooth"
-[[nodiscard]] const char* wordFor(CurveKind kind);
+[[nodiscard]] const char* wordFor(CurveKind kind);  ///< "Smooth"
 inline constexpr std::array kCurveKinds{CurveKind::kSmooth, CurveKind::kLinear, CurveKind::kStep};
-/// "0.43 s"
-[[nodiscard]] std::string timeText(double seconds);
+[[nodiscard]] std::string timeText(double seconds);  ///< "0.43 s"
 
 [[nodiscard]] HeldNumber held(const Rig& rig, const NumberRef& ref);
 /// nullopt: its owner does not exist.
@@ -42,13 +40,11 @@ inline constexpr std::array kCurveKinds{CurveKind::kSmooth, CurveKind::kLinear, 
 // Keys.
 /// A clip with a name is shown, as keys need.
 [[nodiscard]] Possible hasKeyTime(const EditorState& state);
-/// Name of the shown clip; empty in the bind pose.
-[[nodiscard]] std::string clipNow(const EditorState& state);
+[[nodiscard]] std::string clipNow(const EditorState& state);  ///< Name of the shown clip; empty in the bind pose.
 [[nodiscard]] float timeNow(const EditorState& state);
 /// The number's keys for the shown clip, or null.
 [[nodiscard]] const KeyTrack* trackNow(const EditorState& state, const NumberRef& ref);
-/// The key at the current time, or -1.
-[[nodiscard]] int keyNow(const EditorState& state, const KeyTrack& track);
+[[nodiscard]] int keyNow(const EditorState& state, const KeyTrack& track);  ///< The key at the current time, or -1.
 
 enum class KeyValue {
   kDrawn,  ///< As in the field.
@@ -57,16 +53,14 @@ enum class KeyValue {
 };
 void keyNumbers(EditorState& state, std::span<const NumberRef> refs, KeyValue value);
 void removeKeysNow(EditorState& state, std::span<const NumberRef> refs);
-/// All keys in the shown clip.
-void removeClipKeys(EditorState& state, std::span<const NumberRef> refs);
+void removeClipKeys(EditorState& state, std::span<const NumberRef> refs);  ///< All keys in the shown clip.
 
 // Drivers.
 /// Adds drivers with two points: 0 at rest, a fifth of the number at a strong input (90 degrees, full contraction, 1).
 void driveNumbers(EditorState& state, std::span<const NumberRef> refs, const DriverInput& input);
 /// By a new channel with a key at the current time, or at the clips' start.
 void driveByNewChannel(EditorState& state, std::span<const NumberRef> refs);
-/// Removes keys and drivers.
-void stopAnimating(EditorState& state, std::span<const NumberRef> refs);
+void stopAnimating(EditorState& state, std::span<const NumberRef> refs);  ///< Removes keys and drivers.
 /// The joint's current pose as a driver's input.
 [[nodiscard]] DriverInput poseInput(const EditorState& state, int bone);
 

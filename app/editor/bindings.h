@@ -14,8 +14,7 @@ namespace sinew::app {
 [[nodiscard]] std::optional<Shortcut> shortcutFrom(std::string_view text);
 /// A sentence why no action may have this key, or "".
 [[nodiscard]] std::string whyReserved(const Shortcut& shortcut);
-/// Shift, Ctrl, Alt, Super or a lock key.
-[[nodiscard]] bool isModifier(int key);
+[[nodiscard]] bool isModifier(int key);  ///< Shift, Ctrl, Alt, Super or a lock key.
 
 /// The key's action, or null.
 [[nodiscard]] const Action* ownerOf(const Shortcut& shortcut, const Preferences& preferences);
@@ -25,8 +24,7 @@ namespace sinew::app {
 // Changes to the chosen keymap. A key has one action: the former one loses it.
 /// @param slot  0 or 1; without a first key it becomes the first
 void giveKey(Preferences& preferences, const Action& action, std::size_t slot, const Shortcut& shortcut);
-/// Back to the keymap's keys.
-void resetKeys(Preferences& preferences, const Action& action);
+void resetKeys(Preferences& preferences, const Action& action);  ///< Back to the keymap's keys.
 void resetAllKeys(Preferences& preferences);
 
 /// Removes unusable entries of a preferences file from both keymaps: unknown actions, unknown or reserved keys,
@@ -42,8 +40,7 @@ void startKeyCapture(EditorState& state, const Action& action, int slot);
 void captureKey(EditorState& state, const Shortcut& pressed);
 /// Resets keys, after a question if another action would lose one.
 void requestKeyReset(EditorState& state, const Action& action);
-/// The question was answered with Replace.
-void replaceKeys(EditorState& state);
+void replaceKeys(EditorState& state);  ///< The question was answered with Replace.
 void endKeyCapture(EditorState& state);
 
 }  // namespace sinew::app

@@ -18,16 +18,13 @@ void refuse(EditorState& state, const Error& error);
 /// Call when a field loses focus: reports why its last value was refused, if it was.
 void sayRefusedField(EditorState& state);
 
-/// Shows a toast.
-void say(EditorState& state, const std::string& text);
-/// Shows a toast about what was not done, and why.
-void sayRefusal(EditorState& state, const std::string& text);
+void say(EditorState& state, const std::string& text);         ///< Shows a toast.
+void sayRefusal(EditorState& state, const std::string& text);  ///< Shows a toast about what was not done, and why.
 
 /// One undo step: takes the transport's pose made by hand.
 void keepPose(EditorState& state, const std::string& label);
 
-/// One undo step: takes the transport's play ranges.
-void keepPlayRange(EditorState& state);
+void keepPlayRange(EditorState& state);  ///< One undo step: takes the transport's play ranges.
 
 /// Adds a message; a repeated one counts up and becomes the newest.
 void addMessage(SessionState& session, MessageKind kind, const std::string& text,

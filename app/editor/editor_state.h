@@ -49,8 +49,7 @@ struct Toast {
 
 enum class LeftTab { kMuscles, kGroups, kLibrary, kShapes };
 
-/// Muscles under the tree of bones, or in a flat list.
-enum class OutlinerOrder { kBones, kRegions, kGroups };
+enum class OutlinerOrder { kBones, kRegions, kGroups };  ///< Muscles under the tree of bones, or in a flat list.
 
 struct OutlinerState {
   LeftTab tab = LeftTab::kMuscles;
@@ -105,8 +104,7 @@ class Thumbnails;
 
 enum class MessageKind { kNote, kWarning, kError };
 
-/// Messages about a document are removed when another is opened.
-enum class MessageAbout { kDocument, kProgram };
+enum class MessageAbout { kDocument, kProgram };  ///< Messages about a document are removed when another is opened.
 
 struct Message {
   MessageKind kind = MessageKind::kNote;

@@ -55,8 +55,7 @@ void lay(EditorState& state, Preset set, PresetMuscle muscle, BodySide side) {
   if (!edit(state, "Lay " + name, added->fitted.rig)) return;
   const auto& primitives = state.document.rig().primitives;
   if (primitives.size() <= before) return;
-  // The left one comes first.
-  const bool right = side == BodySide::kRight && primitives.size() > before + 1;
+  const bool right = side == BodySide::kRight && primitives.size() > before + 1;  // The left one comes first.
   state.document.selection.clear();
   state.document.selection.primitives = {primitives[before + (right ? 1 : 0)].id()};
   for (const std::string& line : added->mended) say(state, "Mended " + line);

@@ -69,8 +69,7 @@ void moveCursor(EditorState& state, const std::vector<OutlinerRow>& rows, int by
 void selectMuscles(Document& document, const std::vector<int>& indices);
 /// Folds or unfolds a bone's row. @param all  and those below
 void setFolded(EditorState& state, int bone, bool folded, bool all);
-/// Unfolds down to a bone's row.
-void unfoldTo(EditorState& state, int bone);
+void unfoldTo(EditorState& state, int bone);  ///< Unfolds down to a bone's row.
 /// Unfolds the muscle's parts in the flat lists. @param muscle  rig index
 void unfoldParts(EditorState& state, int muscle);
 void setPartFolded(EditorState& state, const std::string& part, bool folded);

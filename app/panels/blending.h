@@ -24,19 +24,15 @@ inline constexpr float kNodeSpacing = 92.0f;  ///< Preferred length of an edge o
 [[nodiscard]] glm::vec2 freePlace(std::span<const glm::vec2> taken);
 
 void drawBlending(PanelUi& ui);
-/// A triangle of cells, groups by groups.
-void drawBlendingMatrix(PanelUi& ui, float height);
-/// Nodes and edges.
-void drawBlendingGraph(PanelUi& ui, float height);
+void drawBlendingMatrix(PanelUi& ui, float height);  ///< A triangle of cells, groups by groups.
+void drawBlendingGraph(PanelUi& ui, float height);   ///< Nodes and edges.
 
-/// The context menu of a group; between BeginPopup and EndPopup.
-void groupMenu(PanelUi& ui, int group);
+void groupMenu(PanelUi& ui, int group);  ///< The context menu of a group; between BeginPopup and EndPopup.
 /// The field for the new name, at the cursor. Notes itself as blending/rename.
 void groupRenameField(PanelUi& ui, float width);
 void startGroupRename(EditorState& state, GroupId group);
 /// Accepts muscles that are dropped on a group; inside BeginDragDropTarget.
 void takeDroppedMuscles(PanelUi& ui, const std::string& group);
-/// "legs: 4 muscles"
-[[nodiscard]] std::string groupText(const Rig& rig, int group);
+[[nodiscard]] std::string groupText(const Rig& rig, int group);  ///< "legs: 4 muscles"
 
 }  // namespace sinew::app

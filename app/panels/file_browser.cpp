@@ -205,8 +205,7 @@ void drawEntry(PanelUi& ui, const FolderEntry& entry, int number) {
     enterFolder(dialog, dialog.folder / entry.name);
     return;
   }
-  // Saves a rig beside its character, never over it.
-  const bool saves = dialog.kind == DialogKind::kSaveAs;
+  const bool saves = dialog.kind == DialogKind::kSaveAs;  // Saves a rig beside its character, never over it.
   dialog.text = saves ? withRigEnding(entry.name).string() : entry.name;
   const bool opens = dialog.kind == DialogKind::kOpen || dialog.kind == DialogKind::kReference;
   if (ImGui::IsMouseDoubleClicked(0) && opens) confirmPath(ui.state);

@@ -14,8 +14,7 @@ void goBack(FileDialogState& dialog);
 void goForward(FileDialogState& dialog);
 void goUp(FileDialogState& dialog);
 
-/// Opens, saves or enters the path in the field; asks before it overwrites.
-void confirmPath(EditorState& state);
+void confirmPath(EditorState& state);  ///< Opens, saves or enters the path in the field; asks before it overwrites.
 
 /// Places at the left, the folder's files at the right. @param height  window coordinates
 void drawFolderBrowser(PanelUi& ui, float height);

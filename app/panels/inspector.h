@@ -85,20 +85,15 @@ void drawTwinRow(PanelUi& ui, const Subjects& subjects);
 void drawShapeRows(PanelUi& ui, const Subjects& subjects);
 void drawPlacementRows(PanelUi& ui, const Subjects& subjects);
 void drawTerritoryRows(PanelUi& ui, const Subjects& subjects);
-/// Only where something is keyed or driven.
-void drawAnimationRows(PanelUi& ui, const Subjects& subjects);
+void drawAnimationRows(PanelUi& ui, const Subjects& subjects);  ///< Only where something is keyed or driven.
 void drawSurfaceAnimation(PanelUi& ui);
-/// @param morph  index into Rig::morphs
-void drawMorphAnimation(PanelUi& ui, int morph);
+void drawMorphAnimation(PanelUi& ui, int morph);  ///< @param morph  index into Rig::morphs
 
 // The inspector's rows about the lines of the selected muscles.
 
-/// Ends, length and buttons.
-void drawLineRows(PanelUi& ui, const Subjects& subjects);
+void drawLineRows(PanelUi& ui, const Subjects& subjects);  ///< Ends, length and buttons.
 void drawFlexRow(PanelUi& ui, const SelectedLines& lines);
-/// The rest of their numbers.
-void drawLineNumbers(PanelUi& ui);
-/// For muscles that ride one bone.
-void drawOtherEndRow(PanelUi& ui, const Subjects& subjects);
+void drawLineNumbers(PanelUi& ui);                            ///< The rest of their numbers.
+void drawOtherEndRow(PanelUi& ui, const Subjects& subjects);  ///< For muscles that ride one bone.
 
 }  // namespace sinew::app

@@ -18,8 +18,7 @@ struct TrackSpan {
 
   [[nodiscard]] double perSecond() const { return static_cast<double>(right - left) / (shown.to - shown.from); }
   [[nodiscard]] float xOf(double time) const { return left + static_cast<float>((time - shown.from) * perSecond()); }
-  /// Within the clip.
-  [[nodiscard]] double timeAt(float x) const;
+  [[nodiscard]] double timeAt(float x) const;  ///< Within the clip.
 };
 
 /// Fills the rest of the region. @param gutter  left free at its left, window coordinates

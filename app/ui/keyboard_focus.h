@@ -13,16 +13,12 @@ namespace sinew::app {
 
 /// Before ImGui::NewFrame: arrows, Space and Enter for the control with the ring and for open menus and lists.
 void feedFocusKeys(const RawInput& input);
-/// The ring is shown.
-[[nodiscard]] bool focusShown();
+[[nodiscard]] bool focusShown();  ///< The ring is shown.
 /// After NewFrame, with the controls of the last frame: Tab moves the ring to the next control, Ctrl+Tab to the next
 /// panel, Shift backwards; within the front dialog or menu. @return whether the ring takes this frame's key
 bool moveFocus(WidgetLog& controls, const RawInput& input);
-/// Hides the ring. @return whether it was shown
-bool dropFocus();
-/// Id of the control with the ring, or "".
-[[nodiscard]] std::string focusedControl(const WidgetLog& controls);
-/// After all panels.
-void drawFocus(const Ui& ui);
+bool dropFocus();                                                     ///< Hides the ring. @return whether it was shown
+[[nodiscard]] std::string focusedControl(const WidgetLog& controls);  ///< Id of the control with the ring, or "".
+void drawFocus(const Ui& ui);                                         ///< After all panels.
 
 }  // namespace sinew::app

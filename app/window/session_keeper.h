@@ -25,8 +25,7 @@ class SessionKeeper {
   void tick(EditorState& state, double now, const WindowPlace& window);
   /// Seconds until tick() has work; nullopt: not before a change.
   [[nodiscard]] std::optional<double> secondsLeft(const EditorState& state, double now) const;
-  /// Clean exit.
-  void finish(EditorState& state, const WindowPlace& window);
+  void finish(EditorState& state, const WindowPlace& window);  ///< Clean exit.
 
  private:
   void keepRecent(EditorState& state);

@@ -60,7 +60,6 @@ class CardSurface;
 
 /// Report for the terminal. @param name  of the scene
 [[nodiscard]] std::string textOf(const std::string& name, const CardFigures& figures);
-/// See docs/formats.md.
-[[nodiscard]] Json jsonOf(const std::string& name, const CardFigures& figures);
+[[nodiscard]] Json jsonOf(const std::string& name, const CardFigures& figures);  ///< See docs/formats.md.
 
 }  // namespace sinew::app

@@ -54,8 +54,7 @@ inline constexpr std::size_t kStages = static_cast<std::size_t>(Stage::kDrawn) +
 /// Compiled shaders for any number of surfaces in one context.
 class StagePrograms {
  public:
-  /// Error: the driver lacks OpenGL 4.5, or refuses a shader.
-  [[nodiscard]] static Result<StagePrograms> create();
+  [[nodiscard]] static Result<StagePrograms> create();  ///< Error: the driver lacks OpenGL 4.5, or refuses a shader.
   [[nodiscard]] const GlProgram& of(Stage stage) const { return programs_[static_cast<std::size_t>(stage)]; }
 
  private:
@@ -72,10 +71,8 @@ class PartTimers {
   PartTimers();
   void begin();
   void end(SurfacePart part);
-  /// Waits for the card.
-  [[nodiscard]] PartSeconds seconds() const;
-  /// nullopt: not finished or not begun.
-  [[nodiscard]] std::optional<PartSeconds> secondsIfDone() const;
+  [[nodiscard]] PartSeconds seconds() const;                       ///< Waits for the card.
+  [[nodiscard]] std::optional<PartSeconds> secondsIfDone() const;  ///< nullopt: not finished or not begun.
 
  private:
   std::vector<GlQuery> stamps_;  ///< [kSurfaceParts + 1]
@@ -139,8 +136,7 @@ class CardSurface {
   [[nodiscard]] std::vector<card::Vertex> readSurface() const;  ///< [bodies * V']
   /// Vertices of the last make() that were computed in double precision.
   [[nodiscard]] std::uint32_t readUnsure() const;
-  /// Whether the bound on slopes has converged.
-  [[nodiscard]] bool readSlopesRest() const;
+  [[nodiscard]] bool readSlopesRest() const;  ///< Whether the bound on slopes has converged.
 
  private:
   enum class Buffer {

@@ -29,8 +29,7 @@ struct LightBlock {
 };
 [[nodiscard]] const LightBlock& lightBlock(LightPreset light);
 
-/// World, unit, towards the light that casts the shadow.
-[[nodiscard]] glm::vec3 keyDirection(LightPreset light);
+[[nodiscard]] glm::vec3 keyDirection(LightPreset light);  ///< World, unit, towards the light that casts the shadow.
 
 enum class BackdropKind { kVignette, kVertical, kChecker };
 

@@ -18,8 +18,7 @@ class GroundDrawer {
   /// Draws the shadow into its own texture. Changes framebuffer and viewport.
   void prepareShadow(const Frame& frame, const SurfaceDrawer& surface);
   void drawBackground(const Frame& frame) const;
-  /// Over the opaque surface, with depth test.
-  void drawGround(const Frame& frame) const;
+  void drawGround(const Frame& frame) const;  ///< Over the opaque surface, with depth test.
 
   /// Copies the kept background and floor, redrawn when they change, into a target of one sample, in place of
   /// drawBackground(). With drawSunkOverKept() after clearing the depth and drawGroundOverKept() in place of

@@ -86,8 +86,7 @@ struct PrimitiveShape {
 /// World-space ends of its three axes where rho = scale.
 [[nodiscard]] std::array<glm::vec3, 6> extremesOf(const PrimitiveShape& shape, float scale);
 
-/// Each has its color (segmentColor).
-enum class SegmentClass : std::uint8_t { kPlain, kFound, kFallback, kLost };
+enum class SegmentClass : std::uint8_t { kPlain, kFound, kFallback, kLost };  ///< Each has its color (segmentColor).
 
 /// A straight line with a dot at both ends, such as a projection ray. World space.
 struct SceneSegment {

@@ -38,8 +38,7 @@ class Viewport {
   Viewport(const Viewport&) = delete;
   Viewport& operator=(const Viewport&) = delete;
 
-  /// 4, or 1 where the processor draws.
-  [[nodiscard]] static int defaultSamples();
+  [[nodiscard]] static int defaultSamples();  ///< 4, or 1 where the processor draws.
 
   /// Uploads textures and copies materials. Call before drawing another character.
   void setCharacter(const Character& character);

@@ -194,9 +194,8 @@ namespace {
 constexpr float kClickLength = 0.05f;  ///< Semi-axes, of H.
 constexpr float kClickWidth = 0.025f;
 constexpr float kClickThickness = 0.011f;
-constexpr float kWidth = 0.5f;  ///< Fraction of half a stroke's length.
-// Thin: skin lifted only by the top of a thick ellipsoid would pop in motion.
-constexpr float kThickness = 0.22f;
+constexpr float kWidth = 0.5f;            ///< Fraction of half a stroke's length.
+constexpr float kThickness = 0.22f;       // Thin: skin lifted only by the top of a thick ellipsoid would pop in motion.
 constexpr float kLeastThickness = 0.01f;  ///< Of H: visible on the skin,
 constexpr float kMostThickness = 0.012f;  ///< but not a lump.
 constexpr float kShortestStroke = 0.01f;  ///< Chord, of H.
@@ -470,8 +469,7 @@ void updateAddMuscle(AddMuscleState& state, const ViewportInput& input, const Vi
   if (drag.dragged) {
     stroke = strokeOnSkin(drag.skin, drag.start, view, input.mouse, context.document.character->height);
   }
-  // A refused state is not shown.
-  static_cast<void>(show(drag, stroke, context.document));
+  static_cast<void>(show(drag, stroke, context.document));  // A refused state is not shown.
   if (!input.button(MouseButton::kLeft).released) return;
   context.document.commands.endGesture();
   state.drag.reset();

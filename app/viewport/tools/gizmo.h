@@ -172,8 +172,7 @@ struct GizmoLayout {
   std::vector<HandleShape> handles;
 
   [[nodiscard]] const HandleShape* find(GizmoHandle handle) const;
-  /// Name -> pixel of every handle in `handles`.
-  [[nodiscard]] std::map<std::string, glm::vec2> namedPixels() const;
+  [[nodiscard]] std::map<std::string, glm::vec2> namedPixels() const;  ///< Name -> pixel of every handle in `handles`.
 };
 
 /// Unit directions of the chosen axes in the world; scale always uses the primitive's. Not orthogonal on sheared bones.
@@ -207,8 +206,7 @@ struct DragResult {
 /// ends when the outcome is not kDragging. Asserts that a drag is in progress.
 [[nodiscard]] DragResult updateDrag(GizmoState& state, const ViewportInput& input, const GizmoContext& context);
 
-/// For the status line.
-[[nodiscard]] std::string describe(const GizmoState& state);
+[[nodiscard]] std::string describe(const GizmoState& state);  ///< For the status line.
 
 // Shared by layout, drags and drawing.
 
@@ -227,8 +225,7 @@ struct HandleParts {
 /// Inverse of partsOf; kNone if no handle has those parts.
 [[nodiscard]] GizmoHandle handleOf(const HandleParts& parts);
 
-/// The lock, or else the way of the handle.
-[[nodiscard]] Way wayOf(const GizmoDrag& drag);
+[[nodiscard]] Way wayOf(const GizmoDrag& drag);  ///< The lock, or else the way of the handle.
 
 /// A gizmo in one frame's pose.
 struct GizmoBasis {
@@ -283,7 +280,6 @@ inline constexpr float kGizmoArmPixels = 95.0f;
 [[nodiscard]] Placement withBend(const Placement& start, Way way, const glm::vec3& traveled, float reach,
                                  std::optional<float> typed);
 
-/// Any unit vector perpendicular to a unit vector.
-[[nodiscard]] glm::vec3 across(const glm::vec3& direction);
+[[nodiscard]] glm::vec3 across(const glm::vec3& direction);  ///< Any unit vector perpendicular to a unit vector.
 
 }  // namespace sinew::app

@@ -19,8 +19,7 @@ struct LaidLine {
   Primitive belly;
 };
 
-/// The control mesh in the bind pose as a surface.
-[[nodiscard]] Surface bindSkin(const Character& character);
+[[nodiscard]] Surface bindSkin(const Character& character);  ///< The control mesh in the bind pose as a surface.
 
 /// In the bind pose. Anchors lie half way from the skin to the axes of the bones below: far enough from the joint, and
 /// inside the limb in every pose. The belly's y axis spans the tendons, its z axis points away from the bone, and it

@@ -23,8 +23,7 @@
 
 namespace sinew::app {
 
-/// Rows of tools().
-enum class ToolKind { kSelect, kAddMuscle, kMuscleLine, kMove, kRotate, kScale, kPose };
+enum class ToolKind { kSelect, kAddMuscle, kMuscleLine, kMove, kRotate, kScale, kPose };  ///< Rows of tools().
 inline constexpr std::size_t kToolCount = 7;
 
 [[nodiscard]] std::string nameOf(ToolKind tool);  ///< Its label in lower case: "add muscle".
@@ -115,20 +114,15 @@ struct Tool {
   bool (*continueHandle)(ToolFrame& frame, const ViewportInput& input) = nullptr;
 
   ViewportHover (*hover)(const ViewportContext& context, const View& view, const glm::vec2& pixel);
-  /// A press outside the handles. @return whether the tool takes the mouse
-  bool (*press)(ToolFrame& frame) = nullptr;
+  bool (*press)(ToolFrame& frame) = nullptr;  ///< A press outside the handles. @return whether the tool takes the mouse
   /// While it has it. @return false: it has ended
   bool (*drag)(ToolFrame& frame, const ViewportInput& input) = nullptr;
-  /// Ends and undoes a drag.
-  void (*cancel)(ViewportTools& tools, Document& document) = nullptr;
-  /// A click outside the handles.
-  void (*click)(ToolFrame& frame) = nullptr;
-  /// The status line, unless a handle is hovered or dragged.
-  std::string (*describe)(const ToolFrame& frame);
+  void (*cancel)(ViewportTools& tools, Document& document) = nullptr;  ///< Ends and undoes a drag.
+  void (*click)(ToolFrame& frame) = nullptr;                           ///< A click outside the handles.
+  std::string (*describe)(const ToolFrame& frame);  ///< The status line, unless a handle is hovered or dragged.
 };
 
-/// By ToolKind.
-[[nodiscard]] std::span<const Tool* const, kToolCount> tools();
+[[nodiscard]] std::span<const Tool* const, kToolCount> tools();  ///< By ToolKind.
 /// The chosen tool, or the territory mode while it is on.
 [[nodiscard]] const Tool& activeTool(const ViewportTools& tools);
 
