@@ -14,8 +14,7 @@ inline constexpr int kBadInput = 1;
 inline constexpr int kBadCommandLine = 2;
 inline constexpr int kSomeFailed = 3;
 
-/// One line, "sinew: file: place: reason", on stderr. Returns kBadInput.
-[[nodiscard]] int badInput(const Error& error);
+[[nodiscard]] int badInput(const Error& error);  ///< "sinew: file: place: reason" on stderr. Returns kBadInput.
 
 [[nodiscard]] int badCommandLine(const std::string& reason);  ///< One line on stderr. Returns kBadCommandLine.
 

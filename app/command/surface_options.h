@@ -39,15 +39,13 @@ void addClipsOption(CLI::App& verb, std::vector<std::string>& files);  ///< --cl
 
 void addDetailOptions(CLI::App& verb, DetailOverride& detail);  ///< --depth, --detail and --tolerance only.
 
-/// The document's rig with the overrides. The words have passed the parser. Error: no such shape; lists those that
-/// exist.
+/// The document's rig with the overrides, whose words have passed the parser. Error: no such shape; lists all shapes.
 [[nodiscard]] Result<Rig> overridden(const Document& document, const SurfaceOptions& options);
 
 /// Error: the rig uses a bone that the skeleton lacks. @param file  for the error
 [[nodiscard]] Result<void> checkBones(const Rig& rig, const Skeleton& skeleton, const std::filesystem::path& file);
 
-/// The clip of that name; nullopt: the first. Reports a last time past its end.
-/// Error: no such clip; lists those that exist.
+/// The clip of that name; nullopt: the first. Reports a last time past its end. Error: no such clip; lists all clips.
 [[nodiscard]] Result<const AnimationClip*> clipOf(const Document& document, const std::optional<std::string>& name,
                                                   double lastTime);
 

@@ -27,8 +27,7 @@ struct Machine {
 
 [[nodiscard]] Machine machineHere();
 
-/// The first "model name" of a /proc/cpuinfo, or "unknown".
-[[nodiscard]] std::string processorName(std::istream& cpuinfo);
+[[nodiscard]] std::string processorName(std::istream& cpuinfo);  ///< First "model name" of /proc/cpuinfo, or "unknown".
 
 [[nodiscard]] Json jsonOf(const Machine& machine);
 [[nodiscard]] std::string textOf(const Machine& machine);  ///< A few lines.
@@ -60,8 +59,7 @@ using ModeScenes = std::vector<BenchScene>;  ///< Scenes of one mode, at least o
 [[nodiscard]] Result<Whole> measureWhole(const std::vector<ModeScenes>& modes, int rounds,
                                          const std::function<void(int done, int all)>& show);
 
-/// Objects "swell" and "replace" with the figures of each mode, and "machine", "rounds", "table1", "table2":
-/// docs/formats.md.
+/// Each mode's figures under "swell" and "replace"; "machine", "rounds", "table1", "table2": docs/formats.md.
 [[nodiscard]] Json jsonOf(const Whole& whole);
 
 [[nodiscard]] std::string textOf(const Whole& whole);  ///< For people.

@@ -34,13 +34,12 @@ class CommandStack {
   /// Grows with every change of rig(), undo and redo included.
   [[nodiscard]] std::size_t revision() const { return revision_; }
 
-  /// Adds a step and drops redo. No step if nothing changes. Ends an open gesture first.
+  /// Adds a step, unless nothing changes, and drops redo. First ends a gesture.
   void apply(const std::string& label, Rig rig);
   void applyPose(const std::string& label, const PoseOverrides& pose);  ///< The same for the pose made by hand.
   /// The same for the play ranges; a gesture stays open if nothing changes.
   void applyRanges(const std::string& label, const KeptPlayRanges& ranges);
-  /// Sets pose and ranges of all steps so far.
-  void startFrom(const PoseOverrides& pose, const KeptPlayRanges& ranges);
+  void startFrom(const PoseOverrides& pose, const KeptPlayRanges& ranges);  ///< Sets both for all steps so far.
   /// The last step's pose and ranges. View state: no modification.
   [[nodiscard]] const PoseOverrides& pose() const { return steps_[position_].pose; }
   [[nodiscard]] const KeptPlayRanges& ranges() const { return steps_[position_].ranges; }

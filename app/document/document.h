@@ -23,8 +23,7 @@
 
 namespace sinew::app {
 
-/// Selected primitives in order of picking (the last one is active) and one bone. Primitives that undo removed stay
-/// selected for redo.
+/// Primitives in order of picking (the last one is active) and one bone. What undo removed stays selected for redo.
 struct Selection {
   std::vector<PrimitiveId> primitives;
   int bone = -1;  ///< Index into Skeleton::bones, or -1.
@@ -58,8 +57,7 @@ class PosedRigMemo {
   PosedRig posed_;
 };
 
-/// A read-only character, the rig (edited through the command stack alone), their files; as view state, selection and
-/// visibility.
+/// Read-only character, rig (edited through the command stack alone) and files; view state: selection and visibility.
 struct Document {
   std::shared_ptr<const Character> character;
   std::filesystem::path characterFile;

@@ -86,9 +86,8 @@ struct ExportKind {
 };
 [[nodiscard]] std::span<const ExportKind> exportKinds();  ///< In menu order; the first is the default. Never empty.
 
-[[nodiscard]] std::vector<std::string> exportWords();  ///< Words of --as, each once.
-/// ".glb, .gltf or .usda": endings of the word's kinds.
-[[nodiscard]] std::string exportEndingsOf(const std::string& word);
+[[nodiscard]] std::vector<std::string> exportWords();                ///< Words of --as, each once.
+[[nodiscard]] std::string exportEndingsOf(const std::string& word);  ///< ".glb, .gltf or .usda": of the word's kinds.
 /// By the word of --as and the file's ending. Error: place is "--output".
 [[nodiscard]] Result<const ExportKind*> findExportKind(const std::string& word, const std::filesystem::path& file);
 
@@ -98,8 +97,7 @@ struct ExportKind {
 /// Existing files that an export to `file` would replace.
 [[nodiscard]] std::vector<std::filesystem::path> replacedByExport(const std::filesystem::path& file);
 
-/// Error: an option that the kind does not read; place is the option.
-/// @param isGiven  the command line has the option: "--mesh"
+/// Error: an option that the kind does not read; place is it. @param isGiven  on the command line: "--mesh"
 [[nodiscard]] Result<void> checkExportSettings(const ExportKind& kind, const ExportSettings& settings,
                                                const std::function<bool(const char* option)>& isGiven);
 /// Words for the command line ("--as skinned --mesh original ..."), without defaults.

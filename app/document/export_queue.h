@@ -64,8 +64,7 @@ struct ExportOutcome {
   ExportOrder order{};
 };
 
-/// Call from one thread; only the destructor waits. One export runs at a time on its own thread; takeDone() starts the
-/// next.
+/// Call from one thread; only the destructor waits. One export runs at a time, on a thread; takeDone() starts the next.
 class ExportQueue {
  public:
   ExportQueue();

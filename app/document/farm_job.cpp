@@ -1,5 +1,4 @@
-// app/document/farm_job.cpp: the needs of a task, and a job in each format. Tasks resume, so that a rerun makes only
-// what is missing, unless the job replaces files.
+// app/document/farm_job.cpp: a task's needs; jobs in each format. Reruns make missing files unless jobs replace them.
 #include "app/document/farm_job.h"
 
 #include <algorithm>

@@ -53,7 +53,6 @@ struct FarmTarget {
 
 [[nodiscard]] std::string thisProgram();  ///< The path of the running program.
 
-/// One word of a POSIX shell, quoted where it has to be.
-[[nodiscard]] std::string shellWord(const std::string& text);
+[[nodiscard]] std::string shellWord(const std::string& text);  ///< One word of a POSIX shell, quoted where needed.
 
 }  // namespace sinew::app

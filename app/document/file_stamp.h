@@ -24,8 +24,7 @@ class FileLock {
   int descriptor_ = -1;
 };
 
-/// Waits up to half a second for another holder, which needs milliseconds unless it hangs. Not held on timeout or if
-/// the folder cannot be opened.
+/// Waits up to 0.5 s for another holder (milliseconds unless it hangs). Not held on timeout or without the folder.
 [[nodiscard]] FileLock lockFolder(const std::filesystem::path& folder);
 
 /// Length and hash of a file's bytes. Dates are unreliable: copies and version control change them.

@@ -19,8 +19,7 @@ namespace sinew::app {
 /// Every *.rig.json of a folder, by name, but those with a line break, which a list cannot hold.
 [[nodiscard]] std::vector<std::filesystem::path> rigsIn(const std::filesystem::path& folder);
 
-/// A path for a command that runs in `folder`: relative inside it, never mistaken for an option or comment.
-/// @param folder, file  absolute
+/// A path for a command in `folder`: relative inside it, never mistaken for an option or comment. Both are absolute.
 [[nodiscard]] std::string pathWord(const std::filesystem::path& folder, const std::filesystem::path& file);
 
 /// A list for --list, one rig per line.
@@ -54,7 +53,7 @@ struct FolderEntry {
 /// Which files are listed; folders always are.
 enum class FileFilter { kAll, kRigs, kCharacters, kPictures, kJobs, kReferences, kMovies };
 
-/// A reference picture: .png, .jpg, .jpeg or .webp, in any case.
+/// Reference picture: .png, .jpg, .jpeg, .webp, in any case.
 [[nodiscard]] bool isReferenceName(const std::string& name);
 
 struct ListingOptions {
@@ -68,7 +67,6 @@ struct ListingOptions {
 /// Folders first, then the files that the filter lets through. At most 5,000. An unreadable folder is empty.
 [[nodiscard]] std::vector<FolderEntry> listFolder(const std::filesystem::path& folder, const ListingOptions& options);
 
-/// A cached listing.
 struct FolderListing {
   std::vector<FolderEntry> entries;
   std::filesystem::path folder;
@@ -81,8 +79,7 @@ void refresh(FolderListing& listing, const std::filesystem::path& folder, const 
 /// Path of typed text: absolute, below "~" (the home folder), or relative to the folder.
 [[nodiscard]] std::filesystem::path resolveTyped(const std::filesystem::path& folder, std::string_view text);
 
-/// Completes the text as far as it is unambiguous, ignoring case if it can; a single folder gets a "/". Returns the
-/// text if nothing fits.
+/// Completes the unambiguous part, ignoring case if it can; a single folder gets a "/". Without a match: the text.
 [[nodiscard]] std::string completePath(const std::filesystem::path& folder, const std::string& text,
                                        const ListingOptions& options);
 

@@ -1,7 +1,5 @@
-// app/document/recovery.h: unsaved work survives a crash.
-//
-// Every running editor locks a file NUMBER.lock in the recovery folder (flock, which ends with the process). Unsaved
-// changes are in NUMBER.json beside it. A .json whose lock nobody holds was left behind by a crash.
+// app/document/recovery.h: unsaved work survives a crash. Every running editor locks NUMBER.lock in the recovery folder
+// (flock ends with the process), with its unsaved changes in NUMBER.json. A .json without a held lock was left behind.
 #pragma once
 
 #include <filesystem>

@@ -20,8 +20,8 @@ namespace sinew::app {
 /// "upper_arm.L muscle": name of a new muscle on a bone, which may be taken.
 [[nodiscard]] std::string defaultMuscleName(const Skeleton& skeleton, int bone);
 
-/// `after` with new default names for muscles that moved to another bone and still had the default name of the former
-/// one; twins with the mirrored name follow. Both rigs have the same muscles in the same order.
+/// `after`, where muscles moved to another bone get its default name if they had that of the former one; twins with
+/// the mirrored name follow. Both rigs have the same muscles in the same order.
 [[nodiscard]] Rig withDefaultNames(const Rig& before, Rig after, const Skeleton& skeleton);
 
 /// The names without their common prefix up to a "|", ":" or "/" and their common suffix from a "|" on:

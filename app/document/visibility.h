@@ -13,8 +13,7 @@ namespace sinew::app {
 
 enum class Mark { kHidden, kLocked, kSolo };  ///< A switch of muscles and bones.
 
-/// View state. Bones by path (Bone::path); a bone's mark applies to every muscle on it and below. Marks of muscles that
-/// undo removed stay.
+/// View state. Bones by Bone::path; a bone's mark applies to all muscles on it and below. Marks of undone muscles stay.
 struct Visibility {
   struct Marks {
     std::set<PrimitiveId> muscles;

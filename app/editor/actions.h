@@ -12,8 +12,7 @@
 
 namespace sinew::app {
 
-/// Whether an action can run and, if not, the reason for the user: a short clause without a full stop ("Select a muscle
-/// first").
+/// Whether an action can run; if not, the reason: a short clause without a full stop ("Select a muscle first").
 class Possible {
  public:
   constexpr Possible() = default;
@@ -83,10 +82,9 @@ struct KeyChange {
 /// With the user's own keys (app/editor/bindings.h).
 [[nodiscard]] std::array<Shortcut, 2> shortcutsOf(const Action& action, const Preferences& preferences);
 
-[[nodiscard]] std::string textOf(const Shortcut& shortcut);  ///< "Ctrl+Shift+S"; "" for none.
-/// The action's first key; "" for none.
-[[nodiscard]] std::string keyText(const Action& action, const EditorState& state);
-void run(const Action& action, EditorState& state);  ///< Runs an enabled action.
+[[nodiscard]] std::string textOf(const Shortcut& shortcut);                         ///< "Ctrl+Shift+S"; "" for none.
+[[nodiscard]] std::string keyText(const Action& action, const EditorState& state);  ///< Its first key; "" for none.
+void run(const Action& action, EditorState& state);                                 ///< Runs an enabled action.
 /// Runs the action of this frame's key press (or repeat, for undo, redo and stepping). @return whether it had one
 bool runShortcut(EditorState& state, const RawInput& input);
 

@@ -21,8 +21,7 @@ void showOpenDialog(EditorState& state);
 void showSaveDialog(EditorState& state, const Intent& then);  ///< @param then  performed after a successful save
 /// Saves to the rig's file, or asks for a path, or about a file that changed on disk. @return whether it saved
 bool save(EditorState& state, const Intent& then);
-/// @return "", or why it failed (also a message)
-std::string saveTo(EditorState& state, const std::filesystem::path& file);
+std::string saveTo(EditorState& state, const std::filesystem::path& file);  ///< @return "", or why not (also a message)
 
 void undo(EditorState& state);
 void redo(EditorState& state);
@@ -43,7 +42,7 @@ void cycleAxes(EditorState& state);
 
 [[nodiscard]] SurfaceView surfaceView(const EditorState& state);  ///< The view for LiveSurface::update().
 
-/// Rig indices of the selected primitives, ascending.
+/// Rig indices of the primitives, ascending.
 [[nodiscard]] std::vector<int> selectedIndices(const Document& document);
 /// Muscles that the viewport draws: all, or the selected and hovered ones.
 [[nodiscard]] std::vector<PrimitiveShape> shownShapes(const EditorState& state, bool all);

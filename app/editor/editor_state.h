@@ -156,7 +156,6 @@ struct Intent {
 
 enum class DialogKind { kNone, kOpen, kSaveAs, kSavePicture, kExportPlace, kJobPlace, kPicturesPlace, kReference };
 
-/// The path dialog.
 struct FileDialogState {
   DialogKind kind = DialogKind::kNone;
   std::filesystem::path folder;
@@ -188,7 +187,6 @@ struct SetEntry {
   std::string muscle;
 };
 
-/// The command palette.
 struct PaletteState {
   bool shown = false;
   bool appearing = false;  ///< Focuses the search field.
@@ -242,7 +240,6 @@ struct Dialogs {
   bool recovery = false;  ///< Offers work left by a crash.
 };
 
-/// State of a frame.
 struct FrameState {
   RouteResult route;             ///< Of the viewport's tools.
   std::vector<int> highlighted;  ///< Rig indices of muscles hovered in panels.

@@ -10,8 +10,7 @@
 
 namespace sinew::app {
 
-/// The rig has a file without unsaved changes, as a farm job needs.
-[[nodiscard]] bool rigIsSaved(const EditorState& state);
+[[nodiscard]] bool rigIsSaved(const EditorState& state);  ///< It has a file without unsaved changes, as farm jobs need.
 
 /// The dialogs keep the last choices; paths start as NAME_muscled beside each document.
 void showExportDialog(EditorState& state);
@@ -37,10 +36,8 @@ void takePlace(Dialogs& dialogs, DialogKind kind, const std::filesystem::path& f
 [[nodiscard]] std::vector<std::filesystem::path> farmRigs(const EditorState& state);
 [[nodiscard]] int farmTasks(const EditorState& state);
 
-/// Existing files that would be replaced.
-[[nodiscard]] std::vector<std::filesystem::path> replacedFiles(EditorState& state);
-/// Starts the export, or writes the job's file; asks in the dialog before replacing files.
-/// @return whether the dialog is done; else it shows why not
+[[nodiscard]] std::vector<std::filesystem::path> replacedFiles(EditorState& state);  ///< Files that would be replaced.
+/// Exports, or writes the job's file; asks before replacing files. @return false: the dialog shows why it is not done
 bool confirmExport(EditorState& state);
 
 void followExports(EditorState& state);     ///< Once a frame: reports finished exports.

@@ -10,15 +10,13 @@ namespace sinew::app {
 
 void keepExport(EditorState& state, const ExportOutcome& outcome);  ///< Keeps the export in place of the last one.
 
-/// The last export is of the open character and has error figures.
-[[nodiscard]] bool hasExportError(const EditorState& state);
+[[nodiscard]] bool hasExportError(const EditorState& state);  ///< The last export is of this character and has figures.
 [[nodiscard]] bool showsExportError(const EditorState& state);  ///< ... and it is shown.
 void toggleExportError(EditorState& state);
 void showExported(EditorState& state, ExportedView view);  ///< Shows the error on one mesh, or on both side by side.
 [[nodiscard]] bool showsExportBeside(const EditorState& state);  ///< The exported mesh stands beside the live one.
 void toggleExportBeside(EditorState& state);
-/// If both meshes are shown, places them side by side for the camera's target view and frames them.
-/// @return whether they are shown
+/// If both meshes are shown, places them side by side for the camera's target view and frames them. @return if shown
 bool frameExportBeside(EditorState& state);
 void showLargestError(EditorState& state);  ///< Goes to the time of the largest error and centers its vertex.
 

@@ -1,5 +1,4 @@
-// app/editor/muscle_set_commands.cpp: muscle sets, body parts and checks of the open document. A slider of a set undoes
-// its step and makes it again, so that there is only one.
+// app/editor/muscle_set_commands.cpp: muscle sets, body parts, checks. A set's slider remakes its one undo step.
 #include "app/editor/muscle_set_commands.h"
 
 #include <algorithm>

@@ -9,14 +9,12 @@ namespace sinew::app {
 
 // The tab Library: single muscles of sets, and the user's own sets.
 
-/// Reads the sets for this body if they are not current. Call before showing them.
-void readLibrary(EditorState& state);
+void readLibrary(EditorState& state);  ///< Reads this body's sets if they are not current. Call before showing them.
 
 /// Adds the muscle at its place on this body, with its twin, mended and selected: one undo step.
 void layFromLibrary(EditorState& state, int set, int muscle);
 
-/// Drag and drop of a muscle. A drop on the character adds the muscle there, with its twin (core/bodies/muscle_set.h).
-/// @param pointer  window coordinates
+/// A drop on the character adds the muscle and its twin (core/bodies/muscle_set.h). @param pointer  window coordinates
 void takeFromLibrary(EditorState& state, int set, int muscle);
 void carryFromLibrary(EditorState& state, const glm::vec2& pointer);
 void dropFromLibrary(EditorState& state, const glm::vec2& pointer);

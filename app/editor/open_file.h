@@ -9,8 +9,7 @@
 
 namespace sinew::app {
 
-// Files that other programs change while they are open. Saving asks before it overwrites a
-// changed rig; character and clip files are watched too.
+// Files that other programs change: saving asks before it overwrites such a rig; character and clip files are watched.
 
 /// Asks if the rig's file was changed or removed. @return whether it asks; write nothing until it is answered
 bool asksBeforeSaving(EditorState& state, const Intent& then);
@@ -43,7 +42,6 @@ bool openFile(EditorState& state, const std::filesystem::path& file);
 bool showDocument(EditorState& state, Document document);  ///< The same for a document that was read already.
 void reopen(EditorState& state);  ///< Opens the document's file again; keeps clip, camera and pose.
 
-// A rig whose character is missing.
 /// The path dialog after Dialogs::locate: in the rig's folder, with a file of the missing one's name if it exists.
 void showLocateDialog(EditorState& state);
 /// Opens the rig with this character, whose path is an unsaved change. @return "", or why it failed

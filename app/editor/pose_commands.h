@@ -20,12 +20,10 @@ struct FoundTurns {
 
 void resetJoint(EditorState& state);  ///< Returns the selected joint to the clip or bind pose.
 void resetPose(EditorState& state);
-/// Copies the selected joint's side to the other; without one, swaps left and right.
-void mirrorPose(EditorState& state);
-void copyPose(EditorState& state);   ///< By joint names.
-void pastePose(EditorState& state);  ///< Replaces the pose, without joints that this character lacks.
-/// Rotated joints follow the clip or keep still; the current pose does not change.
-void toggleHoldPose(EditorState& state);
+void mirrorPose(EditorState& state);      ///< Copies the selected joint's side to the other; without one swaps sides.
+void copyPose(EditorState& state);        ///< By joint names.
+void pastePose(EditorState& state);       ///< Replaces the pose, without joints that this character lacks.
+void toggleHoldPose(EditorState& state);  ///< Rotated joints follow the clip or keep still; the pose does not change.
 void selectParentJoint(Document& document);  ///< Without a selection, the root.
 void selectChildJoint(EditorState& state);   ///< The first child that is not hidden (hiddenBones()).
 

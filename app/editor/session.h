@@ -15,8 +15,7 @@ enum class FirstStep : std::size_t { kTurn, kSelect, kScale, kAdd, kCompare };
 
 /// Opens the first sample, after asking about unsaved changes, and shows the list; or hides it.
 void toggleFirstSteps(EditorState& state);
-/// Once a frame: ticks off what has been done since the document was opened.
-void followFirstSteps(EditorState& state);
+void followFirstSteps(EditorState& state);  ///< Once a frame: ticks off what was done since the document was opened.
 [[nodiscard]] bool firstStepsDone(const FirstStepsState& steps);
 
 /// A character that comes with the program.
@@ -25,8 +24,7 @@ struct Sample {
   std::filesystem::path file;
 };
 
-/// Existing samples: rigs in a fixed order, then characters without a rig.
-[[nodiscard]] std::vector<Sample> samples();
+[[nodiscard]] std::vector<Sample> samples();  ///< Existing ones: rigs in a fixed order, then characters without a rig.
 [[nodiscard]] std::filesystem::path firstSample();               ///< Opened without an argument; "": there is none.
 [[nodiscard]] bool isSample(const std::filesystem::path& file);  ///< In the folder of the program's samples.
 /// Folder of a file for new files beside it; the home folder for samples.

@@ -18,11 +18,9 @@ namespace sinew::app {
 
 void setPartLayer(EditorState& state, int part, std::optional<SkinLayer> layer);  ///< @param layer  nullopt: as guessed
 void guessAllLayers(EditorState& state);                                          ///< Removes all layers from the rig.
-/// Removes the layer of a part that the character lacks.
-void forgetPart(EditorState& state, const std::string& name);
+void forgetPart(EditorState& state, const std::string& name);  ///< Removes the layer of a part that is missing.
 
-/// The chosen part and the one under the pointer.
-[[nodiscard]] std::vector<LitPart> litParts(const EditorState& state);
+[[nodiscard]] std::vector<LitPart> litParts(const EditorState& state);  ///< The chosen and the hovered part.
 
 /// [bones] Helper bones (core/character/joint_roles.h) to hide in picture, tree and lists, except those with a muscle,
 /// selected, rotated by hand or in the edited territory. Empty: none.

@@ -14,10 +14,9 @@ namespace sinew::app {
 
 inline constexpr float kNodeSpacing = 92.0f;  ///< Preferred length of an edge of the graph, design pixels.
 
-/// Initial places of the graph's nodes around the origin, design pixels, y down: linked nodes near each other, no two
-/// overlapping, deterministic. A fixed number of steps of springs and repulsion, from a circle (after Fruchterman and
-/// Reingold, Software: Practice and Experience 21(11), 1991).
-/// @param links  pairs of nodes < count
+/// Initial places of the graph's nodes around the origin, design pixels, y down: linked nodes near each other, none
+/// overlapping, deterministic. Fixed steps of springs and repulsion, from a circle (after Fruchterman and Reingold,
+/// Software: Practice and Experience 21(11), 1991). @param links  pairs of nodes < count
 [[nodiscard]] std::vector<glm::vec2> layoutGraph(int count, std::span<const std::array<int, 2>> links);
 
 /// A place for another node: the first on a spiral from the origin that is far enough from all nodes.

@@ -19,8 +19,7 @@ struct CurveView {
   std::function<Result<Rig>(const Curve&)> changed;  ///< The rig with another curve.
 };
 
-/// Fills the width. Dragging a point, adding one with a double click and removing one with a right click are one undo
-/// step each.
+/// Fills the width. One undo step each: dragging a point, a double click that adds one, a right click that removes one.
 /// @param atStart  the curve before the current gesture
 void drawCurveEditor(PanelUi& ui, const Curve& curve, const Curve& atStart, const CurveView& view);
 

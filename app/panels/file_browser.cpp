@@ -40,7 +40,6 @@ void drawPlaces(PanelUi& ui, float height) {
   ImGui::PopStyleColor();
 }
 
-/// The folders of the path, as buttons.
 void drawCrumbs(PanelUi& ui) {
   FileDialogState& dialog = ui.state.dialogs.file;
   std::vector<std::filesystem::path> path;

@@ -8,8 +8,7 @@ namespace sinew::app {
 /// Filter and order of the list, from the preferences and the dialog.
 [[nodiscard]] ListingOptions listingOptions(const EditorState& state);
 
-/// Enters the folder; goBack() returns.
-void enterFolder(FileDialogState& dialog, const std::filesystem::path& folder);
+void enterFolder(FileDialogState& dialog, const std::filesystem::path& folder);  ///< goBack() leaves it.
 void goBack(FileDialogState& dialog);
 void goForward(FileDialogState& dialog);
 void goUp(FileDialogState& dialog);

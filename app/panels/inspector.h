@@ -40,8 +40,7 @@ struct Subjects {
   }
 };
 
-/// How a drag changes muscles whose values differ; a typed number is assigned to all.
-enum class Together { kAdd, kMultiply };
+enum class Together { kAdd, kMultiply };  ///< How a drag changes values that differ; a typed number is assigned to all.
 
 /// A number of a muscle as a field.
 struct NumberField {
@@ -66,8 +65,7 @@ struct NumberField {
 /// the item's width. Notes itself as its id.
 void drawNumberField(PanelUi& ui, const Subjects& subjects, const NumberField& field);
 
-/// Rows of an open menu: reset, copy, paste. @param shown, initial  shown units
-/// @return the number to set, if one was chosen
+/// Rows of an open menu: reset, copy, paste. All in shown units. @return the number to set, if one was chosen
 [[nodiscard]] std::optional<float> numberMenu(PanelUi& ui, const char* format, float shown,
                                               std::optional<float> initial);
 
@@ -75,9 +73,8 @@ void drawNumberField(PanelUi& ui, const Subjects& subjects, const NumberField& f
 void editSubjects(PanelUi& ui, const Subjects& subjects, const char* label,
                   const std::function<void(Primitive&)>& change);
 
-/// A title between groups of rows; a click folds the rows under it, which is saved with the layout.
-/// @param room  left free at its right end, design pixels
-/// @return whether it is unfolded
+/// A title whose click folds the rows under it, which is saved with the layout.
+/// @param room  left free at its right end, design pixels  @return whether it is unfolded
 [[nodiscard]] bool section(PanelUi& ui, const Control& control, const char* title, float room = 0.0f);
 
 // The parts, each in a file of its own.

@@ -22,7 +22,6 @@ constexpr float kCell = 18.0f;
 constexpr float kGlyph = 14.0f;
 constexpr float kNameFrom = 36.0f;  // From the row's indent: the fold mark and the icon.
 
-/// One row while it is drawn.
 struct Row {
   PanelUi& ui;
   const OutlinerContent& frame;

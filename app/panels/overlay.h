@@ -24,7 +24,6 @@ void drawViewportMenu(PanelUi& ui);
 void drawMessages(PanelUi& ui);
 [[nodiscard]] float messagesHeight(PanelUi& ui);  ///< Height of the list at the picture's lower left; 0 if not shown.
 
-// Panels over the picture.
 /// Design pixels: distance from the left edge, beside the tools; room for the axes at the right; other margins.
 inline constexpr float kBesideTools = 62.0f;
 inline constexpr float kBesideAxes = 110.0f;
@@ -40,8 +39,7 @@ void endInPicture();
 void drawRamp(const ImVec2& low, float width, float bottom, int steps, ImU32 (*color)(float));
 
 void drawToast(PanelUi& ui);
-/// The number of messages, at the right end of the current line; a click shows or hides them. @return its width, 0
-/// without messages
+/// The number of messages, at the line's right end; a click shows or hides them. @return its width, 0 without messages
 float drawMessageBadge(PanelUi& ui);
 
 /// The legend of View > Export error: scale, shown mesh, a button that goes to the largest error.

@@ -52,7 +52,6 @@ void actionButton(PanelUi& ui, const std::string& id, const Action& action, Icon
 /// pillButton for an action: filled when the action is checked.
 void actionPill(PanelUi& ui, const std::string& id, const Action& action);
 
-// Parts of dialogs.
 /// A modal window with the dialog style; place it before. @param draw  its content; returns whether to close it
 void drawModal(PanelUi& ui, const char* title, const std::function<bool()>& draw);
 /// The button that Enter presses. Notes itself as `id`.
@@ -64,11 +63,8 @@ void mutedParagraph(const std::string& text);               ///< Muted text that
 [[nodiscard]] float buttonWidth(const char* label);         ///< Width of a button with this label, window coordinates.
 
 /// Inside a combo that has just been opened: bones to choose from, the nearest in the tree first. Typing filters by
-/// name, Enter takes the first. Rows note themselves as ID/NAME.
-/// @param near  -1: the tree's order
-/// @param chosen  the marked bone, or -1
-/// @param drawOthers  further choices under the search
-/// @return the bone that was taken, or -1
+/// name, Enter takes the first. Rows note themselves as ID/NAME. @param near  -1: the tree's order
+/// @param chosen  marked, or -1  @param drawOthers  choices under the search  @return the bone taken, or -1
 [[nodiscard]] int boneList(PanelUi& ui, const std::string& id, int near, int chosen,
                            const std::function<bool(int)>& isOffered, const std::function<void()>& drawOthers = {});
 

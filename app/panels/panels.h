@@ -29,8 +29,7 @@ void keepDraggedShown(PanelUi& ui);
 void drawHistory(PanelUi& ui);
 void drawTimeline(PanelUi& ui);
 
-/// The whole window: menu bar, regions, splitters, status line, dialogs. Sets state.frame.viewport and viewportPixels.
-/// @return whether the mouse is over the picture and nothing is in front of it
+/// The whole window. Sets state.frame.viewport and viewportPixels. @return the mouse is on the picture, unobstructed
 bool drawLayout(PanelUi& ui);
 float drawMenuBar(PanelUi& ui);  ///< Height in window coordinates.
 

@@ -17,8 +17,7 @@ using HasGlyph = std::function<bool(char32_t)>;  ///< Whether a font has a glyph
 /// a Japanese font the left arm's bone is "bone 12.L".
 [[nodiscard]] std::string readable(const std::string& name, const std::string& instead, const HasGlyph& hasGlyph);
 
-/// Glyphs of the interface's fonts. By default, as on the command line, every glyph exists.
-void setGlyphs(HasGlyph hasGlyph);
+void setGlyphs(HasGlyph hasGlyph);  ///< Of the interface's fonts. By default (command line) every glyph exists.
 /// readable() with these glyphs and "word number".
 [[nodiscard]] std::string readableName(const std::string& name, const char* word, int number);
 

@@ -22,8 +22,7 @@ class DesktopOpener {
   std::vector<Running> running_;
 };
 
-/// Version and commit: "0.2.0 (4bbcc04d41e0)"; the commit ends in "-dirty" if the tree was changed, "unknown" without
-/// git.
+/// "0.2.0 (4bbcc04d41e0)": the commit ends in "-dirty" if the tree was changed, and is "unknown" without git.
 [[nodiscard]] const char* programVersion();
 
 /// A file that ships with the program, by its path in the source tree ("shaders/surface.vert"). Searches the folder

@@ -46,7 +46,6 @@ class InputQueue {
   void releaseAll();  ///< Releases all keys and buttons when the focus is lost, as the system does not report it.
 
   [[nodiscard]] const RawInput& next();  ///< The next frame's input; without events, no transition.
-  /// More events are waiting.
   [[nodiscard]] bool pending() const { return !events_.empty(); }
 
  private:

@@ -1,6 +1,5 @@
-// app/ui/keyboard_focus.h: the focus ring around the control that the keyboard operates.
-//
-// Tab shows it; a mouse press or Esc hides it. While shown it takes Tab, arrows, Space and Enter from the keymap.
+// app/ui/keyboard_focus.h: the focus ring around the control that the keyboard operates. Tab shows it, a mouse press or
+// Esc hides it; while shown it takes Tab, arrows, Space and Enter from the keymap.
 #pragma once
 
 #include <string>

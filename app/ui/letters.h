@@ -70,16 +70,15 @@ class LetterFaces {
   std::map<char32_t, bool> known_;  ///< Results of has(), the same for all regions.
 };
 
-/// Letters in the font texture beyond the fonts' own scripts: from a document's names when it opens, later from all
-/// text that is typed or shown. The texture is rebuilt for new ones.
+/// Letters beyond the fonts' own scripts, from an opened document's names and all text typed or shown: for new ones the
+/// font texture is rebuilt.
 class NameTexture {
  public:
   void want(std::u32string_view letters);  ///< Adds letters that the texture lacks.
   void setRegion(HanRegion region);
   /// Whether build() would add or change a letter.
   [[nodiscard]] bool outdated() const { return outdated_; }
-  /// Builds the atlas of the current ImGui context, with its fonts and all wanted letters.
-  void build(const Fonts& fonts);
+  void build(const Fonts& fonts);  ///< Builds the current ImGui context's atlas with fonts and all wanted letters.
 
   [[nodiscard]] bool has(char32_t c);  ///< Whether an installed font has it.
 

@@ -56,7 +56,7 @@ int segmented(Ui& ui, const std::string& id, const char* const* words, int count
 /// Draws it into a list. @return whether something was left out, for a tooltip
 bool clippedText(ImDrawList& list, const ImVec2& at, float width, ImU32 color, const std::string& text,
                  const SharedEnds& shared = {});
-/// Muted text, elided to the available width, with the whole text as tooltip.
+/// Muted, elided to the available width, with the whole text as tooltip.
 void mutedLine(Ui& ui, const std::string& text);
 void tooltipWhile(Ui& ui, bool over, const std::string& text);  ///< Tooltip for what is drawn by hand.
 

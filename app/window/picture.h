@@ -23,8 +23,7 @@ struct ImDrawList;
 struct ImDrawData;
 namespace sinew::app {
 
-/// Draws the interface into the window's back buffer. Without a graphics card only the changed parts are drawn, over
-/// the last frame, because every pixel costs time.
+/// Draws the interface into the back buffer; without a graphics card only the changed parts, over the last frame.
 class Screen {
  public:
   Screen();

@@ -19,8 +19,7 @@ class SessionKeeper {
   SessionKeeper(std::filesystem::path preferencesFile, std::filesystem::path recoveryFolder,
                 std::filesystem::path viewsFolder = {});
 
-  /// Loads preferences and layout, and offers work left by a crash. Failures become messages.
-  void start(EditorState& state);
+  void start(EditorState& state);  ///< Loads preferences and layout; offers work left by a crash. Failures: messages.
   /// Call every frame and at least once a second. @param now  seconds, monotonic
   void tick(EditorState& state, double now, const WindowPlace& window);
   /// Seconds until tick() has work; nullopt: not before a change.

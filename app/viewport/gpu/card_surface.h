@@ -106,8 +106,7 @@ class CardSurface {
     std::uint32_t mostGroups = kMostGroupsAlong;  ///< Along an axis; fewer in tests.
   };
 
-  /// @param programs  must outlive this.
-  /// Error: leftToProcessor, or a buffer is too large for the card.
+  /// @param programs  must outlive this. Error: leftToProcessor, or a buffer is too large for the card.
   [[nodiscard]] static Result<CardSurface> create(const StagePrograms& programs,
                                                   std::shared_ptr<const Preparation> preparation,
                                                   const Options& options);
@@ -134,9 +133,8 @@ class CardSurface {
   // For tests and measurements: these wait for the card.
   [[nodiscard]] PartSeconds seconds() const { return timers_.seconds(); }
   [[nodiscard]] std::vector<card::Vertex> readSurface() const;  ///< [bodies * V']
-  /// Vertices of the last make() that were computed in double precision.
-  [[nodiscard]] std::uint32_t readUnsure() const;
-  [[nodiscard]] bool readSlopesRest() const;  ///< Whether the bound on slopes has converged.
+  [[nodiscard]] std::uint32_t readUnsure() const;  ///< Vertices of the last make() computed in double precision.
+  [[nodiscard]] bool readSlopesRest() const;       ///< Whether the bound on slopes has converged.
 
  private:
   enum class Buffer {

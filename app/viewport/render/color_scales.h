@@ -26,8 +26,7 @@ inline constexpr int kGroupColors = 8;
 /// The group's color slot, which it keeps for life. @param group  index into Rig::groups
 [[nodiscard]] int colorSlot(const Rig& rig, int group);
 
-/// sRGB, by name; gray for an unknown group.
-[[nodiscard]] glm::vec3 groupColor(const Rig& rig, const std::string& group);
+[[nodiscard]] glm::vec3 groupColor(const Rig& rig, const std::string& group);  ///< sRGB; gray for an unknown group.
 
 /// sRGB: the skin that a muscle may move, and its bones.
 inline constexpr glm::vec3 kTerritoryColor{0.665f, 0.485f, 0.965f};

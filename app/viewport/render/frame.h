@@ -54,7 +54,6 @@ struct FrameBlock {
   glm::vec4 occluded{0.0f};  ///< x 1: with an occlusion texture (ScreenOcclusion). y 1: part of a mean.
 };
 
-/// One picture.
 struct Frame {
   const Scene& scene;
   const View& view;

@@ -164,8 +164,7 @@ class PictureMean {
 
   void begin(const glm::ivec2& size);
   void add(const RenderTarget& picture);
-  /// Writes the mean of at least one picture to a target of the same size.
-  void writeTo(const RenderTarget& target) const;
+  void writeTo(const RenderTarget& target) const;  ///< Writes the mean of >= 1 pictures to a target of the same size.
   [[nodiscard]] int count() const { return count_; }
 
  private:

@@ -16,8 +16,7 @@ class MaterialTextures {
  public:
   MaterialTextures();
 
-  /// With mipmaps. Colors are decoded from sRGB when read, other values are not.
-  void set(const Character& character);
+  void set(const Character& character);  ///< With mipmaps. Colors are decoded from sRGB when read, others not.
   /// Maps of a material that textured shading, or clay with relief, uses.
   [[nodiscard]] MapSet mapsOf(const Material& material, const DisplaySettings& settings) const;
   void bindBase(const Material& material) const;  ///< On unit 0; white where the material has none.

@@ -79,8 +79,7 @@ struct PrimitiveShape {
   friend bool operator==(const PrimitiveShape&, const PrimitiveShape&) = default;
 };
 
-/// The usable primitives of a rig in a pose, in rig order.
-/// @param posed  of this rig
+/// The usable primitives of a rig in a pose, in rig order. @param posed  of this rig
 [[nodiscard]] std::vector<PrimitiveShape> shapesOf(const Rig& rig, const PosedRig& posed);
 
 /// World-space ends of its three axes where rho = scale.

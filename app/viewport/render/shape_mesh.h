@@ -26,9 +26,8 @@ struct ShapeInstance {
 
 class ShapeMesh {
  public:
-  /// Radius 1 around the origin; twice as many columns as rows.
-  [[nodiscard]] static ShapeMesh ball(std::uint32_t rows);
-  [[nodiscard]] static ShapeMesh octahedron();  ///< From the origin to y = 1; half width 1 at y = 1/6.
+  [[nodiscard]] static ShapeMesh ball(std::uint32_t rows);  ///< Radius 1, at the origin; twice as many columns as rows.
+  [[nodiscard]] static ShapeMesh octahedron();              ///< From the origin to y = 1; half width 1 at y = 1/6.
 
   void setInstances(std::span<const ShapeInstance> instances);
   void draw() const;  ///< Draws all instances with the program in use.

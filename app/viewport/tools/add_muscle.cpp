@@ -36,8 +36,7 @@ struct CutPiece {
   EdgeEnds leave;
 };
 
-/// The skin cut by a plane. Neighbors wind their common edge in opposite ways: the edge that leaves one triangle enters
-/// the next.
+/// The skin cut by a plane. Neighbors wind an edge in opposite ways: the edge that leaves one triangle enters the next.
 class SkinCut {
  public:
   SkinCut(const SkinSnapshot& skin, const glm::vec3& origin, const glm::vec3& normal) : skin_(skin) {
@@ -288,7 +287,6 @@ PathProfile profileOf(std::span<const SkinPoint> path, const glm::vec3& along, c
   return profile;
 }
 
-/// Thickness on a flat skin.
 float flatThickness(float half, float height) {
   return std::clamp(kThickness * half, kLeastThickness * height, kMostThickness * height);
 }

@@ -30,7 +30,6 @@ struct CameraStand {
   glm::vec2 aim{0.0f};  ///< Position of the target in the picture, -1..1, right and up. Does not rotate the eye.
 };
 
-/// A move between two positions.
 struct CameraTransition {
   CameraStand from;
   CameraStand to;
@@ -62,10 +61,8 @@ void zoomToward(Camera& camera, float steps, const glm::vec2& pixel, const glm::
                 const std::optional<glm::vec3>& pointInWorld);
 
 /// Shows a whole box with a margin, from the current direction. Ignores empty boxes.
-/// @param animated  false: at once
-/// @param covered   parts of the picture to avoid: low x and y, high x and y, 0..1 from the top left. The box is framed
-/// in
-///                  the free part that shows it largest, or nearly so with more room around it.
+/// @param covered  parts of the picture to avoid: low x and y, high x and y, 0..1 from the top left. The box is framed
+/// in the free part that shows it largest, or nearly so with more room around it.
 void frameBounds(Camera& camera, const Bounds& boundsInWorld, const glm::ivec2& size, bool animated,
                  std::span<const glm::vec4> covered = {});
 /// Looks along an axis at the current target. kLeft: the character's left, with the eye on +X.

@@ -36,8 +36,7 @@ struct MendedLaidLine {
 /// Learns full contraction, and keeps the line in the flesh in all clips (core/bodies/mend.h).
 [[nodiscard]] Result<MendedLaidLine> mended(const LaidLine& laid, const Motions& motions);
 
-/// Adds the line and its belly to Rig::primitives, under symmetry with their twins. A line near the mirror plane is
-/// moved into it. @param plan  null: without symmetry
+/// Adds the line and its belly, with twins unless the plan is null. A line near the mirror plane is moved into it.
 [[nodiscard]] Result<Rig> withLaidLine(const Rig& rig, const LaidLine& laid, const MirrorPlan* plan);
 
 /// A gesture in progress; the pose is held.

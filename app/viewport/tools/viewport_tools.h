@@ -1,5 +1,4 @@
-// app/viewport/tools/viewport_tools.h: the tools of the viewport, their state between frames, and the result of a
-// frame.
+// app/viewport/tools/viewport_tools.h: the viewport's tools, their state between frames, and the result of a frame.
 #pragma once
 
 #include <cstddef>
@@ -110,21 +109,18 @@ struct Tool {
   std::optional<GizmoTarget> (*target)(const ToolFrame& frame, bool atStart) = nullptr;
   /// Starts a drag of the hovered handle. @return false: not possible
   bool (*beginHandle)(ToolFrame& frame, const GizmoTarget& target) = nullptr;
-  /// @return false: the drag has ended
-  bool (*continueHandle)(ToolFrame& frame, const ViewportInput& input) = nullptr;
+  bool (*continueHandle)(ToolFrame& frame, const ViewportInput& input) = nullptr;  ///< @return false: the drag is over
 
   ViewportHover (*hover)(const ViewportContext& context, const View& view, const glm::vec2& pixel);
   bool (*press)(ToolFrame& frame) = nullptr;  ///< A press outside the handles. @return whether the tool takes the mouse
-  /// While it has it. @return false: it has ended
-  bool (*drag)(ToolFrame& frame, const ViewportInput& input) = nullptr;
-  void (*cancel)(ViewportTools& tools, Document& document) = nullptr;  ///< Ends and undoes a drag.
-  void (*click)(ToolFrame& frame) = nullptr;                           ///< A click outside the handles.
+  bool (*drag)(ToolFrame& frame, const ViewportInput& input) = nullptr;  ///< While it has it. @return false: it is over
+  void (*cancel)(ViewportTools& tools, Document& document) = nullptr;    ///< Ends and undoes a drag.
+  void (*click)(ToolFrame& frame) = nullptr;                             ///< A click outside the handles.
   std::string (*describe)(const ToolFrame& frame);  ///< The status line, unless a handle is hovered or dragged.
 };
 
-[[nodiscard]] std::span<const Tool* const, kToolCount> tools();  ///< By ToolKind.
-/// The chosen tool, or the territory mode while it is on.
-[[nodiscard]] const Tool& activeTool(const ViewportTools& tools);
+[[nodiscard]] std::span<const Tool* const, kToolCount> tools();    ///< By ToolKind.
+[[nodiscard]] const Tool& activeTool(const ViewportTools& tools);  ///< The chosen tool, or the territory mode if on.
 
 extern const Tool kSelectTool;
 extern const Tool kMoveTool;
