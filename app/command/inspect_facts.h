@@ -13,7 +13,8 @@
 
 namespace sinew::app {
 
-/// Topology of the mesh as bound, and joined where moving parts touch, which shows edges between triangles of parts.
+/// Topology of the mesh as it is bound, and joined where separately moving parts touch: only the joined one shows edges
+/// where triangles of several parts meet.
 struct MeshFacts {
   Topology bound;
   ControlMesh joined;

@@ -23,7 +23,7 @@ struct BenchScene {
   Rig rig;
 };
 
-/// Opens a rig or a character (no muscles: 12 by rule) as "fox" for fox.glb and fox.rig.json. Error: as openDocument.
+/// Opens a rig or a character (without muscles: 12 by rule), named "fox" for fox.glb. Error: as openDocument.
 [[nodiscard]] Result<BenchScene> openScene(const std::filesystem::path& file);
 
 inline constexpr int kBenchDepth = 5;  ///< Depth of single figures: the highest of the paper's second table.
@@ -39,7 +39,8 @@ inline constexpr int kBenchDepth = 5;  ///< Depth of single figures: the highest
 /// Median of above[i] / below[i] where below[i] > 0; 0 for none. Both have the same length.
 [[nodiscard]] double medianRatio(const std::vector<double>& above, const std::vector<double>& below);
 
-/// p of y = c x^p by least squares of the logarithms where both are > 0; 0 for fewer than two different x. Equal sizes.
+/// p of y = c x^p, by least squares of the logarithms where both are > 0; 0 for fewer than two different x. Both have
+/// the same length.
 [[nodiscard]] double exponent(const std::vector<double>& x, const std::vector<double>& y);
 
 /// Runs every variant once a round, each round beginning with the next one, so that slow moments of the machine and

@@ -41,7 +41,7 @@ struct Table1Row {
   std::optional<double> paperFps;  ///< For a mesh with as many triangles as the paper's humanoid; not for newton.
 };
 
-/// All projections by the scalar reference, with and without culling, depth by depth. Error: the rig is refused.
+/// All projections by the scalar reference, with and without culling in turn, by depth. Error: the rig is refused.
 [[nodiscard]] Result<std::vector<Table1Row>> measureTable1(const BenchScene& scene, int rounds);
 
 /// Newton, back faces culled as in the paper.

@@ -34,7 +34,7 @@ class CommandStack {
   /// Grows with every change of rig(), undo and redo included.
   [[nodiscard]] std::size_t revision() const { return revision_; }
 
-  /// Adds a step, unless nothing changes, and drops redo. First ends a gesture.
+  /// Adds a step and drops redo. No step if nothing changes. Ends an open gesture first.
   void apply(const std::string& label, Rig rig);
   void applyPose(const std::string& label, const PoseOverrides& pose);  ///< The same for the pose made by hand.
   /// The same for the play ranges; a gesture stays open if nothing changes.

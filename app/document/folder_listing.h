@@ -53,7 +53,7 @@ struct FolderEntry {
 /// Which files are listed; folders always are.
 enum class FileFilter { kAll, kRigs, kCharacters, kPictures, kJobs, kReferences, kMovies };
 
-/// Reference picture: .png, .jpg, .jpeg, .webp, in any case.
+/// A reference picture: .png, .jpg, .jpeg or .webp, in any case.
 [[nodiscard]] bool isReferenceName(const std::string& name);
 
 struct ListingOptions {

@@ -15,7 +15,8 @@ namespace sinew::app::table {
 
 using State = EditorState;
 
-// Edit and Muscles are in action_table_edit.cpp, View in _view.cpp, Tool and Play in _play.cpp, others without suffix.
+// The menus: Edit and Muscles in action_table_edit.cpp, View in action_table_view.cpp, Tool and Play in
+// action_table_play.cpp, the others in action_table.cpp.
 [[nodiscard]] std::span<const Action> fileActions();
 [[nodiscard]] std::span<const Action> editActions();
 [[nodiscard]] std::span<const Action> muscleActions();

@@ -28,8 +28,8 @@ inline constexpr std::array kCurveKinds{CurveKind::kSmooth, CurveKind::kLinear, 
 [[nodiscard]] std::string timeText(double seconds);  ///< "0.43 s"
 
 [[nodiscard]] HeldNumber held(const Rig& rig, const NumberRef& ref);
-[[nodiscard]] std::optional<NumberRef> refOf(const Rig& rig, const HeldNumber& number);  ///< nullopt: it has no owner.
-[[nodiscard]] std::vector<NumberRef> refsOf(const Rig& rig, std::span<const HeldNumber> numbers);  ///< With owners.
+[[nodiscard]] std::optional<NumberRef> refOf(const Rig& rig, const HeldNumber& number);  ///< nullopt: no owner.
+[[nodiscard]] std::vector<NumberRef> refsOf(const Rig& rig, std::span<const HeldNumber> numbers);  ///< Existing ones.
 
 /// A number in the shown pose, with keys and drivers applied.
 [[nodiscard]] float numberNow(const EditorState& state, const NumberRef& ref);

@@ -14,9 +14,9 @@ namespace sinew::app {
 [[nodiscard]] std::string whyReserved(const Shortcut& shortcut);  ///< A sentence why no action may have the key, or "".
 [[nodiscard]] bool isModifier(int key);                           ///< Shift, Ctrl, Alt, Super or a lock key.
 
-/// Its action, or null.
+/// The key's action, or null.
 [[nodiscard]] const Action* ownerOf(const Shortcut& shortcut, const Preferences& preferences);
-/// Its keys differ from the keymap.
+/// It has other keys than in the keymap.
 [[nodiscard]] bool isRebound(const Action& action, const Preferences& preferences);
 
 /// In the chosen keymap; a former action of the key loses it. @param slot  0 or 1; without a first key: the first

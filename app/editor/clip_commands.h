@@ -14,7 +14,8 @@ namespace sinew::app {
 /// something did not match. @return "", or why it failed (also a message)
 std::string addClips(EditorState& state, const std::filesystem::path& file);
 void readClipFilesAgain(EditorState& state);  ///< Reads the rig's clip files again. No undo step.
-/// One undo step. Keys for the clips stay; keys of renamed clips follow. @param file  index into Rig::clipFiles
+/// One undo step. Keys for the removed clips stay until the file is added again; keys of renamed clips follow.
+/// @param file  index into Rig::clipFiles
 void removeClipFile(EditorState& state, int file);
 /// One undo step: replaces a missing file. @return as addClips()
 std::string locateClipFile(EditorState& state, const std::string& name, const std::filesystem::path& file);

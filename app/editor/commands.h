@@ -42,7 +42,7 @@ void cycleAxes(EditorState& state);
 
 [[nodiscard]] SurfaceView surfaceView(const EditorState& state);  ///< The view for LiveSurface::update().
 
-/// Rig indices of the primitives, ascending.
+/// Rig indices of the selected primitives, ascending.
 [[nodiscard]] std::vector<int> selectedIndices(const Document& document);
 /// Muscles that the viewport draws: all, or the selected and hovered ones.
 [[nodiscard]] std::vector<PrimitiveShape> shownShapes(const EditorState& state, bool all);

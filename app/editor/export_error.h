@@ -16,7 +16,8 @@ void toggleExportError(EditorState& state);
 void showExported(EditorState& state, ExportedView view);  ///< Shows the error on one mesh, or on both side by side.
 [[nodiscard]] bool showsExportBeside(const EditorState& state);  ///< The exported mesh stands beside the live one.
 void toggleExportBeside(EditorState& state);
-/// If both meshes are shown, places them side by side for the camera's target view and frames them. @return if shown
+/// If both meshes are shown, places them side by side for the camera's target view and frames them.
+/// @return whether they are shown
 bool frameExportBeside(EditorState& state);
 void showLargestError(EditorState& state);  ///< Goes to the time of the largest error and centers its vertex.
 

@@ -38,15 +38,15 @@ struct OutlinerView {
 /// [bones] "Left arm", "Torso" ...; "Body" if unknown. By name and place in the tree (core/character/joint_roles.h).
 [[nodiscard]] std::vector<std::string> bodyParts(const Skeleton& skeleton);
 
-/// Key in OutlinerState::folded, unlike any bone's path.
+/// A part's key in OutlinerState::folded, unlike any bone's path.
 [[nodiscard]] std::string foldedKey(const std::string& part);
-/// For OutlinerState.
+/// The row's key (OutlinerState).
 [[nodiscard]] std::string keyOf(const OutlinerRow& row, const Rig& rig, const Skeleton& skeleton);
 /// Index of a key's row, or -1.
 [[nodiscard]] int rowOf(const std::vector<OutlinerRow>& rows, const std::string& key, const Rig& rig,
                         const Skeleton& skeleton);
 
-/// Ignores case; an empty part: true.
+/// In any case; true for an empty part.
 [[nodiscard]] bool containsText(const std::string& text, const std::string& part);
 
 /// Muscles on a bone and below, in rig order.

@@ -29,7 +29,8 @@ void keepDraggedShown(PanelUi& ui);
 void drawHistory(PanelUi& ui);
 void drawTimeline(PanelUi& ui);
 
-/// The whole window. Sets state.frame.viewport and viewportPixels. @return the mouse is on the picture, unobstructed
+/// The whole window. Sets state.frame.viewport and viewportPixels.
+/// @return whether the mouse is over the picture and nothing is in front of it
 bool drawLayout(PanelUi& ui);
 float drawMenuBar(PanelUi& ui);  ///< Height in window coordinates.
 

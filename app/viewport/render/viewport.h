@@ -61,7 +61,7 @@ class Viewport {
   [[nodiscard]] int samplesTaken() const;
   [[nodiscard]] bool isRefined() const;
 
-  /// draw() waits for the graphics card, so that seconds() includes it. Default: off.
+  /// Wait for the graphics card in draw(), so that seconds() includes it. Off by default.
   void setFinishFrames(bool finish);
   /// Whether draw() computes ambient occlusion; by default not on the processor, where movements must not wait.
   void setOccludesOnce(bool occludes);

@@ -252,7 +252,7 @@ inline constexpr float kGizmoArmPixels = 95.0f;
   return mode == GizmoMode::kScale || mode == GizmoMode::kPoles ? GizmoAxes::kPrimitive : axes;
 }
 
-/// Parameter of a line's point (unit direction) nearest to the ray; nullopt: within 2 degrees, or behind the eye.
+/// Parameter of a line's point (unit direction) nearest to the ray; nullopt: parallel to 2 degrees, or behind the eye.
 [[nodiscard]] std::optional<float> alongLine(const glm::vec3& origin, const glm::vec3& direction, const Ray& ray);
 
 /// Where the ray meets a plane; nullopt: it grazes the plane within 1 degree, or the point is behind the eye.
