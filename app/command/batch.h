@@ -43,8 +43,7 @@ struct BatchOptions {
   bool progress = false;  ///< Even where stderr is not a terminal.
 };
 
-/// --frames and --fps.
-void addFrameOptions(CLI::App& verb, BatchOptions& options);
+void addFrameOptions(CLI::App& verb, BatchOptions& options);  ///< --frames and --fps.
 /// --list, --shard, --resume, --dry-run, --threads and --progress.
 void addBatchOptions(CLI::App& verb, BatchOptions& options);
 
@@ -84,10 +83,8 @@ class BatchProgress {
   BatchProgress(const std::string& what, const Batch& batch, const BatchOptions& options);
   /// @param made  files of the current input
   void show(std::size_t made) { showPart(static_cast<double>(made)); }
-  /// @param part  of the current input's one file, 0..1
-  void showPart(double part);
-  /// The input is done.
-  void leave(const BatchInput& input);
+  void showPart(double part);           ///< @param part  of the current input's one file, 0..1
+  void leave(const BatchInput& input);  ///< The input is done.
 
  private:
   ProgressLine line_;

@@ -13,8 +13,7 @@ namespace {
 
 constexpr int kPercentStep = 5;  ///< Between lines where stderr is not a terminal.
 
-/// The terminal shows an unfinished progress line.
-bool lineIsOpen = false;
+bool lineIsOpen = false;  ///< The terminal shows an unfinished progress line.
 
 void putError(const std::string& text) { std::fwrite(text.data(), 1, text.size(), stderr); }
 

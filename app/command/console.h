@@ -14,17 +14,13 @@ inline constexpr int kBadInput = 1;
 inline constexpr int kBadCommandLine = 2;
 inline constexpr int kSomeFailed = 3;
 
-/// One line, "sinew: file: place: reason", on stderr. Returns kBadInput.
-[[nodiscard]] int badInput(const Error& error);
+[[nodiscard]] int badInput(const Error& error);  ///< "sinew: file: place: reason" on stderr. Returns kBadInput.
 
-/// One line on stderr. Returns kBadCommandLine.
-[[nodiscard]] int badCommandLine(const std::string& reason);
+[[nodiscard]] int badCommandLine(const std::string& reason);  ///< One line on stderr. Returns kBadCommandLine.
 
-/// badCommandLine for an error without a file, else badInput.
-[[nodiscard]] int refused(const Error& error);
+[[nodiscard]] int refused(const Error& error);  ///< badCommandLine for an error without a file, else badInput.
 
-/// One line on stderr that is not an error.
-void message(const std::string& text);
+void message(const std::string& text);  ///< One line on stderr that is not an error.
 
 /// Progress of long work on stderr: on a terminal one line that is overwritten; elsewhere, if asked for, a line every 5
 /// percent. Messages and results replace it on the terminal.
@@ -37,10 +33,8 @@ class ProgressLine {
   ProgressLine& operator=(const ProgressLine&) = delete;
 
   [[nodiscard]] bool isShown() const { return isTerminal_ || isAsked_; }
-  /// @param share  fraction of the work that is done, 0..1, never falling
-  void show(double share);
-  /// Ends the line, before output below it.
-  void end();
+  void show(double share);  ///< @param share  fraction of the work that is done, 0..1, never falling
+  void end();               ///< Ends the line, before output below it.
 
  private:
   std::string what_;

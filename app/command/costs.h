@@ -22,11 +22,9 @@ struct MuscleCost {
   double frameSeconds = 0.0;          ///< Median of the frames with muscles.
 };
 
-/// Error: the rig is refused.
-[[nodiscard]] Result<MuscleCost> measureMuscleCost(const BenchScene& scene, int rounds);
+[[nodiscard]] Result<MuscleCost> measureMuscleCost(const BenchScene& scene, int rounds);  ///< Error: rig refused.
 
-/// p of seconds = c vertices^p for whole frames at depths 2 to 12 with at most 200,000 vertices, but always depths 2 to
-/// 4. Error: the rig is refused.
+/// p of seconds = c vertices^p for frames at depths 2..4, and 5..12 up to 200,000 vertices. Error: the rig is refused.
 [[nodiscard]] Result<double> exponentOfVertices(const BenchScene& scene, int rounds);
 
 /// p of seconds above the floor per projected vertex = c muscles^p for 41, 400 and 4,000 muscles (evenRig) in the

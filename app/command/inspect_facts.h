@@ -51,8 +51,7 @@ struct InspectFacts {
   [[nodiscard]] bool hasRig() const { return !document.rigFile.empty(); }
 };
 
-/// The document must outlive the facts.
-[[nodiscard]] InspectFacts factsOf(const Document& document);
+[[nodiscard]] InspectFacts factsOf(const Document& document);  ///< The document must outlive the facts.
 
 /// The text for people, or the JSON object. @param file  as given
 [[nodiscard]] std::string inspectText(const InspectFacts& facts);

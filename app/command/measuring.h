@@ -23,22 +23,18 @@ struct BenchScene {
   Rig rig;
 };
 
-/// Opens a rig or a character; without muscles it gets 12 by rule. Its name is "fox" for fox.glb and fox.rig.json.
-/// Error: as openDocument.
+/// Opens a rig or a character (without muscles: 12 by rule), named "fox" for fox.glb. Error: as openDocument.
 [[nodiscard]] Result<BenchScene> openScene(const std::filesystem::path& file);
 
-/// Depth of single figures: the highest of the paper's second table.
-inline constexpr int kBenchDepth = 5;
+inline constexpr int kBenchDepth = 5;  ///< Depth of single figures: the highest of the paper's second table.
 
-/// The scene's rig at a depth.
-[[nodiscard]] Rig rigAt(const BenchScene& scene, int depth);
+[[nodiscard]] Rig rigAt(const BenchScene& scene, int depth);  ///< The scene's rig at a depth.
 
 /// Error: the rig is refused.
 [[nodiscard]] Result<Smoother> preparedSmoother(const BenchScene& scene, const Rig& rig,
                                                 ProjectionKind projection = ProjectionKind::kNewton);
 
-/// The upper one of an even number; 0 for none.
-[[nodiscard]] double median(std::vector<double> values);
+[[nodiscard]] double median(std::vector<double> values);  ///< The upper one of an even number; 0 for none.
 
 /// Median of above[i] / below[i] where below[i] > 0; 0 for none. Both have the same length.
 [[nodiscard]] double medianRatio(const std::vector<double>& above, const std::vector<double>& below);

@@ -1,5 +1,4 @@
-// app/command/render.cpp: `sinew render`: opens, frames all moments together, then poses, smooths, draws and writes
-// each.
+// app/command/render.cpp: `sinew render`: frames all moments together, then poses, smooths, draws and writes each.
 
 #include <cstdio>
 #include <filesystem>

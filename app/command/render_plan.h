@@ -76,15 +76,13 @@ struct RenderPlan {
   bool onCard = false;   ///< Compute the surface on the graphics card if it can.
   bool anchors = false;  ///< Draw segments from the control vertices to the skeleton.
 
-  /// Whether a picture is the mean of many drawings: for ambient occlusion without noise, and for muscles with more
-  /// than 4 samples.
+  /// A picture is the mean of many drawings: occlusion without noise, or muscles with more than 4 samples.
   [[nodiscard]] bool isMean() const { return display.look.occlusion || (display.anatomy && samples > 4); }
   /// All pictures of an input are in one file.
   [[nodiscard]] bool isOneFile() const { return isMovie || sheet.x > 0; }
 };
 
-/// Error: place is the option.
-[[nodiscard]] Result<RenderPlan> planRender(const RenderOptions& options);
+[[nodiscard]] Result<RenderPlan> planRender(const RenderOptions& options);  ///< Error: place is the option.
 
 /// A picture of the job.
 struct Moment {

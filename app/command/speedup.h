@@ -1,5 +1,4 @@
-// app/command/speedup.h: the tables of the paper, gains by vectors and a second thread, agreement with the scalar
-// reference.
+// app/command/speedup.h: the paper's tables, gains by vectors and a second thread, agreement with scalar code.
 #pragma once
 
 #include <array>
@@ -42,8 +41,7 @@ struct Table1Row {
   std::optional<double> paperFps;  ///< For a mesh with as many triangles as the paper's humanoid; not for newton.
 };
 
-/// All projections by the scalar reference, with and without culling in turn, depth by depth. Error: the rig is
-/// refused.
+/// All projections by the scalar reference, with and without culling in turn, by depth. Error: the rig is refused.
 [[nodiscard]] Result<std::vector<Table1Row>> measureTable1(const BenchScene& scene, int rounds);
 
 /// Newton, back faces culled as in the paper.
@@ -102,7 +100,6 @@ struct ThreadGain {
   double crowd = 1.0;   ///< A hundred moments at depth 3, smoothed together.
 };
 
-/// Error: the rig is refused.
-[[nodiscard]] Result<ThreadGain> measureThreads(const BenchScene& scene, int rounds);
+[[nodiscard]] Result<ThreadGain> measureThreads(const BenchScene& scene, int rounds);  ///< Error: the rig is refused.
 
 }  // namespace sinew::app

@@ -32,24 +32,20 @@ struct SurfaceOptions {
 /// --depth, --detail, --tolerance, --mode, --patch, --crease and --shape. `options` must outlive the parse.
 void addSurfaceOptions(CLI::App& verb, SurfaceOptions& options);
 
-/// --clips, once for each file.
-void addClipsOption(CLI::App& verb, std::vector<std::string>& files);
+void addClipsOption(CLI::App& verb, std::vector<std::string>& files);  ///< --clips, once for each file.
 
 /// openDocument; reports clips that are left out. Error: also if one of these files cannot be read.
 [[nodiscard]] Result<Document> openWithClips(const std::filesystem::path& file, const std::vector<std::string>& clips);
 
-/// --depth, --detail and --tolerance only.
-void addDetailOptions(CLI::App& verb, DetailOverride& detail);
+void addDetailOptions(CLI::App& verb, DetailOverride& detail);  ///< --depth, --detail and --tolerance only.
 
-/// The document's rig with the overrides. The words have passed the parser. Error: no such shape; lists those that
-/// exist.
+/// The document's rig with the overrides, whose words have passed the parser. Error: no such shape; lists all shapes.
 [[nodiscard]] Result<Rig> overridden(const Document& document, const SurfaceOptions& options);
 
 /// Error: the rig uses a bone that the skeleton lacks. @param file  for the error
 [[nodiscard]] Result<void> checkBones(const Rig& rig, const Skeleton& skeleton, const std::filesystem::path& file);
 
-/// The clip of that name; nullopt: the first. Reports a last time past its end.
-/// Error: no such clip; lists those that exist.
+/// The clip of that name; nullopt: the first. Reports a last time past its end. Error: no such clip; lists all clips.
 [[nodiscard]] Result<const AnimationClip*> clipOf(const Document& document, const std::optional<std::string>& name,
                                                   double lastTime);
 

@@ -49,9 +49,8 @@ struct VerbCalls {
 /// A row of the table in app/command/verbs.cpp.
 struct Verb {
   std::string name;
-  std::string summary;  ///< One line of the help.
-  /// Adds the verb's options to its parser.
-  std::function<VerbCalls(CLI::App& parser)> add;
+  std::string summary;                             ///< One line of the help.
+  std::function<VerbCalls(CLI::App& parser)> add;  ///< Adds the verb's options to its parser.
 };
 
 /// A verb that reads into `Options`.

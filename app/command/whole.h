@@ -27,12 +27,10 @@ struct Machine {
 
 [[nodiscard]] Machine machineHere();
 
-/// The first "model name" of a /proc/cpuinfo, or "unknown".
-[[nodiscard]] std::string processorName(std::istream& cpuinfo);
+[[nodiscard]] std::string processorName(std::istream& cpuinfo);  ///< First "model name" of /proc/cpuinfo, or "unknown".
 
 [[nodiscard]] Json jsonOf(const Machine& machine);
-/// A few lines.
-[[nodiscard]] std::string textOf(const Machine& machine);
+[[nodiscard]] std::string textOf(const Machine& machine);  ///< A few lines.
 
 /// Figures of one surface mode on its first scene.
 struct ModeFigures {
@@ -54,19 +52,16 @@ struct Whole {
   std::vector<Table2Row> table2;  ///< All scenes.
 };
 
-/// Scenes of one mode, at least one.
-using ModeScenes = std::vector<BenchScene>;
+using ModeScenes = std::vector<BenchScene>;  ///< Scenes of one mode, at least one.
 
 /// Error: a rig is refused, or there is no skin for muscles.
 /// @param rounds  1 or more: how often everything is timed  @param show  how many of all parts are done
 [[nodiscard]] Result<Whole> measureWhole(const std::vector<ModeScenes>& modes, int rounds,
                                          const std::function<void(int done, int all)>& show);
 
-/// Objects "swell" and "replace" with the figures of each mode, and "machine", "rounds", "table1", "table2":
-/// docs/formats.md.
+/// Each mode's figures under "swell" and "replace"; "machine", "rounds", "table1", "table2": docs/formats.md.
 [[nodiscard]] Json jsonOf(const Whole& whole);
 
-/// For people.
-[[nodiscard]] std::string textOf(const Whole& whole);
+[[nodiscard]] std::string textOf(const Whole& whole);  ///< For people.
 
 }  // namespace sinew::app

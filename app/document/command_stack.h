@@ -36,12 +36,10 @@ class CommandStack {
 
   /// Adds a step and drops redo. No step if nothing changes. Ends an open gesture first.
   void apply(const std::string& label, Rig rig);
-  /// The same for the pose made by hand.
-  void applyPose(const std::string& label, const PoseOverrides& pose);
+  void applyPose(const std::string& label, const PoseOverrides& pose);  ///< The same for the pose made by hand.
   /// The same for the play ranges; a gesture stays open if nothing changes.
   void applyRanges(const std::string& label, const KeptPlayRanges& ranges);
-  /// Sets pose and ranges of all steps so far.
-  void startFrom(const PoseOverrides& pose, const KeptPlayRanges& ranges);
+  void startFrom(const PoseOverrides& pose, const KeptPlayRanges& ranges);  ///< Sets both for all steps so far.
   /// The last step's pose and ranges. View state: no modification.
   [[nodiscard]] const PoseOverrides& pose() const { return steps_[position_].pose; }
   [[nodiscard]] const KeptPlayRanges& ranges() const { return steps_[position_].ranges; }

@@ -23,8 +23,7 @@
 
 namespace sinew::app {
 
-/// Selected primitives in order of picking (the last one is active) and one bone. Primitives that undo removed stay
-/// selected for redo.
+/// Primitives in order of picking (the last one is active) and one bone. What undo removed stays selected for redo.
 struct Selection {
   std::vector<PrimitiveId> primitives;
   int bone = -1;  ///< Index into Skeleton::bones, or -1.
@@ -36,8 +35,7 @@ struct Selection {
   /// Selects several; the last becomes active. They replace the selection, or (`add`) extend it.
   void setAll(std::span<const PrimitiveId> several, bool add = false);
   void remove(std::span<const PrimitiveId> several);
-  /// Selects what was not selected of `all`, and nothing else.
-  void invert(std::span<const PrimitiveId> all);
+  void invert(std::span<const PrimitiveId> all);  ///< Selects what was not selected of `all`, and nothing else.
   void clear();
 };
 
@@ -59,8 +57,7 @@ class PosedRigMemo {
   PosedRig posed_;
 };
 
-/// A read-only character, the rig (edited through the command stack alone), their files; as view state, selection and
-/// visibility.
+/// Read-only character, rig (edited through the command stack alone) and files; view state: selection and visibility.
 struct Document {
   std::shared_ptr<const Character> character;
   std::filesystem::path characterFile;
@@ -83,10 +80,8 @@ struct Document {
   mutable PosedRigMemo poses;  ///< For posedRig().
 
   [[nodiscard]] const Rig& rig() const { return commands.rig(); }
-  /// Rig index of the last picked primitive that is in the rig; or -1.
-  [[nodiscard]] int activePrimitive() const;
-  /// Its name; "" if there is none.
-  [[nodiscard]] const std::string& activeName() const;
+  [[nodiscard]] int activePrimitive() const;  ///< Rig index of the last picked primitive that is in the rig; or -1.
+  [[nodiscard]] const std::string& activeName() const;  ///< Its name; "" if there is none.
   /// The rig in a pose. Valid until the next call.
   [[nodiscard]] const PosedRig& posedRig(const Pose& pose) const {
     return poses.posed(rig(), commands.revision(), character, pose);
@@ -98,8 +93,7 @@ struct Document {
   [[nodiscard]] PrimitiveId idAt(int index) const { return at(rig().primitives, index).id(); }
   /// The rig's file, or the character's for a rig without one.
   [[nodiscard]] const std::filesystem::path& file() const { return rigFile.empty() ? characterFile : rigFile; }
-  /// Name of file(), or "untitled".
-  [[nodiscard]] std::string name() const;
+  [[nodiscard]] std::string name() const;  ///< Name of file(), or "untitled".
 };
 
 /// Opens a .glb, .gltf or .vrm (with an empty rig) or a .rig.json (with the character it names). Document::clipFiles
@@ -108,8 +102,7 @@ struct Document {
 [[nodiscard]] Result<Document> openDocument(const std::filesystem::path& file,
                                             const std::vector<std::filesystem::path>& clips = {});
 
-/// Reads the rig's clip files and adds their clips to the character.
-void loadClipFiles(Document& document);
+void loadClipFiles(Document& document);  ///< Reads the rig's clip files and adds their clips to the character.
 /// loadClipFiles() would read the same files, for the same parts of the body.
 [[nodiscard]] bool clipFilesAreCurrent(const Document& document);
 /// Path of a clip file as the rig stores it.

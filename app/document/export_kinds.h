@@ -84,25 +84,20 @@ struct ExportKind {
   Result<ExportReport> (*run)(const ExportSource& source, const ExportSettings& settings,
                               const std::filesystem::path& file, const ExportProgress& progress);
 };
-/// In menu order; the first is the default. Never empty.
-[[nodiscard]] std::span<const ExportKind> exportKinds();
+[[nodiscard]] std::span<const ExportKind> exportKinds();  ///< In menu order; the first is the default. Never empty.
 
-/// Words of --as, each once.
-[[nodiscard]] std::vector<std::string> exportWords();
-/// ".glb, .gltf or .usda": endings of the word's kinds.
-[[nodiscard]] std::string exportEndingsOf(const std::string& word);
+[[nodiscard]] std::vector<std::string> exportWords();                ///< Words of --as, each once.
+[[nodiscard]] std::string exportEndingsOf(const std::string& word);  ///< ".glb, .gltf or .usda": of the word's kinds.
 /// By the word of --as and the file's ending. Error: place is "--output".
 [[nodiscard]] Result<const ExportKind*> findExportKind(const std::string& word, const std::filesystem::path& file);
 
-/// Ending of a new name.
-[[nodiscard]] std::string usualEnding(const ExportKind& kind);
+[[nodiscard]] std::string usualEnding(const ExportKind& kind);  ///< Ending of a new name.
 /// Appends the usual ending unless the name has one of the kind's.
 [[nodiscard]] std::filesystem::path withExportEnding(std::filesystem::path file, const ExportKind& kind);
 /// Existing files that an export to `file` would replace.
 [[nodiscard]] std::vector<std::filesystem::path> replacedByExport(const std::filesystem::path& file);
 
-/// Error: an option that the kind does not read; place is the option.
-/// @param isGiven  the command line has the option: "--mesh"
+/// Error: an option that the kind does not read; place is it. @param isGiven  on the command line: "--mesh"
 [[nodiscard]] Result<void> checkExportSettings(const ExportKind& kind, const ExportSettings& settings,
                                                const std::function<bool(const char* option)>& isGiven);
 /// Words for the command line ("--as skinned --mesh original ..."), without defaults.

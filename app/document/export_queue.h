@@ -64,24 +64,19 @@ struct ExportOutcome {
   ExportOrder order{};
 };
 
-/// Call from one thread; only the destructor waits. One export runs at a time on its own thread; takeDone() starts the
-/// next.
+/// Call from one thread; only the destructor waits. One export runs at a time, on a thread; takeDone() starts the next.
 class ExportQueue {
  public:
   ExportQueue();
-  /// Cancels everything.
-  ~ExportQueue();
+  ~ExportQueue();  ///< Cancels everything.
   ExportQueue(ExportQueue&&) noexcept;
   ExportQueue& operator=(ExportQueue&&) noexcept;
 
   void add(ExportOrder order);
-  /// Cancels the running export.
-  void cancel();
-  /// The running export, then the waiting ones in order.
-  [[nodiscard]] std::vector<ExportStand> stands() const;
+  void cancel();                                          ///< Cancels the running export.
+  [[nodiscard]] std::vector<ExportStand> stands() const;  ///< The running export, then the waiting ones in order.
   [[nodiscard]] bool empty() const;
-  /// Exports that ended since the last call.
-  [[nodiscard]] std::vector<ExportOutcome> takeDone();
+  [[nodiscard]] std::vector<ExportOutcome> takeDone();  ///< Exports that ended since the last call.
 
  private:
   struct Run;

@@ -14,10 +14,8 @@ namespace sinew::app {
 namespace {
 
 constexpr const char* kHeader = "  % of the height            poses       rms    99.9 %       max   largest at\n";
-/// Error between frames, in multiples of the bound, that gets a hint.
-constexpr double kLoose = 1.5;
-/// Morph targets that some engines blend at most.
-constexpr int kTargetsAtOnce = 8;
+constexpr double kLoose = 1.5;     ///< Error between frames, in multiples of the bound, that gets a hint.
+constexpr int kTargetsAtOnce = 8;  ///< Morph targets that some engines blend at most.
 
 Json jsonOf(const ErrorFigures& error) {
   Json json = Json::object();

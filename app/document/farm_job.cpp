@@ -1,5 +1,4 @@
-// app/document/farm_job.cpp: the needs of a task, and a job in each format. Tasks resume, so that a rerun makes only
-// what is missing, unless the job replaces files.
+// app/document/farm_job.cpp: a task's needs; jobs in each format. Reruns make missing files unless jobs replace them.
 #include "app/document/farm_job.h"
 
 #include <algorithm>
@@ -52,8 +51,7 @@ TaskNeeds larger(const TaskNeeds& a, const TaskNeeds& b) {
 
 namespace {
 
-/// GNU parallel replaces it with the shard's number.
-constexpr const char* kShardWord = "SINEW_SHARD";
+constexpr const char* kShardWord = "SINEW_SHARD";  ///< GNU parallel replaces it with the shard's number.
 
 std::string inFolder(const FarmJob& job) { return "cd " + shellWord(job.folder.string()) + " && "; }
 

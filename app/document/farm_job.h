@@ -27,8 +27,7 @@ struct TaskNeeds {
 [[nodiscard]] Result<TaskNeeds> taskNeeds(const std::string& verb, const std::shared_ptr<const Character>& character,
                                           const Rig& rig, int threads, double heldFrames = 0.0);
 
-/// Enough for both.
-[[nodiscard]] TaskNeeds larger(const TaskNeeds& a, const TaskNeeds& b);
+[[nodiscard]] TaskNeeds larger(const TaskNeeds& a, const TaskNeeds& b);  ///< Enough for both.
 
 inline constexpr int kMostTasks = 100000;
 
@@ -50,13 +49,10 @@ struct FarmTarget {
   Result<std::string> (*write)(const FarmJob& job);  ///< Error: the format cannot express the job.
 };
 [[nodiscard]] std::span<const FarmTarget> farmTargets();
-/// By its word, or null.
-[[nodiscard]] const FarmTarget* findFarmTarget(std::string_view word);
+[[nodiscard]] const FarmTarget* findFarmTarget(std::string_view word);  ///< By its word, or null.
 
-/// The path of the running program.
-[[nodiscard]] std::string thisProgram();
+[[nodiscard]] std::string thisProgram();  ///< The path of the running program.
 
-/// One word of a POSIX shell, quoted where it has to be.
-[[nodiscard]] std::string shellWord(const std::string& text);
+[[nodiscard]] std::string shellWord(const std::string& text);  ///< One word of a POSIX shell, quoted where needed.
 
 }  // namespace sinew::app

@@ -70,8 +70,7 @@ std::string withoutNumber(const std::string& stem) {
 }  // namespace
 
 FileStamp stampOf(std::string_view content) {
-  // Fowler, Noll, Vo: FNV-1a (IETF draft-eastlake-fnv).
-  std::uint64_t hash = 0xcbf29ce484222325u;
+  std::uint64_t hash = 0xcbf29ce484222325u;  // Fowler, Noll, Vo: FNV-1a (IETF draft-eastlake-fnv).
   for (const char c : content)
     hash = (hash ^ static_cast<std::uint64_t>(static_cast<unsigned char>(c))) * 0x100000001b3u;
   return {content.size(), hash};

@@ -24,8 +24,7 @@ class FileLock {
   int descriptor_ = -1;
 };
 
-/// Waits up to half a second for another holder, which needs milliseconds unless it hangs. Not held on timeout or if
-/// the folder cannot be opened.
+/// Waits up to 0.5 s for another holder (milliseconds unless it hangs). Not held on timeout or without the folder.
 [[nodiscard]] FileLock lockFolder(const std::filesystem::path& folder);
 
 /// Length and hash of a file's bytes. Dates are unreliable: copies and version control change them.
@@ -40,8 +39,7 @@ struct FileStamp {
 /// Includes the buffers that a .gltf names. nullopt: the file cannot be read.
 [[nodiscard]] std::optional<FileStamp> stampOfFile(const std::filesystem::path& file);
 
-/// For the recovery file; "" for none.
-[[nodiscard]] std::string textOfStamp(const std::optional<FileStamp>& stamp);
+[[nodiscard]] std::string textOfStamp(const std::optional<FileStamp>& stamp);  ///< For the recovery file; "" for none.
 [[nodiscard]] std::optional<FileStamp> stampFromText(const std::string& text);
 
 /// Time and size of a file; `looked` is false before the first look.

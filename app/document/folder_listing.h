@@ -19,15 +19,13 @@ namespace sinew::app {
 /// Every *.rig.json of a folder, by name, but those with a line break, which a list cannot hold.
 [[nodiscard]] std::vector<std::filesystem::path> rigsIn(const std::filesystem::path& folder);
 
-/// A path for a command that runs in `folder`: relative inside it, never mistaken for an option or comment.
-/// @param folder, file  absolute
+/// A path for a command in `folder`: relative inside it, never mistaken for an option or comment. Both are absolute.
 [[nodiscard]] std::string pathWord(const std::filesystem::path& folder, const std::filesystem::path& file);
 
 /// A list for --list, one rig per line.
 [[nodiscard]] std::string listText(const std::filesystem::path& folder, const std::vector<std::filesystem::path>& rigs);
 
-/// Lower case.
-inline constexpr std::array<std::string_view, 3> kCharacterEndings{".glb", ".gltf", ".vrm"};
+inline constexpr std::array<std::string_view, 3> kCharacterEndings{".glb", ".gltf", ".vrm"};  ///< Lower case.
 
 /// @param lowerName  in lower case
 [[nodiscard]] inline bool isCharacterName(std::string_view lowerName) {
@@ -69,7 +67,6 @@ struct ListingOptions {
 /// Folders first, then the files that the filter lets through. At most 5,000. An unreadable folder is empty.
 [[nodiscard]] std::vector<FolderEntry> listFolder(const std::filesystem::path& folder, const ListingOptions& options);
 
-/// A cached listing.
 struct FolderListing {
   std::vector<FolderEntry> entries;
   std::filesystem::path folder;
@@ -82,16 +79,14 @@ void refresh(FolderListing& listing, const std::filesystem::path& folder, const 
 /// Path of typed text: absolute, below "~" (the home folder), or relative to the folder.
 [[nodiscard]] std::filesystem::path resolveTyped(const std::filesystem::path& folder, std::string_view text);
 
-/// Completes the text as far as it is unambiguous, ignoring case if it can; a single folder gets a "/". Returns the
-/// text if nothing fits.
+/// Completes the unambiguous part, ignoring case if it can; a single folder gets a "/". Without a match: the text.
 [[nodiscard]] std::string completePath(const std::filesystem::path& folder, const std::string& text,
                                        const ListingOptions& options);
 
 /// Appends ".rig.json" unless the name ends in ".json"; replaces a character's ending.
 [[nodiscard]] std::filesystem::path withRigEnding(std::filesystem::path file);
 
-/// $HOME, else the working folder.
-[[nodiscard]] std::filesystem::path homeFolder();
+[[nodiscard]] std::filesystem::path homeFolder();  ///< $HOME, else the working folder.
 
 /// A shortcut of the path dialog.
 struct Place {
@@ -103,9 +98,7 @@ struct Place {
 [[nodiscard]] std::vector<Place> places(const std::vector<std::filesystem::path>& recentFiles,
                                         const std::filesystem::path& sampleFolder);
 
-/// "2026-11-21 04:35", local time.
-[[nodiscard]] std::string dateText(std::filesystem::file_time_type when);
-/// "812 B", "34 KB", "1.2 MB".
-[[nodiscard]] std::string sizeText(std::uintmax_t bytes);
+[[nodiscard]] std::string dateText(std::filesystem::file_time_type when);  ///< "2026-11-21 04:35", local time.
+[[nodiscard]] std::string sizeText(std::uintmax_t bytes);                  ///< "812 B", "34 KB", "1.2 MB".
 
 }  // namespace sinew::app

@@ -18,8 +18,7 @@ struct PlayRange {
   friend bool operator==(const PlayRange&, const PlayRange&) = default;
 };
 
-/// By clip index; a clip that plays as a whole has none.
-using PlayRanges = std::map<int, PlayRange>;
+using PlayRanges = std::map<int, PlayRange>;  ///< By clip index; a clip that plays as a whole has none.
 
 /// Identity of a clip while clips of other files are added and removed.
 struct ClipId {
@@ -29,13 +28,10 @@ struct ClipId {
   friend auto operator<=>(const ClipId&, const ClipId&) = default;
 };
 
-/// Play ranges in the history.
-using KeptPlayRanges = std::map<ClipId, PlayRange>;
+using KeptPlayRanges = std::map<ClipId, PlayRange>;  ///< Play ranges in the history.
 
-/// [clips]
-[[nodiscard]] std::vector<ClipId> clipIds(const Character& character);
-/// Index of the clip, or -1.
-[[nodiscard]] int indexOf(const Character& character, const ClipId& clip);
+[[nodiscard]] std::vector<ClipId> clipIds(const Character& character);      ///< [clips]
+[[nodiscard]] int indexOf(const Character& character, const ClipId& clip);  ///< Index of the clip, or -1.
 
 /// To the history's form and back, without ranges of missing clips.
 [[nodiscard]] KeptPlayRanges keptRanges(const PlayRanges& ranges, const Character& character);

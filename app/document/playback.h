@@ -19,10 +19,8 @@ namespace sinew::app {
 
 // Automatic detail: refinement depth or tolerance from the character's size on screen (paper 5).
 
-/// Greatest automatic depth: neither the paper (5) nor we see a gain beyond it.
-inline constexpr int kMaxAutoDepth = 8;
-/// Wanted length of a refined edge on screen, pixels.
-inline constexpr float kAutoEdgePixels = 8.0f;
+inline constexpr int kMaxAutoDepth = 8;  ///< Greatest automatic depth: neither the paper (5) nor we gain beyond it.
+inline constexpr float kAutoEdgePixels = 8.0f;  ///< Wanted length of a refined edge on screen, pixels.
 /// Mean length of the control mesh's edges in the bind pose, as a fraction of the character's height.
 [[nodiscard]] float meanEdgeFraction(const ControlMesh& mesh, float height);
 
@@ -31,8 +29,7 @@ inline constexpr float kAutoEdgePixels = 8.0f;
 /// @param heightPixels  the character's height H on screen  @param current  depth in use, or 0 for none
 [[nodiscard]] int autoDepth(float meanEdgeFraction, float heightPixels, int current);
 
-/// Allowed distance between a triangle of adaptive detail and the surface, pixels.
-inline constexpr float kAutoErrorPixels = 0.5f;
+inline constexpr float kAutoErrorPixels = 0.5f;  ///< Allowed distance of adaptive detail from the surface, pixels.
 
 /// Tolerance of adaptive detail that meets kAutoErrorPixels, with the same hysteresis: a power of sqrt(2) within
 /// kLeastTolerance..kMostTolerance, so that a moving camera needs few meshes.  @param current  in use, or 0 for none
@@ -59,14 +56,12 @@ struct Transport {
 /// The chosen clip's range, else the whole clip.
 [[nodiscard]] PlayRange playRange(const Transport& transport, const Character& character);
 
-/// The chosen clip has a range.
-[[nodiscard]] bool hasPlayRange(const Transport& transport);
+[[nodiscard]] bool hasPlayRange(const Transport& transport);  ///< The chosen clip has a range.
 
 /// Snaps the range to whole frames, at least one, within the clip. A range of the whole clip is removed.
 void setPlayRange(Transport& transport, const PlayRange& range, const Character& character);
 
-/// Advances the time. At the end of the range a looping clip starts over, any other stops. A time after the range plays
-/// on to the clip's end.
+/// At the end of the range a looping clip starts over, any other stops. A time after the range plays to the clip's end.
 void advance(Transport& transport, double seconds, const Character& character);
 
 /// Moves by whole frames and pauses; wraps when looping.
@@ -103,7 +98,7 @@ class LiveSurface {
   [[nodiscard]] Result<bool> update(const Document& document, const SurfaceView& view = {});
 
   [[nodiscard]] const Pose& pose() const { return pose_; }
-  /// Of the last update(), computed now if it waited (SurfaceView::onCard).
+  /// Of the last update(); computed now if it waited (SurfaceView::onCard).
   [[nodiscard]] const Surface& surface() const;
   /// While surface() waits: without times.
   [[nodiscard]] const SmoothingReport& report() const { return made_.surface.report; }
@@ -120,8 +115,7 @@ class LiveSurface {
 
  private:
   explicit LiveSurface(std::shared_ptr<const Character> character);
-  /// @param rig  posed by the preparation's poser
-  void smooth(const PosedRig& rig, double posingSeconds) const;
+  void smooth(const PosedRig& rig, double posingSeconds) const;  ///< @param rig  posed by the preparation's poser
   /// Given to prepare() in place of the rig's own.
   struct Detail {
     int depth = 0;  ///< 0: nothing was given yet.

@@ -74,13 +74,10 @@ struct Preferences {
 
 /// $VARIABLE if it is an absolute path, else ~/inHome. Need not exist.
 [[nodiscard]] std::filesystem::path userFolder(const char* variable, const char* inHome);
-/// $XDG_CONFIG_HOME/sinew, else ~/.config/sinew.
-[[nodiscard]] std::filesystem::path configFolder();
-/// configFolder()/preferences.json.
-[[nodiscard]] std::filesystem::path preferencesFile();
+[[nodiscard]] std::filesystem::path configFolder();     ///< $XDG_CONFIG_HOME/sinew, else ~/.config/sinew.
+[[nodiscard]] std::filesystem::path preferencesFile();  ///< configFolder()/preferences.json.
 
-/// Indented, keys in a fixed order.
-[[nodiscard]] std::string preferencesToJson(const Preferences& preferences);
+[[nodiscard]] std::string preferencesToJson(const Preferences& preferences);  ///< Indented, keys in a fixed order.
 /// Missing or unusable values keep their defaults. Error: not a preferences file.
 [[nodiscard]] Result<Preferences> preferencesFromJson(std::string_view text);
 

@@ -1,7 +1,5 @@
-// app/document/recovery.h: unsaved work survives a crash.
-//
-// Every running editor locks a file NUMBER.lock in the recovery folder (flock, which ends with the process). Unsaved
-// changes are in NUMBER.json beside it. A .json whose lock nobody holds was left behind by a crash.
+// app/document/recovery.h: unsaved work survives a crash. Every running editor locks NUMBER.lock in the recovery folder
+// (flock ends with the process), with its unsaved changes in NUMBER.json. A .json without a held lock was left behind.
 #pragma once
 
 #include <filesystem>
@@ -21,15 +19,11 @@ namespace sinew::app {
 /// This process's file in the folder. The destructor keeps it; finish() removes it.
 class RecoveryFile {
  public:
-  /// Makes the folder.
-  [[nodiscard]] static Result<RecoveryFile> claim(const std::filesystem::path& folder);
+  [[nodiscard]] static Result<RecoveryFile> claim(const std::filesystem::path& folder);  ///< Makes the folder.
 
-  /// Writes the document's rig and paths, atomically.
-  [[nodiscard]] Result<void> write(const Document& document);
-  /// Removes the unsaved work.
-  void remove();
-  /// Clean exit: removes the lock too.
-  void finish();
+  [[nodiscard]] Result<void> write(const Document& document);  ///< Writes the document's rig and paths, atomically.
+  void remove();                                               ///< Removes the unsaved work.
+  void finish();                                               ///< Clean exit: removes the lock too.
 
   [[nodiscard]] const std::filesystem::path& file() const { return file_; }
   [[nodiscard]] bool written() const { return written_; }
@@ -74,8 +68,7 @@ class AutosaveClock {
   [[nodiscard]] Deed look(double now, double interval, const CommandStack& commands, std::size_t document, int clip);
   /// The next look() writes unwritten work regardless of the interval.
   void hurry() { hurried_ = true; }
-  /// Call after a successful write; a failed one is due again an interval later.
-  void wrote(std::size_t revision);
+  void wrote(std::size_t revision);  ///< Call after a successful write; a failed one is due again an interval later.
   /// Seconds until look() may write; nullopt: nothing is unwritten.
   [[nodiscard]] std::optional<double> secondsLeft(double now, double interval) const;
 

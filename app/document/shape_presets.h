@@ -7,8 +7,7 @@ namespace sinew::app {
 
 enum class ShapePreset { kEllipsoid, kCapsule, kCylinder, kEgg, kCone, kSpindle };
 
-/// "capsule": name of a muscle with that shape.
-[[nodiscard]] const char* nameOf(ShapePreset preset);
+[[nodiscard]] const char* nameOf(ShapePreset preset);  ///< "capsule": name of a muscle with that shape.
 /// The placement with that shape along its longest axis, which becomes y. An ellipsoid stays unchanged.
 [[nodiscard]] Placement shaped(ShapePreset preset, const Placement& placement, float reach);
 

@@ -86,7 +86,6 @@ constexpr std::string_view kBaseLayer = "|baselayer";  ///< Appended by exporter
 
 bool isLetter(char c) { return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || (c & 0x80) != 0; }
 
-/// Length of the common beginning.
 std::size_t sharedLength(std::string_view name, std::string_view other) {
   return static_cast<std::size_t>(std::ranges::mismatch(name, other).in1 - name.begin());
 }

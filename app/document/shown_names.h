@@ -20,8 +20,8 @@ namespace sinew::app {
 /// "upper_arm.L muscle": name of a new muscle on a bone, which may be taken.
 [[nodiscard]] std::string defaultMuscleName(const Skeleton& skeleton, int bone);
 
-/// `after` with new default names for muscles that moved to another bone and still had the default name of the former
-/// one; twins with the mirrored name follow. Both rigs have the same muscles in the same order.
+/// `after`, where muscles moved to another bone get its default name if they had that of the former one; twins with
+/// the mirrored name follow. Both rigs have the same muscles in the same order.
 [[nodiscard]] Rig withDefaultNames(const Rig& before, Rig after, const Skeleton& skeleton);
 
 /// The names without their common prefix up to a "|", ":" or "/" and their common suffix from a "|" on:
@@ -36,14 +36,12 @@ inline constexpr std::size_t kManyNames = 8;
 /// that no font can show are "bone N" or "clip N" (app/ui/code_points.h).
 [[nodiscard]] std::vector<std::string> shownBoneNames(const Skeleton& skeleton);
 [[nodiscard]] std::vector<std::string> shownClipNames(const Character& character);
-/// [parts] of the mesh.
-[[nodiscard]] std::vector<std::string> shownPartNames(const Character& character);
+[[nodiscard]] std::vector<std::string> shownPartNames(const Character& character);  ///< [parts] of the mesh.
 /// [bones] regardless of fonts: for names of new muscles.
 [[nodiscard]] std::vector<std::string> shortBoneNames(const Skeleton& skeleton);
 /// [bones] the path where the name is ambiguous: for lists to choose from.
 [[nodiscard]] std::vector<std::string> shownFileNames(const Skeleton& skeleton);
-/// "" for index -1.
-[[nodiscard]] std::string shownBoneName(const Skeleton& skeleton, int bone);
+[[nodiscard]] std::string shownBoneName(const Skeleton& skeleton, int bone);  ///< "" for index -1.
 /// By a rig file's name, which is returned if the bone is unknown.
 [[nodiscard]] std::string shownBoneName(const Skeleton& skeleton, const std::string& fileName);
 

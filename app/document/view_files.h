@@ -19,8 +19,7 @@ inline constexpr std::size_t kMostThumbnails = 400;
 /// $XDG_CACHE_HOME/sinew/thumbnails, else ~/.cache/sinew/thumbnails. Need not exist.
 [[nodiscard]] std::filesystem::path thumbnailFolder();
 
-/// The name comes from the document's canonical path, size and time: a changed document has no thumbnail. "": there is
-/// no such document.
+/// Named by the document's canonical path, size and time: a changed one has no thumbnail. "": there is no document.
 [[nodiscard]] std::filesystem::path thumbnailFile(const std::filesystem::path& folder,
                                                   const std::filesystem::path& document);
 

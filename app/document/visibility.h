@@ -11,11 +11,9 @@
 
 namespace sinew::app {
 
-/// A switch of muscles and bones.
-enum class Mark { kHidden, kLocked, kSolo };
+enum class Mark { kHidden, kLocked, kSolo };  ///< A switch of muscles and bones.
 
-/// View state. Bones by path (Bone::path); a bone's mark applies to every muscle on it and below. Marks of muscles that
-/// undo removed stay.
+/// View state. Bones by Bone::path; a bone's mark applies to all muscles on it and below. Marks of undone muscles stay.
 struct Visibility {
   struct Marks {
     std::set<PrimitiveId> muscles;
@@ -36,8 +34,7 @@ struct Visibility {
   [[nodiscard]] const Marks& marks(Mark mark) const;
   void setMuscle(Mark mark, PrimitiveId muscle, bool on);
   void setBone(Mark mark, const std::string& bonePath, bool on);
-  /// Nothing is hidden or locked.
-  [[nodiscard]] bool plain() const;
+  [[nodiscard]] bool plain() const;  ///< Nothing is hidden or locked.
 
   friend bool operator==(const Visibility&, const Visibility&) = default;
 };

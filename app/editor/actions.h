@@ -12,8 +12,7 @@
 
 namespace sinew::app {
 
-/// Whether an action can run and, if not, the reason for the user: a short clause without a full stop ("Select a muscle
-/// first").
+/// Whether an action can run; if not, the reason: a short clause without a full stop ("Select a muscle first").
 class Possible {
  public:
   constexpr Possible() = default;
@@ -67,10 +66,8 @@ struct Menu {
 };
 [[nodiscard]] std::span<const Menu> menus();
 
-/// The table, in menu order.
-[[nodiscard]] std::span<const Action> actions();
-/// By id, which must exist.
-[[nodiscard]] const Action& action(std::string_view id);
+[[nodiscard]] std::span<const Action> actions();          ///< The table, in menu order.
+[[nodiscard]] const Action& action(std::string_view id);  ///< By id, which must exist.
 
 /// Keys of an action that differ in another keymap.
 struct KeyChange {
@@ -78,21 +75,16 @@ struct KeyChange {
   Shortcut shortcut;
   Shortcut second;
 };
-/// None for the default keymap.
-[[nodiscard]] std::span<const KeyChange> changesOf(Keymap keymap);
-/// "Maya-like", "Blender-like".
-[[nodiscard]] const char* titleOf(Keymap keymap);
+[[nodiscard]] std::span<const KeyChange> changesOf(Keymap keymap);  ///< None for the default keymap.
+[[nodiscard]] const char* titleOf(Keymap keymap);                   ///< "Maya-like", "Blender-like".
 /// Keys of an action in an unchanged keymap.
 [[nodiscard]] std::array<Shortcut, 2> shortcutsOf(const Action& action, Keymap keymap);
 /// With the user's own keys (app/editor/bindings.h).
 [[nodiscard]] std::array<Shortcut, 2> shortcutsOf(const Action& action, const Preferences& preferences);
 
-/// "Ctrl+Shift+S"; "" for none.
-[[nodiscard]] std::string textOf(const Shortcut& shortcut);
-/// The action's first key; "" for none.
-[[nodiscard]] std::string keyText(const Action& action, const EditorState& state);
-/// Runs an enabled action.
-void run(const Action& action, EditorState& state);
+[[nodiscard]] std::string textOf(const Shortcut& shortcut);                         ///< "Ctrl+Shift+S"; "" for none.
+[[nodiscard]] std::string keyText(const Action& action, const EditorState& state);  ///< Its first key; "" for none.
+void run(const Action& action, EditorState& state);                                 ///< Runs an enabled action.
 /// Runs the action of this frame's key press (or repeat, for undo, redo and stepping). @return whether it had one
 bool runShortcut(EditorState& state, const RawInput& input);
 

@@ -23,32 +23,24 @@ namespace sinew::app {
 [[nodiscard]] std::string wordsFor(const DriverInput& input, const Skeleton& skeleton);
 /// An input's value in degrees, percent or as a plain number.
 [[nodiscard]] std::string inputText(DriverInputKind kind, float value);
-/// "Smooth"
-[[nodiscard]] const char* wordFor(CurveKind kind);
+[[nodiscard]] const char* wordFor(CurveKind kind);  ///< "Smooth"
 inline constexpr std::array kCurveKinds{CurveKind::kSmooth, CurveKind::kLinear, CurveKind::kStep};
-/// "0.43 s"
-[[nodiscard]] std::string timeText(double seconds);
+[[nodiscard]] std::string timeText(double seconds);  ///< "0.43 s"
 
 [[nodiscard]] HeldNumber held(const Rig& rig, const NumberRef& ref);
-/// nullopt: its owner does not exist.
-[[nodiscard]] std::optional<NumberRef> refOf(const Rig& rig, const HeldNumber& number);
-/// Those whose owners exist.
-[[nodiscard]] std::vector<NumberRef> refsOf(const Rig& rig, std::span<const HeldNumber> numbers);
+[[nodiscard]] std::optional<NumberRef> refOf(const Rig& rig, const HeldNumber& number);  ///< nullopt: no owner.
+[[nodiscard]] std::vector<NumberRef> refsOf(const Rig& rig, std::span<const HeldNumber> numbers);  ///< Existing ones.
 
 /// A number in the shown pose, with keys and drivers applied.
 [[nodiscard]] float numberNow(const EditorState& state, const NumberRef& ref);
 [[nodiscard]] std::optional<float> inputNow(const EditorState& state, const DriverInput& input);
 
-// Keys.
-/// A clip with a name is shown, as keys need.
-[[nodiscard]] Possible hasKeyTime(const EditorState& state);
-/// Name of the shown clip; empty in the bind pose.
-[[nodiscard]] std::string clipNow(const EditorState& state);
+[[nodiscard]] Possible hasKeyTime(const EditorState& state);  ///< Keys need a shown clip with a name.
+[[nodiscard]] std::string clipNow(const EditorState& state);  ///< Name of the shown clip; empty in the bind pose.
 [[nodiscard]] float timeNow(const EditorState& state);
 /// The number's keys for the shown clip, or null.
 [[nodiscard]] const KeyTrack* trackNow(const EditorState& state, const NumberRef& ref);
-/// The key at the current time, or -1.
-[[nodiscard]] int keyNow(const EditorState& state, const KeyTrack& track);
+[[nodiscard]] int keyNow(const EditorState& state, const KeyTrack& track);  ///< The key at the current time, or -1.
 
 enum class KeyValue {
   kDrawn,  ///< As in the field.
@@ -57,18 +49,14 @@ enum class KeyValue {
 };
 void keyNumbers(EditorState& state, std::span<const NumberRef> refs, KeyValue value);
 void removeKeysNow(EditorState& state, std::span<const NumberRef> refs);
-/// All keys in the shown clip.
-void removeClipKeys(EditorState& state, std::span<const NumberRef> refs);
+void removeClipKeys(EditorState& state, std::span<const NumberRef> refs);  ///< All keys in the shown clip.
 
-// Drivers.
 /// Adds drivers with two points: 0 at rest, a fifth of the number at a strong input (90 degrees, full contraction, 1).
 void driveNumbers(EditorState& state, std::span<const NumberRef> refs, const DriverInput& input);
 /// By a new channel with a key at the current time, or at the clips' start.
 void driveByNewChannel(EditorState& state, std::span<const NumberRef> refs);
-/// Removes keys and drivers.
-void stopAnimating(EditorState& state, std::span<const NumberRef> refs);
-/// The joint's current pose as a driver's input.
-[[nodiscard]] DriverInput poseInput(const EditorState& state, int bone);
+void stopAnimating(EditorState& state, std::span<const NumberRef> refs);  ///< Removes keys and drivers.
+[[nodiscard]] DriverInput poseInput(const EditorState& state, int bone);  ///< Its current pose as a driver's input.
 
 // Set driven key.
 void startDrivenKey(EditorState& state, std::span<const NumberRef> refs, const DriverInput& input);
@@ -87,7 +75,6 @@ void endDrivenKey(EditorState& state);
 [[nodiscard]] Possible canKeyPointed(const EditorState& state);
 void keyPointed(EditorState& state);
 
-/// Removes the curve's point under the pointer. @return false: there is none
-bool removePointedPoint(EditorState& state);
+bool removePointedPoint(EditorState& state);  ///< Removes the curve's point under the pointer. @return whether any
 
 }  // namespace sinew::app

@@ -10,23 +10,18 @@
 
 namespace sinew::app {
 
-/// The reverse of textOf(); nullopt: not a key.
-[[nodiscard]] std::optional<Shortcut> shortcutFrom(std::string_view text);
-/// A sentence why no action may have this key, or "".
-[[nodiscard]] std::string whyReserved(const Shortcut& shortcut);
-/// Shift, Ctrl, Alt, Super or a lock key.
-[[nodiscard]] bool isModifier(int key);
+[[nodiscard]] std::optional<Shortcut> shortcutFrom(std::string_view text);  ///< Inverse of textOf(); nullopt: no key.
+[[nodiscard]] std::string whyReserved(const Shortcut& shortcut);  ///< A sentence why no action may have the key, or "".
+[[nodiscard]] bool isModifier(int key);                           ///< Shift, Ctrl, Alt, Super or a lock key.
 
 /// The key's action, or null.
 [[nodiscard]] const Action* ownerOf(const Shortcut& shortcut, const Preferences& preferences);
 /// It has other keys than in the keymap.
 [[nodiscard]] bool isRebound(const Action& action, const Preferences& preferences);
 
-// Changes to the chosen keymap. A key has one action: the former one loses it.
-/// @param slot  0 or 1; without a first key it becomes the first
+/// In the chosen keymap; a former action of the key loses it. @param slot  0 or 1; without a first key: the first
 void giveKey(Preferences& preferences, const Action& action, std::size_t slot, const Shortcut& shortcut);
-/// Back to the keymap's keys.
-void resetKeys(Preferences& preferences, const Action& action);
+void resetKeys(Preferences& preferences, const Action& action);  ///< Back to the keymap's keys.
 void resetAllKeys(Preferences& preferences);
 
 /// Removes unusable entries of a preferences file from both keymaps: unknown actions, unknown or reserved keys,
@@ -37,13 +32,11 @@ void resetAllKeys(Preferences& preferences);
 
 /// The next key press goes to this action. @param slot  0 or 1
 void startKeyCapture(EditorState& state, const Action& action, int slot);
-/// Handles the key press: Esc cancels, Backspace and Delete clear, reserved keys are refused, a key of another action
-/// becomes a question, any other is assigned.
+/// Esc cancels, Backspace and Delete clear, reserved keys are refused; asks before taking another action's key.
 void captureKey(EditorState& state, const Shortcut& pressed);
 /// Resets keys, after a question if another action would lose one.
 void requestKeyReset(EditorState& state, const Action& action);
-/// The question was answered with Replace.
-void replaceKeys(EditorState& state);
+void replaceKeys(EditorState& state);  ///< The question was answered with Replace.
 void endKeyCapture(EditorState& state);
 
 }  // namespace sinew::app

@@ -19,8 +19,7 @@ void endTerritoryMode(ViewportTools& tools);
 
 /// The muscle's bone, its parent and its children.
 [[nodiscard]] Result<Rig> withDefaultTerritory(const Rig& rig, const std::vector<int>& indices);
-/// One undo step, or a refusal.
-void toggleTerritoryBone(EditorState& state, int bone);
+void toggleTerritoryBone(EditorState& state, int bone);  ///< One undo step, or a refusal.
 
 /// Bones of the mode's muscle, ascending; empty if the mode is off.
 [[nodiscard]] std::vector<int> shownTerritory(const EditorState& state);
@@ -31,21 +30,17 @@ void toggleTerritoryBone(EditorState& state, int bone);
 
 /// By index into Rig::groups (document/group_colors.h); muted for -1.
 [[nodiscard]] Tint groupTint(const Rig& rig, int group);
-/// By name; muted for an unknown group.
-[[nodiscard]] Tint groupTint(const Rig& rig, const std::string& group);
+[[nodiscard]] Tint groupTint(const Rig& rig, const std::string& group);  ///< By name; muted for an unknown group.
 [[nodiscard]] Tint territoryTint();
 
 [[nodiscard]] bool areLinked(const Rig& rig, const std::string& a, const std::string& b);
-/// [groups][groups] areLinked() for all.
-[[nodiscard]] std::vector<std::vector<bool>> linkTable(const Rig& rig);
+[[nodiscard]] std::vector<std::vector<bool>> linkTable(const Rig& rig);  ///< [groups][groups] areLinked() for all.
 
 // Each is one undo step or a refusal.
 
 void toggleLink(EditorState& state, int groupA, int groupB);
-/// Adds an empty group and starts typing its name.
-void addEmptyGroup(EditorState& state);
-/// Moves the selected muscles to a new group and starts typing its name.
-void groupSelection(EditorState& state);
+void addEmptyGroup(EditorState& state);   ///< Adds an empty group and starts typing its name.
+void groupSelection(EditorState& state);  ///< Moves the selected muscles to a new group and starts typing its name.
 bool renameGroupTo(EditorState& state, GroupId group, const std::string& name);
 /// Moves the group's muscles to group `into`; -1: removes an empty group only.
 bool removeGroupOf(EditorState& state, int group, int into);

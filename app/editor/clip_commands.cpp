@@ -97,7 +97,6 @@ std::string refused(EditorState& state, const Error& error) {
   return error.plainText();
 }
 
-/// Plays the file's first clip.
 void playFirstOf(EditorState& state, const std::string& name) {
   const int clip = indexOf(state.character(), {name, 0});
   if (clip < 0) return;

@@ -13,20 +13,17 @@ namespace sinew::app {
 /// One undo step: adds the file to the rig and plays its first clip; a known file is read again. Opens the list if
 /// something did not match. @return "", or why it failed (also a message)
 std::string addClips(EditorState& state, const std::filesystem::path& file);
-/// Reads the rig's clip files again. No undo step.
-void readClipFilesAgain(EditorState& state);
+void readClipFilesAgain(EditorState& state);  ///< Reads the rig's clip files again. No undo step.
 /// One undo step. Keys for the removed clips stay until the file is added again; keys of renamed clips follow.
 /// @param file  index into Rig::clipFiles
 void removeClipFile(EditorState& state, int file);
 /// One undo step: replaces a missing file. @return as addClips()
 std::string locateClipFile(EditorState& state, const std::string& name, const std::filesystem::path& file);
 
-/// The path dialog for addClips().
-void showClipsDialog(EditorState& state);
+void showClipsDialog(EditorState& state);  ///< The path dialog for addClips().
 /// The path dialog for locateClipFile(). @param file  index into Rig::clipFiles
 void showLocateClipsDialog(EditorState& state, int file);
-/// Play > Clip files. Closes other panels in the same place.
-void showClipList(EditorState& state);
+void showClipList(EditorState& state);  ///< Play > Clip files. Closes other panels in the same place.
 void toggleClipList(EditorState& state);
 
 /// Reads clip files again if an edit, undo or redo changed them. A clip that still exists plays on.

@@ -191,8 +191,7 @@ void duplicateSelection(EditorState& state) {
   }
   const std::string copies = namedMuscles(state.document.rig(), selectedIndices(state.document));
   if (state.session.preferences.keymap == Keymap::kBlender) {
-    // As in Blender, the copy follows the pointer, as another step.
-    startDrag(state.view.tools, ToolKind::kMove);
+    startDrag(state.view.tools, ToolKind::kMove);  // As in Blender, the copy follows the pointer, as another step.
     say(state, "Duplicated " + what + ": click to place " + copies + ", Esc leaves it on the original");
   } else {
     say(state, "Duplicated " + what + ": " + copies + " selected, exactly on the original; drag to move");

@@ -9,23 +9,19 @@
 
 namespace sinew::app {
 
-/// Something is being dragged or typed: no other edit may begin.
-[[nodiscard]] bool isBusy(const EditorState& state);
+[[nodiscard]] bool isBusy(const EditorState& state);  ///< Something is being dragged or typed: no other edit may begin.
 
-/// Performs the intent, after asking about unsaved changes.
-void request(EditorState& state, const Intent& intent);
+void request(EditorState& state, const Intent& intent);  ///< Performs the intent, after asking about unsaved changes.
 void perform(EditorState& state, const Intent& intent);
 
 /// Opens the path dialog. @param text  in the path field
 void showPathDialog(EditorState& state, DialogKind kind, const std::filesystem::path& folder,
                     const std::string& text = "");
 void showOpenDialog(EditorState& state);
-/// @param then  performed after a successful save
-void showSaveDialog(EditorState& state, const Intent& then);
+void showSaveDialog(EditorState& state, const Intent& then);  ///< @param then  performed after a successful save
 /// Saves to the rig's file, or asks for a path, or about a file that changed on disk. @return whether it saved
 bool save(EditorState& state, const Intent& then);
-/// @return "", or why it failed (also a message)
-std::string saveTo(EditorState& state, const std::filesystem::path& file);
+std::string saveTo(EditorState& state, const std::filesystem::path& file);  ///< @return "", or why not (also a message)
 
 void undo(EditorState& state);
 void redo(EditorState& state);
@@ -41,12 +37,10 @@ void selectNothing(EditorState& state);
 
 /// Fits a box into the uncovered part of the picture.
 void frameInPicture(EditorState& state, const Bounds& boundsInWorld, bool animated);
-/// The selected muscles, else the whole character.
-void frameSelection(EditorState& state, bool animated);
+void frameSelection(EditorState& state, bool animated);  ///< The selected muscles, else the whole character.
 void cycleAxes(EditorState& state);
 
-/// The view for LiveSurface::update().
-[[nodiscard]] SurfaceView surfaceView(const EditorState& state);
+[[nodiscard]] SurfaceView surfaceView(const EditorState& state);  ///< The view for LiveSurface::update().
 
 /// Rig indices of the selected primitives, ascending.
 [[nodiscard]] std::vector<int> selectedIndices(const Document& document);
@@ -57,8 +51,7 @@ void cycleAxes(EditorState& state);
 
 /// Selects what a right click was on, unless it is selected already. On nothing the selection stays.
 void selectForMenu(Document& document, const ViewportHover& target);
-/// Selects only this muscle or bone.
-void selectEntry(Document& document, const PickEntry& entry);
+void selectEntry(Document& document, const PickEntry& entry);  ///< Selects only this muscle or bone.
 /// Adds a muscle on the skin under the click, like the add-muscle tool. One undo step.
 void addMuscleAt(EditorState& state, const ViewportHover& target);
 /// Why an action of the menu is disabled; "" if it is not, or if its hint says it better.

@@ -97,7 +97,6 @@ struct EulerState {
   glm::vec3 degrees{0.0f};
 };
 
-/// A group's name being typed.
 struct GroupRename {
   GroupId group;  ///< 0 if none.
   std::string text;
@@ -125,7 +124,6 @@ struct TimelineState {
   PlayRange densityOf;
 };
 
-/// The context menu of the picture.
 struct ViewportMenuState {
   ViewportHover target;
   bool wanted = false;  ///< Opens with the next frame.
@@ -198,20 +196,17 @@ struct ReferenceState {
   [[nodiscard]] ReferencePicture& chosen() { return pictures[static_cast<std::size_t>(side)]; }
 };
 
-/// The tab Shapes.
 struct ShapesState {
   std::string search;
   std::set<std::string> folded;  ///< First parts of names.
   std::string chosen;            ///< The shape with unfolded keys and drivers; "": none.
 };
 
-/// The panel Layers.
 struct LayersState {
   int chosen = -1;             ///< Index into Character::parts, highlighted in the picture; -1: none.
   std::vector<int> triangles;  ///< [parts] of the file; counted when first shown.
 };
 
-/// The tab Library.
 struct LibraryState {
   std::optional<std::vector<SlotCorrection>> readFor;  ///< Rig::slots when read; nullopt: read again.
   std::size_t reads = 0;                               ///< Number of reads.

@@ -49,8 +49,7 @@ struct Toast {
 
 enum class LeftTab { kMuscles, kGroups, kLibrary, kShapes };
 
-/// Muscles under the tree of bones, or in a flat list.
-enum class OutlinerOrder { kBones, kRegions, kGroups };
+enum class OutlinerOrder { kBones, kRegions, kGroups };  ///< Muscles under the tree of bones, or in a flat list.
 
 struct OutlinerState {
   LeftTab tab = LeftTab::kMuscles;
@@ -105,8 +104,7 @@ class Thumbnails;
 
 enum class MessageKind { kNote, kWarning, kError };
 
-/// Messages about a document are removed when another is opened.
-enum class MessageAbout { kDocument, kProgram };
+enum class MessageAbout { kDocument, kProgram };  ///< Messages about a document are removed when another is opened.
 
 struct Message {
   MessageKind kind = MessageKind::kNote;
@@ -158,7 +156,6 @@ struct Intent {
 
 enum class DialogKind { kNone, kOpen, kSaveAs, kSavePicture, kExportPlace, kJobPlace, kPicturesPlace, kReference };
 
-/// The path dialog.
 struct FileDialogState {
   DialogKind kind = DialogKind::kNone;
   std::filesystem::path folder;
@@ -190,7 +187,6 @@ struct SetEntry {
   std::string muscle;
 };
 
-/// The command palette.
 struct PaletteState {
   bool shown = false;
   bool appearing = false;  ///< Focuses the search field.
@@ -244,7 +240,6 @@ struct Dialogs {
   bool recovery = false;  ///< Offers work left by a crash.
 };
 
-/// State of a frame.
 struct FrameState {
   RouteResult route;             ///< Of the viewport's tools.
   std::vector<int> highlighted;  ///< Rig indices of muscles hovered in panels.

@@ -10,8 +10,7 @@
 
 namespace sinew::app {
 
-/// The rig has a file without unsaved changes, as a farm job needs.
-[[nodiscard]] bool rigIsSaved(const EditorState& state);
+[[nodiscard]] bool rigIsSaved(const EditorState& state);  ///< It has a file without unsaved changes, as farm jobs need.
 
 /// The dialogs keep the last choices; paths start as NAME_muscled beside each document.
 void showExportDialog(EditorState& state);
@@ -19,20 +18,17 @@ void showFarmDialog(EditorState& state);
 void closeExportDialog(Dialogs& dialogs);
 
 [[nodiscard]] const ExportKind& chosenKind(const Dialogs& dialogs);
-/// Names get the kind's ending unless they have one already.
-void chooseKind(Dialogs& dialogs, std::size_t kind);
+void chooseKind(Dialogs& dialogs, std::size_t kind);  ///< Names get the kind's ending unless they have one already.
 /// The clip for kinds that take one; "": the character has none.
 [[nodiscard]] std::string chosenOneClip(const EditorState& state);
 /// Settings of the export; `clips` only if chosen one by one, in the character's order.
 [[nodiscard]] ExportSettings chosenSettings(const EditorState& state);
 
-/// Farm: the job's file gets the target's ending.
-void chooseTarget(Dialogs& dialogs, const FarmTarget& target);
+void chooseTarget(Dialogs& dialogs, const FarmTarget& target);  ///< Farm: the job's file gets the target's ending.
 
 /// Path of the export or of the job's file in the open dialog.
 [[nodiscard]] ExportPlace& placeOf(Dialogs& dialogs, DialogKind kind);
-/// Opens the path dialog for it.
-void browseForPlace(EditorState& state, DialogKind kind);
+void browseForPlace(EditorState& state, DialogKind kind);  ///< Opens the path dialog for it.
 /// Takes the path dialog's file. @param file  absolute
 void takePlace(Dialogs& dialogs, DialogKind kind, const std::filesystem::path& file);
 
@@ -40,14 +36,10 @@ void takePlace(Dialogs& dialogs, DialogKind kind, const std::filesystem::path& f
 [[nodiscard]] std::vector<std::filesystem::path> farmRigs(const EditorState& state);
 [[nodiscard]] int farmTasks(const EditorState& state);
 
-/// Existing files that would be replaced.
-[[nodiscard]] std::vector<std::filesystem::path> replacedFiles(EditorState& state);
-/// Starts the export, or writes the job's file; asks in the dialog before replacing files.
-/// @return whether the dialog is done; else it shows why not
+[[nodiscard]] std::vector<std::filesystem::path> replacedFiles(EditorState& state);  ///< Files that would be replaced.
+/// Exports, or writes the job's file; asks before replacing files. @return false: the dialog shows why it is not done
 bool confirmExport(EditorState& state);
 
-/// Once a frame: reports finished exports.
-void followExports(EditorState& state);
-/// Closes the editor when all exports are done, unless one fails.
-void quitAfterExports(EditorState& state);
+void followExports(EditorState& state);     ///< Once a frame: reports finished exports.
+void quitAfterExports(EditorState& state);  ///< Closes the editor when all exports are done, unless one fails.
 }  // namespace sinew::app

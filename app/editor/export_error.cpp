@@ -21,8 +21,7 @@ namespace {
 
 constexpr float kSeenAround = 0.12f;  ///< Fraction of the height framed around the largest error.
 constexpr float kGapBeside = 0.15f;   ///< Fraction of the height between the two meshes.
-/// Above the live surface's revisions.
-constexpr std::uint64_t kOwnRevisions = std::uint64_t{1} << 40U;
+constexpr std::uint64_t kOwnRevisions = std::uint64_t{1} << 40U;  ///< Above the live surface's revisions.
 
 /// Weighted by area.
 void findNormals(Surface& surface) {

@@ -18,7 +18,6 @@ namespace sinew::app {
 
 enum class ExportDialog { kNone, kCharacter, kFarmJob };
 
-/// An output file.
 struct ExportPlace {
   std::filesystem::path folder;  ///< Absolute.
   std::string name;              ///< As typed; may be a path.

@@ -19,8 +19,7 @@ struct SelectedLines {
 };
 [[nodiscard]] SelectedLines selectedLines(const Document& document);
 
-/// "biceps L", or "3 lines"
-[[nodiscard]] std::string namedLines(const Rig& rig, const std::vector<int>& lines);
+[[nodiscard]] std::string namedLines(const Rig& rig, const std::vector<int>& lines);  ///< "biceps L", or "3 lines"
 
 /// Changes all lines, or none on a refusal. @param change  must keep name and mirror
 [[nodiscard]] Result<Rig> editLines(Rig rig, const std::vector<int>& lines,
@@ -35,7 +34,6 @@ void removeViaPoints(EditorState& state);
 void takeOffLines(EditorState& state);              ///< Selected muscles follow their bones again.
 void attachOtherEnd(EditorState& state, int bone);  ///< Of selected muscles without a line.
 
-/// Once a frame: removes warnings about lines that have changed.
-void forgetSettledWarnings(EditorState& state);
+void forgetSettledWarnings(EditorState& state);  ///< Once a frame: removes warnings about lines that have changed.
 
 }  // namespace sinew::app

@@ -1,5 +1,4 @@
-// app/editor/muscle_set_commands.cpp: muscle sets, body parts and checks of the open document. A slider of a set undoes
-// its step and makes it again, so that there is only one.
+// app/editor/muscle_set_commands.cpp: muscle sets, body parts, checks. A set's slider remakes its one undo step.
 #include "app/editor/muscle_set_commands.h"
 
 #include <algorithm>
@@ -55,8 +54,7 @@ void lay(EditorState& state, Preset set, PresetMuscle muscle, BodySide side) {
   if (!edit(state, "Lay " + name, added->fitted.rig)) return;
   const auto& primitives = state.document.rig().primitives;
   if (primitives.size() <= before) return;
-  // The left one comes first.
-  const bool right = side == BodySide::kRight && primitives.size() > before + 1;
+  const bool right = side == BodySide::kRight && primitives.size() > before + 1;  // The left one comes first.
   state.document.selection.clear();
   state.document.selection.primitives = {primitives[before + (right ? 1 : 0)].id()};
   for (const std::string& line : added->mended) say(state, "Mended " + line);

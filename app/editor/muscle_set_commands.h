@@ -9,58 +9,45 @@ namespace sinew::app {
 
 // The tab Library: single muscles of sets, and the user's own sets.
 
-/// Reads the sets for this body if they are not current. Call before showing them.
-void readLibrary(EditorState& state);
+void readLibrary(EditorState& state);  ///< Reads this body's sets if they are not current. Call before showing them.
 
 /// Adds the muscle at its place on this body, with its twin, mended and selected: one undo step.
 void layFromLibrary(EditorState& state, int set, int muscle);
 
-/// Drag and drop of a muscle. A drop on the character adds the muscle there, with its twin (core/bodies/muscle_set.h).
-/// @param pointer  window coordinates
+/// A drop on the character adds the muscle and its twin (core/bodies/muscle_set.h). @param pointer  window coordinates
 void takeFromLibrary(EditorState& state, int set, int muscle);
 void carryFromLibrary(EditorState& state, const glm::vec2& pointer);
 void dropFromLibrary(EditorState& state, const glm::vec2& pointer);
 void leaveInLibrary(EditorState& state);
 
-/// Asks for the name of a new set of the selected muscles.
-void nameNewSet(EditorState& state);
-/// Saves it as LibraryState::name, or sets LibraryState::notice.
-void saveNewSet(EditorState& state);
-/// @param set  one of the user's own
-void removeSetFromLibrary(EditorState& state, int set);
+void nameNewSet(EditorState& state);  ///< Asks for the name of a new set of the selected muscles.
+void saveNewSet(EditorState& state);  ///< Saves it as LibraryState::name, or sets LibraryState::notice.
+void removeSetFromLibrary(EditorState& state, int set);  ///< @param set  one of the user's own
 
 // Play > Check muscles.
 
-/// Checks all clips and shows the findings.
-void checkMuscles(EditorState& state);
+void checkMuscles(EditorState& state);  ///< Checks all clips and shows the findings.
 void closeCheck(EditorState& state);
-/// The rig has not changed since the check.
-[[nodiscard]] bool checkIsCurrent(const EditorState& state);
+[[nodiscard]] bool checkIsCurrent(const EditorState& state);  ///< The rig has not changed since the check.
 /// Selects the muscle and goes to the time. @param finding  index into CheckState::findings
 void goToFinding(EditorState& state, int finding);
-/// Mends in one undo step, then checks again.
-void mendFindings(EditorState& state);
+void mendFindings(EditorState& state);  ///< Mends in one undo step, then checks again.
 
 // Muscles > Parts of the body.
 
 void toggleBodyParts(EditorState& state);
-/// The parts found, with the rig's corrections.
-[[nodiscard]] BodySlots bodyPartsOf(const EditorState& state);
+[[nodiscard]] BodySlots bodyPartsOf(const EditorState& state);  ///< The parts found, with the rig's corrections.
 /// One undo step: corrects a part. @param bone  -1: the character has no such part
 void setBodyPart(EditorState& state, BodySlot slot, int bone);
-/// One undo step: removes the correction.
-void forgetBodyPart(EditorState& state, BodySlot slot);
+void forgetBodyPart(EditorState& state, BodySlot slot);  ///< One undo step: removes the correction.
 
 // Muscles > Add muscle set: a set with two sliders, as one undo step.
 
 /// Sets for this character's body; messages name unreadable files. Error: there are none.
 [[nodiscard]] Result<std::vector<Preset>> setsForBody(EditorState& state);
-/// Names of those sets and their muscles.
-[[nodiscard]] std::vector<SetEntry> setEntries(EditorState& state);
-/// The character's motions, computed once.
-const Motions& motionsOf(EditorState& state);
-/// Adds the first set and shows its sliders.
-void addMuscleSet(EditorState& state);
+[[nodiscard]] std::vector<SetEntry> setEntries(EditorState& state);  ///< Names of those sets and their muscles.
+const Motions& motionsOf(EditorState& state);                        ///< The character's motions, computed once.
+void addMuscleSet(EditorState& state);                               ///< Adds the first set and shows its sliders.
 void addMuscleSetNamed(EditorState& state, const std::string& name);
 /// The set is still the last step, which its sliders change. Any other edit or undo ends this.
 [[nodiscard]] bool setIsTunable(const EditorState& state);
@@ -69,10 +56,8 @@ void chooseSet(EditorState& state, int chosen);
 
 /// While a slider is dragged: shows the set at once, unmended. The first call reopens the step.
 void previewSet(EditorState& state, const PresetTuning& tuning);
-/// The slider is released: mends the set and closes the step.
-void keepSet(EditorState& state);
-/// Esc: restores the set from before the drag.
-void dropPreview(EditorState& state);
+void keepSet(EditorState& state);      ///< The slider is released: mends the set and closes the step.
+void dropPreview(EditorState& state);  ///< Esc: restores the set from before the drag.
 [[nodiscard]] bool previewsSet(const EditorState& state);
 
 void removeSet(EditorState& state);

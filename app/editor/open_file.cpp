@@ -187,8 +187,7 @@ std::string meaningOf(const std::string& reason) {
   return "this cannot be read";
 }
 
-/// Error::plainText(), but for invalid JSON "limb.rig.json is damaged or not a rig: line 12, column 3: the file ends
-/// too early".
+/// Error::plainText(); for JSON: "limb.rig.json is damaged or not a rig: line 12, column 3: the file ends too early".
 std::string openErrorText(const Error& error) {
   const std::string line = lineOf(error.place);
   if (line.empty()) return error.plainText();

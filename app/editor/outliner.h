@@ -35,8 +35,7 @@ struct OutlinerView {
 [[nodiscard]] std::vector<OutlinerRow> outlinerRows(const Rig& rig, const Skeleton& skeleton,
                                                     const std::vector<int>& boneOf, const OutlinerView& view);
 
-/// [bones] The part of the body: "Left arm", "Torso", "Head and neck" ...; "Body" if unknown. By name and place in the
-/// tree (core/character/joint_roles.h).
+/// [bones] "Left arm", "Torso" ...; "Body" if unknown. By name and place in the tree (core/character/joint_roles.h).
 [[nodiscard]] std::vector<std::string> bodyParts(const Skeleton& skeleton);
 
 /// A part's key in OutlinerState::folded, unlike any bone's path.
@@ -61,18 +60,15 @@ void reparentMuscles(EditorState& state, const std::vector<int>& indices, int bo
 
 /// A click on a muscle's row. @param range  Shift: from the anchor to here  @param toggle  Ctrl
 void clickMuscle(EditorState& state, const std::vector<OutlinerRow>& rows, int position, bool range, bool toggle);
-/// A click on a bone's row: selects it, or toggles it in territory mode.
-void clickBone(EditorState& state, int bone);
+void clickBone(EditorState& state, int bone);  ///< A click on a bone's row: selects it; in territory mode toggles it.
 /// Up and down among the rows. @param extend  Shift: adds muscles on the way
 void moveCursor(EditorState& state, const std::vector<OutlinerRow>& rows, int by, bool extend);
 
 void selectMuscles(Document& document, const std::vector<int>& indices);
 /// Folds or unfolds a bone's row. @param all  and those below
 void setFolded(EditorState& state, int bone, bool folded, bool all);
-/// Unfolds down to a bone's row.
-void unfoldTo(EditorState& state, int bone);
-/// Unfolds the muscle's parts in the flat lists. @param muscle  rig index
-void unfoldParts(EditorState& state, int muscle);
+void unfoldTo(EditorState& state, int bone);       ///< Unfolds down to a bone's row.
+void unfoldParts(EditorState& state, int muscle);  ///< Unfolds its parts in the flat lists. @param muscle  rig index
 void setPartFolded(EditorState& state, const std::string& part, bool folded);
 
 }  // namespace sinew::app

@@ -11,12 +11,10 @@ namespace sinew::app {
 
 // File > Export > Turntable or contact sheet.
 
-/// Keeps the last choices; paths start beside each document.
-void showPicturesDialog(EditorState& state);
+void showPicturesDialog(EditorState& state);  ///< Keeps the last choices; paths start beside each document.
 void closePicturesDialog(Dialogs& dialogs);
 
-/// Path of the chosen output.
-[[nodiscard]] ExportPlace& picturesPlace(PicturesDialogState& dialog);
+[[nodiscard]] ExportPlace& picturesPlace(PicturesDialogState& dialog);  ///< Path of the chosen output.
 void browseForPicturesPlace(EditorState& state);
 /// Takes the path dialog's file. @param file  absolute
 void takePicturesPlace(PicturesDialogState& dialog, const std::filesystem::path& file);
@@ -30,22 +28,17 @@ void choosePicturesEnding(PicturesDialogState& dialog, const std::string& ending
 /// Arguments of `sinew render` without input and output: look, view and clip as shown.
 [[nodiscard]] std::vector<std::string> pictureArguments(const EditorState& state);
 
-/// Starts drawing in the background; asks in the dialog before replacing a file.
-/// @return whether the dialog is done; else it shows why not
+/// Draws in the background; asks before replacing a file. @return false: the dialog shows why it is not done
 bool confirmPictures(EditorState& state);
 
 // A single picture, which the window writes (SessionState::pictureWanted).
 
-/// Asks for a path, starting in the folder of the last picture.
-void showPictureDialog(EditorState& state);
-/// Saves into that folder under a free name: "fox-2026-11-21-043512.png".
-void savePictureNow(EditorState& state);
-/// The window writes the picture after this frame.
-void wantPicture(EditorState& state, const std::filesystem::path& file);
+void showPictureDialog(EditorState& state);  ///< Asks for a path, starting in the folder of the last picture.
+void savePictureNow(EditorState& state);     ///< Saves into that folder under a free name: "fox-2026-11-21-043512.png".
+void wantPicture(EditorState& state, const std::filesystem::path& file);  ///< The window writes it after this frame.
 
 /// The first existing of XDG_PICTURES_DIR in $XDG_CONFIG_HOME/user-dirs.dirs, ~/Pictures, ~.
 [[nodiscard]] std::filesystem::path picturesFolder();
-/// Appends ".png" if needed.
-[[nodiscard]] std::filesystem::path withPictureEnding(std::filesystem::path file);
+[[nodiscard]] std::filesystem::path withPictureEnding(std::filesystem::path file);  ///< Appends ".png" if needed.
 
 }  // namespace sinew::app

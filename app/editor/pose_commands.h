@@ -18,21 +18,14 @@ struct FoundTurns {
 };
 [[nodiscard]] FoundTurns turnsOf(const std::vector<NamedTurn>& turns, TurnsFrom from, const Skeleton& skeleton);
 
-/// Returns the selected joint to the clip or bind pose.
-void resetJoint(EditorState& state);
+void resetJoint(EditorState& state);  ///< Returns the selected joint to the clip or bind pose.
 void resetPose(EditorState& state);
-/// Copies the selected joint's side to the other; without one, swaps left and right.
-void mirrorPose(EditorState& state);
-/// By joint names.
-void copyPose(EditorState& state);
-/// Replaces the pose, without joints that this character lacks.
-void pastePose(EditorState& state);
-/// Rotated joints follow the clip or keep still; the current pose does not change.
-void toggleHoldPose(EditorState& state);
-/// Without a selection, the root.
-void selectParentJoint(Document& document);
-/// The first child that is not hidden (hiddenBones()).
-void selectChildJoint(EditorState& state);
+void mirrorPose(EditorState& state);      ///< Copies the selected joint's side to the other; without one swaps sides.
+void copyPose(EditorState& state);        ///< By joint names.
+void pastePose(EditorState& state);       ///< Replaces the pose, without joints that this character lacks.
+void toggleHoldPose(EditorState& state);  ///< Rotated joints follow the clip or keep still; the pose does not change.
+void selectParentJoint(Document& document);  ///< Without a selection, the root.
+void selectChildJoint(EditorState& state);   ///< The first child that is not hidden (hiddenBones()).
 
 [[nodiscard]] bool isPosed(const EditorState& state);
 [[nodiscard]] bool selectedJointIsPosed(const EditorState& state);

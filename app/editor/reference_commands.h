@@ -8,10 +8,8 @@
 
 namespace sinew::app {
 
-/// Opens the panel for the side that faces the camera, or closes it.
-void toggleReferencePanel(EditorState& state);
-/// Shows this side in the panel and to the camera.
-void chooseReferenceSide(EditorState& state, ReferenceSide side);
+void toggleReferencePanel(EditorState& state);  ///< Opens the panel for the side that faces the camera, or closes it.
+void chooseReferenceSide(EditorState& state, ReferenceSide side);  ///< Shows this side in the panel and to the camera.
 void showReferenceDialog(EditorState& state);
 /// Sets the chosen side's picture and keeps its settings. @return why it cannot be shown, or ""
 std::string takeReference(EditorState& state, const std::filesystem::path& file);

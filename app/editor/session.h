@@ -15,8 +15,7 @@ enum class FirstStep : std::size_t { kTurn, kSelect, kScale, kAdd, kCompare };
 
 /// Opens the first sample, after asking about unsaved changes, and shows the list; or hides it.
 void toggleFirstSteps(EditorState& state);
-/// Once a frame: ticks off what has been done since the document was opened.
-void followFirstSteps(EditorState& state);
+void followFirstSteps(EditorState& state);  ///< Once a frame: ticks off what was done since the document was opened.
 [[nodiscard]] bool firstStepsDone(const FirstStepsState& steps);
 
 /// A character that comes with the program.
@@ -25,17 +24,13 @@ struct Sample {
   std::filesystem::path file;
 };
 
-/// Existing samples: rigs in a fixed order, then characters without a rig.
-[[nodiscard]] std::vector<Sample> samples();
-/// Opened without an argument; "": there is none.
-[[nodiscard]] std::filesystem::path firstSample();
-/// In the folder of the program's samples.
-[[nodiscard]] bool isSample(const std::filesystem::path& file);
+[[nodiscard]] std::vector<Sample> samples();  ///< Existing ones: rigs in a fixed order, then characters without a rig.
+[[nodiscard]] std::filesystem::path firstSample();               ///< Opened without an argument; "": there is none.
+[[nodiscard]] bool isSample(const std::filesystem::path& file);  ///< In the folder of the program's samples.
 /// Folder of a file for new files beside it; the home folder for samples.
 [[nodiscard]] std::filesystem::path workFolder(const std::filesystem::path& file);
 
-/// Adds the document's file to the recent ones, unless it is a sample.
-void rememberDocument(EditorState& state);
+void rememberDocument(EditorState& state);  ///< Adds the document's file to the recent ones, unless it is a sample.
 
 /// Opens the document of a recovery file as modified, or reports why not.
 void recover(EditorState& state, const std::filesystem::path& recoveryFile);
@@ -51,15 +46,12 @@ struct HelpPage {
 [[nodiscard]] const std::vector<HelpPage>& helpPages();
 /// Opens it in the desktop's program; without one, a message names its path.
 void openHelpPage(EditorState& state, const HelpPage& page);
-/// Once a frame: reports pages that the desktop could not open.
-void followOpenedPages(EditorState& state);
+void followOpenedPages(EditorState& state);  ///< Once a frame: reports pages that the desktop could not open.
 
 void showPalette(Dialogs& dialogs);
-/// Selects and frames it.
-void jumpToMuscle(EditorState& state, PrimitiveId primitive);
+void jumpToMuscle(EditorState& state, PrimitiveId primitive);  ///< Selects and frames it.
 void jumpToBone(EditorState& state, int bone);
 
-/// The preferences with the current layout.
-[[nodiscard]] Preferences currentPreferences(const EditorState& state);
+[[nodiscard]] Preferences currentPreferences(const EditorState& state);  ///< The preferences with the current layout.
 
 }  // namespace sinew::app

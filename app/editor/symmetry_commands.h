@@ -23,8 +23,7 @@ struct Pasted {
   std::vector<std::string> leftOut;  ///< A line for each muscle that was not pasted.
 };
 
-/// The rig with the text's muscles (core/rig/merge.h: mergeRigs).
-/// @param mirror  null, or the plan for pasting on the other side. Error: no muscle can be pasted.
+/// By mergeRigs (core/rig/merge.h). @param mirror  null, or the plan for the other side. Error: nothing can be pasted.
 [[nodiscard]] Result<Pasted> pasteText(const Rig& rig, const std::string& text, const Skeleton& skeleton,
                                        const MirrorPlan* mirror);
 

@@ -113,8 +113,7 @@ std::set<std::string> textsFromJson(const Json& json) {
   return texts;
 }
 
-/// By OutlinerOrder.
-constexpr std::array kOrders{"bones", "regions", "groups"};
+constexpr std::array kOrders{"bones", "regions", "groups"};  ///< By OutlinerOrder.
 
 Json outlinerToJson(const ViewState& view) {
   return Json::object()

@@ -14,12 +14,10 @@ namespace sinew::app {
 
 /// The view kept for the document's file; nullopt for samples.
 [[nodiscard]] std::optional<Json> rememberedView(const SessionState& session, const Document& document);
-/// Keeps the open document's view, unless it is a sample. Ignores failures.
-void rememberView(const EditorState& state);
+void rememberView(const EditorState& state);  ///< Keeps the document's view, except a sample's. Ignores failures.
 
 /// Clip and time of a view, or `otherwise` if the character lacks the clip.
 [[nodiscard]] Transport transportOf(const Json& view, const Character& character, const Transport& otherwise);
-/// Restores the rest of the view; missing and unusable values stay unchanged.
-void restoreView(EditorState& state, const Json& view);
+void restoreView(EditorState& state, const Json& view);  ///< Restores the rest; keeps missing and unusable values.
 
 }  // namespace sinew::app

@@ -11,50 +11,36 @@ namespace sinew::app {
 
 // Layers of the mesh's parts (docs/characters.md). Each edit is one undo step.
 
-/// The open character's mesh has more than one part.
-[[nodiscard]] bool hasParts(const EditorState& state);
-/// [parts] Set by the rig, else guessed.
-[[nodiscard]] std::vector<SkinLayer> partLayers(const EditorState& state);
+[[nodiscard]] bool hasParts(const EditorState& state);  ///< The open character's mesh has more than one part.
+[[nodiscard]] std::vector<SkinLayer> partLayers(const EditorState& state);  ///< [parts] Set by the rig, else guessed.
 /// The rig sets the part's layer. @param part  index into Character::parts, as all here
 [[nodiscard]] bool isLayerSet(const EditorState& state, int part);
 
-/// @param layer  nullopt: as guessed
-void setPartLayer(EditorState& state, int part, std::optional<SkinLayer> layer);
-/// Removes all layers from the rig.
-void guessAllLayers(EditorState& state);
-/// Removes the layer of a part that the character lacks.
-void forgetPart(EditorState& state, const std::string& name);
+void setPartLayer(EditorState& state, int part, std::optional<SkinLayer> layer);  ///< @param layer  nullopt: as guessed
+void guessAllLayers(EditorState& state);                                          ///< Removes all layers from the rig.
+void forgetPart(EditorState& state, const std::string& name);  ///< Removes the layer of a part that is missing.
 
-/// The chosen part and the one under the pointer.
-[[nodiscard]] std::vector<LitPart> litParts(const EditorState& state);
+[[nodiscard]] std::vector<LitPart> litParts(const EditorState& state);  ///< The chosen and the hovered part.
 
 /// [bones] Helper bones (core/character/joint_roles.h) to hide in picture, tree and lists, except those with a muscle,
 /// selected, rotated by hand or in the edited territory. Empty: none.
 [[nodiscard]] std::vector<bool> hiddenBones(const EditorState& state);
-/// @param hidden  from hiddenBones()
-[[nodiscard]] bool isHidden(const std::vector<bool>& hidden, int bone);
+[[nodiscard]] bool isHidden(const std::vector<bool>& hidden, int bone);  ///< @param hidden  from hiddenBones()
 
-/// Once a frame, before the surface is updated: shows new muscles.
-void followEdits(Document& document);
+void followEdits(Document& document);  ///< Once a frame, before the surface is updated: shows new muscles.
 
-/// Hides the selected muscles, or shows them if all are hidden.
-void toggleHideSelection(Document& document);
-/// Ends hide, solo and isolate; locks stay.
-void showAll(Document& document);
-/// Shows only the selected muscles, or all again.
-void toggleIsolation(Document& document);
+void toggleHideSelection(Document& document);  ///< Hides the selected muscles, or shows them if all are hidden.
+void showAll(Document& document);              ///< Ends hide, solo and isolate; locks stay.
+void toggleIsolation(Document& document);      ///< Shows only the selected muscles, or all again.
 void toggleLockSelection(Document& document);
 void unlockAll(Document& document);
 
-/// Something is hidden, soloed or isolated.
-[[nodiscard]] bool anythingHidden(const Document& document);
+[[nodiscard]] bool anythingHidden(const Document& document);  ///< Something is hidden, soloed or isolated.
 
-/// "Before", without muscles: the key is pressed or the menu entry chosen.
-void latchBare(EditorState& state);
+void latchBare(EditorState& state);  ///< "Before", without muscles: the key is pressed or the menu entry chosen.
 /// Once a frame. @param keyDown  the action's key is held  @param buttonDown  its button is held
 void holdBare(EditorState& state, bool keyDown, bool buttonDown);
 
-/// "2 of 15 muscles hidden" or "".
-[[nodiscard]] std::string hiddenText(const Document& document);
+[[nodiscard]] std::string hiddenText(const Document& document);  ///< "2 of 15 muscles hidden" or "".
 
 }  // namespace sinew::app

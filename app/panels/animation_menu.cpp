@@ -27,8 +27,7 @@ bool row(PanelUi& ui, const std::string& label, const std::string& id, const Pos
 
 bool beginSubmenu(PanelUi& ui, const char* label, const std::string& id) {
   const bool open = ImGui::BeginMenu(inReadingOrder(label).c_str());
-  // If it is open, the last item is in the submenu's window.
-  if (!open) ui.widgets.note("context/" + id);
+  if (!open) ui.widgets.note("context/" + id);  // If it is open, the last item is in the submenu's window.
   return open;
 }
 

@@ -14,29 +14,24 @@ namespace sinew::app {
 
 inline constexpr float kNodeSpacing = 92.0f;  ///< Preferred length of an edge of the graph, design pixels.
 
-/// Initial places of the graph's nodes around the origin, design pixels, y down: linked nodes near each other, no two
-/// overlapping, deterministic. A fixed number of steps of springs and repulsion, from a circle (after Fruchterman and
-/// Reingold, Software: Practice and Experience 21(11), 1991).
-/// @param links  pairs of nodes < count
+/// Initial places of the graph's nodes around the origin, design pixels, y down: linked nodes near each other, none
+/// overlapping, deterministic. Fixed steps of springs and repulsion, from a circle (after Fruchterman and Reingold,
+/// Software: Practice and Experience 21(11), 1991). @param links  pairs of nodes < count
 [[nodiscard]] std::vector<glm::vec2> layoutGraph(int count, std::span<const std::array<int, 2>> links);
 
 /// A place for another node: the first on a spiral from the origin that is far enough from all nodes.
 [[nodiscard]] glm::vec2 freePlace(std::span<const glm::vec2> taken);
 
 void drawBlending(PanelUi& ui);
-/// A triangle of cells, groups by groups.
-void drawBlendingMatrix(PanelUi& ui, float height);
-/// Nodes and edges.
-void drawBlendingGraph(PanelUi& ui, float height);
+void drawBlendingMatrix(PanelUi& ui, float height);  ///< A triangle of cells, groups by groups.
+void drawBlendingGraph(PanelUi& ui, float height);   ///< Nodes and edges.
 
-/// The context menu of a group; between BeginPopup and EndPopup.
-void groupMenu(PanelUi& ui, int group);
+void groupMenu(PanelUi& ui, int group);  ///< The context menu of a group; between BeginPopup and EndPopup.
 /// The field for the new name, at the cursor. Notes itself as blending/rename.
 void groupRenameField(PanelUi& ui, float width);
 void startGroupRename(EditorState& state, GroupId group);
 /// Accepts muscles that are dropped on a group; inside BeginDragDropTarget.
 void takeDroppedMuscles(PanelUi& ui, const std::string& group);
-/// "legs: 4 muscles"
-[[nodiscard]] std::string groupText(const Rig& rig, int group);
+[[nodiscard]] std::string groupText(const Rig& rig, int group);  ///< "legs: 4 muscles"
 
 }  // namespace sinew::app

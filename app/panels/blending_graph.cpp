@@ -32,7 +32,6 @@ struct Hit {
   int edge = -1;   ///< kEdge: index into Graph::edges.
 };
 
-/// The graph while it is drawn.
 struct Graph {
   PanelUi& ui;
   std::shared_ptr<const Rig> rig;

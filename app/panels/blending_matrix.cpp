@@ -43,7 +43,6 @@ struct Matrix {
 
 Tint between(const Tint& a, const Tint& b) { return {0.5f * (a.r + b.r), 0.5f * (a.g + b.g), 0.5f * (a.b + b.b)}; }
 
-/// Computes the sizes and positions.
 Matrix lay(PanelUi& ui) {
   Matrix matrix{ui, ui.state.document.commands.sharedRig(), {}, {}, {}, {}, 0.0f, 0.0f, {}, -1, -1};
   matrix.linked = linkTable(*matrix.rig);

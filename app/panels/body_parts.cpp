@@ -183,8 +183,7 @@ void drawFigure(PanelUi& ui, const std::vector<Slot>& slots, const ImVec2& size,
   for (const BodySlot slot : allBodySlots()) {
     const SlotBone& found = parts.slots[slot];
     if (found.bone < 0 || std::ranges::find(slots, slot.slot) == slots.end()) continue;
-    // A part may begin in the middle of a bone.
-    const ImVec2 head = figure.head(found.bone);
+    const ImVec2 head = figure.head(found.bone);  // A part may begin in the middle of a bone.
     const ImVec2 tip = figure.tip(found.bone);
     const ImVec2 place{head.x + found.from * (tip.x - head.x), head.y + found.from * (tip.y - head.y)};
     const float away = std::max(std::abs(mouse.x - place.x), std::abs(mouse.y - place.y));

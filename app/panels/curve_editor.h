@@ -15,13 +15,11 @@ struct CurveView {
   std::optional<float> now;  ///< The current input.
   std::function<std::string(float)> inputText;
   std::function<std::string(float)> valueText;
-  const char* label = "";  ///< The undo step's.
-  /// The rig with another curve.
-  std::function<Result<Rig>(const Curve&)> changed;
+  const char* label = "";                            ///< The undo step's.
+  std::function<Result<Rig>(const Curve&)> changed;  ///< The rig with another curve.
 };
 
-/// Fills the width. Dragging a point, adding one with a double click and removing one with a right click are one undo
-/// step each.
+/// Fills the width. One undo step each: dragging a point, a double click that adds one, a right click that removes one.
 /// @param atStart  the curve before the current gesture
 void drawCurveEditor(PanelUi& ui, const Curve& curve, const Curve& atStart, const CurveView& view);
 

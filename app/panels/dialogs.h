@@ -19,8 +19,7 @@ void drawConflictQuestion(PanelUi& ui);
 void drawRecoveryQuestion(PanelUi& ui);
 void drawKeySheet(PanelUi& ui);
 void drawPreferences(PanelUi& ui);
-/// The second page of the preferences: every action with its keys.
-void drawKeysPage(PanelUi& ui);
+void drawKeysPage(PanelUi& ui);  ///< The second page of the preferences: every action with its keys.
 /// Radio buttons; each notes itself as `id` and the keymap's name.
 void drawKeymapChoice(PanelUi& ui, const std::string& id);
 void drawPalette(PanelUi& ui);

@@ -214,7 +214,6 @@ void keepClipThatPlays(EditorState& state) {
   state.dialogs.exporting.settings.clips.push_back(at(state.character().clips, clip).name);
 }
 
-/// The clip to export, and its frame rate.
 void oneClipRows(PanelUi& ui) {
   ExportDialogState& dialog = ui.state.dialogs.exporting;
   const std::vector<std::string> names = exportableClips(chosenKind(ui.state.dialogs), ui.state.character());

@@ -19,7 +19,6 @@ constexpr float kExportStatusGap = 8.0f;
 constexpr float kButton = 20.0f;
 constexpr double kLookSeconds = 0.1;  // Between updates of the progress.
 
-/// The texts beside the bar.
 struct Words {
   std::string name;
   std::string done;  ///< "45 %"

@@ -40,16 +40,14 @@ void popAnimatedColors(PanelUi& ui, const AnimatedLook& look);
 /// Call right after the item: remembers the number under the pointer for the action edit/key.
 void notePointed(PanelUi& ui, const AnimatedField& field);
 
-/// Rows of an open menu: key, drive, set driven key.
-void animationMenu(PanelUi& ui, const AnimatedField& field);
+void animationMenu(PanelUi& ui, const AnimatedField& field);  ///< Rows of an open menu: key, drive, set driven key.
 
 /// Replaces the field while its driven keys are set: an edit adds a point at the current input. The caller sets the
 /// width. Notes itself as `id`.
 /// @param look  without `typing`
 void drawDrivenKeyField(PanelUi& ui, const std::string& id, const AnimatedField& field, NumberLook look);
 
-/// The first and last part of editField.
-void beginFieldEdit(PanelUi& ui, const std::string& id, const char* label);
+void beginFieldEdit(PanelUi& ui, const std::string& id, const char* label);  ///< The first and last part of editField.
 /// @param label  of the step, with its values; "": as it began
 void endFieldEdit(PanelUi& ui, const std::string& label = {});
 /// Call once a frame, after all panels: ends the step of a field that has vanished while it was edited.

@@ -40,7 +40,6 @@ void drawPlaces(PanelUi& ui, float height) {
   ImGui::PopStyleColor();
 }
 
-/// The folders of the path, as buttons.
 void drawCrumbs(PanelUi& ui) {
   FileDialogState& dialog = ui.state.dialogs.file;
   std::vector<std::filesystem::path> path;
@@ -205,8 +204,7 @@ void drawEntry(PanelUi& ui, const FolderEntry& entry, int number) {
     enterFolder(dialog, dialog.folder / entry.name);
     return;
   }
-  // Saves a rig beside its character, never over it.
-  const bool saves = dialog.kind == DialogKind::kSaveAs;
+  const bool saves = dialog.kind == DialogKind::kSaveAs;  // Saves a rig beside its character, never over it.
   dialog.text = saves ? withRigEnding(entry.name).string() : entry.name;
   const bool opens = dialog.kind == DialogKind::kOpen || dialog.kind == DialogKind::kReference;
   if (ImGui::IsMouseDoubleClicked(0) && opens) confirmPath(ui.state);

@@ -47,7 +47,6 @@ void showFolder(FileDialogState& dialog, const std::filesystem::path& folder) {
   dialog.appearing = true;
 }
 
-/// The file that would be written.
 std::filesystem::path saveTarget(const FileDialogState& dialog) {
   const std::filesystem::path typed = resolveTyped(dialog.folder, dialog.text);
   return dialog.kind == DialogKind::kSavePicture ? withPictureEnding(typed) : withRigEnding(typed);

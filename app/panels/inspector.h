@@ -40,8 +40,7 @@ struct Subjects {
   }
 };
 
-/// How a drag changes muscles whose values differ; a typed number is assigned to all.
-enum class Together { kAdd, kMultiply };
+enum class Together { kAdd, kMultiply };  ///< How a drag changes values that differ; a typed number is assigned to all.
 
 /// A number of a muscle as a field.
 struct NumberField {
@@ -66,8 +65,7 @@ struct NumberField {
 /// the item's width. Notes itself as its id.
 void drawNumberField(PanelUi& ui, const Subjects& subjects, const NumberField& field);
 
-/// Rows of an open menu: reset, copy, paste. @param shown, initial  shown units
-/// @return the number to set, if one was chosen
+/// Rows of an open menu: reset, copy, paste. All in shown units. @return the number to set, if one was chosen
 [[nodiscard]] std::optional<float> numberMenu(PanelUi& ui, const char* format, float shown,
                                               std::optional<float> initial);
 
@@ -75,9 +73,8 @@ void drawNumberField(PanelUi& ui, const Subjects& subjects, const NumberField& f
 void editSubjects(PanelUi& ui, const Subjects& subjects, const char* label,
                   const std::function<void(Primitive&)>& change);
 
-/// A title between groups of rows; a click folds the rows under it, which is saved with the layout.
-/// @param room  left free at its right end, design pixels
-/// @return whether it is unfolded
+/// A title whose click folds the rows under it, which is saved with the layout.
+/// @param room  left free at its right end, design pixels  @return whether it is unfolded
 [[nodiscard]] bool section(PanelUi& ui, const Control& control, const char* title, float room = 0.0f);
 
 // The parts, each in a file of its own.
@@ -85,20 +82,15 @@ void drawTwinRow(PanelUi& ui, const Subjects& subjects);
 void drawShapeRows(PanelUi& ui, const Subjects& subjects);
 void drawPlacementRows(PanelUi& ui, const Subjects& subjects);
 void drawTerritoryRows(PanelUi& ui, const Subjects& subjects);
-/// Only where something is keyed or driven.
-void drawAnimationRows(PanelUi& ui, const Subjects& subjects);
+void drawAnimationRows(PanelUi& ui, const Subjects& subjects);  ///< Only where something is keyed or driven.
 void drawSurfaceAnimation(PanelUi& ui);
-/// @param morph  index into Rig::morphs
-void drawMorphAnimation(PanelUi& ui, int morph);
+void drawMorphAnimation(PanelUi& ui, int morph);  ///< @param morph  index into Rig::morphs
 
 // The inspector's rows about the lines of the selected muscles.
 
-/// Ends, length and buttons.
-void drawLineRows(PanelUi& ui, const Subjects& subjects);
+void drawLineRows(PanelUi& ui, const Subjects& subjects);  ///< Ends, length and buttons.
 void drawFlexRow(PanelUi& ui, const SelectedLines& lines);
-/// The rest of their numbers.
-void drawLineNumbers(PanelUi& ui);
-/// For muscles that ride one bone.
-void drawOtherEndRow(PanelUi& ui, const Subjects& subjects);
+void drawLineNumbers(PanelUi& ui);                            ///< The rest of their numbers.
+void drawOtherEndRow(PanelUi& ui, const Subjects& subjects);  ///< For muscles that ride one bone.
 
 }  // namespace sinew::app

@@ -131,7 +131,6 @@ constexpr const char* kModeHint =
 constexpr const char* kKindHint =
     "Between two points. Smooth: without overshooting. Linear: a straight line. Step: the value of the point before.";
 
-/// A driver while it is drawn.
 struct DriverRow {
   PanelUi& ui;
   const Animated& of;
@@ -151,7 +150,6 @@ struct DriverRow {
   }
 };
 
-/// The curve before the current gesture.
 Curve curveAtStart(const DriverRow& row) {
   const Rig& start = row.ui.state.document.commands.rigOfStep();
   const std::optional<NumberRef> ref = refOf(start, held(row.ui.state.document.rig(), row.of.ref));
@@ -160,7 +158,6 @@ Curve curveAtStart(const DriverRow& row) {
   return number != nullptr && index < number->drivers.size() ? number->drivers[index].curve : row.driver().curve;
 }
 
-/// The chosen point as numbers.
 void pointFields(const DriverRow& row, int point) {
   const Curve& curve = row.driver().curve;
   if (point < 0 || point >= static_cast<int>(curve.points.size())) return;

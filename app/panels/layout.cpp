@@ -333,8 +333,7 @@ bool drawLayout(PanelUi& ui) {
   const ImVec2 pixelsPerUnit = ImGui::GetIO().DisplayFramebufferScale;
   ui.state.frame.viewportPixels = {std::max(1, static_cast<int>(v.width * pixelsPerUnit.x)),
                                    std::max(1, static_cast<int>(v.height * pixelsPerUnit.y))};
-  // A panel that hides a region does so in the next frame.
-  const LayoutState shown = ui.state.view.layout;
+  const LayoutState shown = ui.state.view.layout;  // A panel that hides a region does so in the next frame.
   if (shown.leftShown) drawLeft(ui, regions.left, sizes.history);
   if (shown.rightShown) drawRight(ui, regions.right);
   const bool free = drawViewport(ui, v);

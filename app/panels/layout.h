@@ -22,8 +22,7 @@ struct LayoutSizes {
   float history = 0.0f;
 };
 
-/// The wished sizes, reduced if the window has no room. Depends only on its parameters.
-/// @param width, height  of the window without its menu bar
+/// The wished sizes, reduced to fit. Depends only on its parameters. @param width, height  without the menu bar
 [[nodiscard]] LayoutSizes shownSizes(const LayoutState& wished, float width, float height);
 
 }  // namespace sinew::app

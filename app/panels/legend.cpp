@@ -34,7 +34,6 @@ struct LegendBox {
   ImVec2 high;
 };
 
-/// Whether drawMode draws its line.
 bool modeShown(const EditorState& state) {
   return state.document.visibility.bare || editsTerritory(state) || state.document.visibility.isolated;
 }
@@ -58,7 +57,6 @@ std::array<int, kZones> zoneCounts(const EditorState& state) {
   return counts;
 }
 
-/// A row of the legend of zones.
 struct ZoneRow {
   const char* name;
   const char* hint;
@@ -237,9 +235,7 @@ void drawAnatomy(PanelUi& ui) {
   ui.widgets.note("legend/anatomy", {box.low.x, box.low.y, box.high.x - box.low.x, box.high.y - box.low.y});
 }
 
-/// A line at the picture's lower edge that names the mode, with a button that leaves it.
-/// @param button  null: none
-/// @param color  of the swatch before the text; null: none
+/// The mode's name at the picture's lower edge. @param button  leaves it; null: none  @param color  swatch; null: none
 void drawMode(PanelUi& ui, const std::string& text, const char* button, const char* id, void (*leave)(EditorState&),
               const Tint* color = nullptr) {
   const glm::vec4& v = ui.state.frame.viewport;

@@ -171,7 +171,6 @@ void drawMenus(PanelUi& ui) {
   ImGui::EndMenu();
 }
 
-/// The document's name, in the middle of the bar or beside the menus.
 void drawName(PanelUi& ui) {
   const std::string name = ui.state.document.name() + (ui.state.document.commands.modified() ? " *" : "");
   const float left = ImGui::GetCursorPosX() + ui.px(12);

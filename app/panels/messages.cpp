@@ -1,5 +1,4 @@
-// app/panels/messages.cpp: the list of messages and its count in the status line; the toast; common parts of panels
-// over the picture.
+// app/panels/messages.cpp: messages and their count in the status line; the toast; parts of panels over the picture.
 #include <algorithm>
 #include <optional>
 #include <string>

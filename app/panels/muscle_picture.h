@@ -10,10 +10,8 @@ namespace sinew::app {
 
 inline constexpr glm::ivec2 kMusclePicture{208, 140};
 
-/// The bind pose in clay, in a level view of the muscle's side, with the skin over it and its twin in red. Needs no
-/// OpenGL context.
-/// @param muscles  attached to bones of the character; the first is in the middle
-/// @param least    least height of the picture, fraction of H
+/// The bind pose in clay, seen level from the muscle's side; skin over it and its twin is red. Needs no OpenGL context.
+/// @param muscles  on bones; the first is in the middle  @param least  least height of the picture, fraction of H
 [[nodiscard]] Image musclePicture(const Character& character, std::span<const Primitive> muscles, float least);
 
 }  // namespace sinew::app

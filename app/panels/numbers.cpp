@@ -51,8 +51,7 @@ void graph(PanelUi& ui) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   list.AddRectFilled(corner, {corner.x + width, corner.y + height}, palette::kBackground.faded(0.7f).packed(),
                      ui.px(3));
-  // The line and the worst frame are always visible.
-  const double top = std::max(stats.worst(), kSmoothFrame) * 1.15;
+  const double top = std::max(stats.worst(), kSmoothFrame) * 1.15;  // The line and the worst frame are always visible.
   const auto heightOf = [&](double ms) { return corner.y + height * (1.0f - static_cast<float>(ms / top)); };
   std::vector<ImVec2> points;
   for (int i = 0; i < stats.count(); ++i) {

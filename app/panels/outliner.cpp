@@ -91,7 +91,6 @@ void drawSearch(PanelUi& ui) {
   ImGui::EndDisabled();
 }
 
-/// The switch between bones, regions and groups.
 void drawOrder(PanelUi& ui) {
   OutlinerOrder& order = ui.state.view.outliner.order;
   const int chosen = chooseWord(ui, "outliner/order", {"Bones", "Regions", "Groups"}, static_cast<int>(order));

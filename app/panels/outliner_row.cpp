@@ -22,7 +22,6 @@ constexpr float kCell = 18.0f;
 constexpr float kGlyph = 14.0f;
 constexpr float kNameFrom = 36.0f;  // From the row's indent: the fold mark and the icon.
 
-/// One row while it is drawn.
 struct Row {
   PanelUi& ui;
   const OutlinerContent& frame;
@@ -79,8 +78,7 @@ void switchCell(Row& row, int column, Mark mark, const char* word, Icon on, Icon
   const bool set = row.isMuscle() ? visibility.marks(mark).muscles.contains(row.primitive().id())
                                   : visibility.marks(mark).bones.contains(row.bone().path);
   const std::string id = std::string("outliner/") + word + "/" + (row.isMuscle() ? "" : "bone/") + row.name();
-  // An open eye is the normal state and is drawn faint.
-  const bool eye = mark == Mark::kHidden;
+  const bool eye = mark == Mark::kHidden;  // An open eye is the normal state and is drawn faint.
   const Tint color = set ? (mark == Mark::kSolo ? palette::kAccent : palette::kText) : palette::kMuted.faded(0.45f);
   if (!cell(row, column, id, set ? on : off, color, set || eye, hint)) return;
   if (!row.isMuscle()) {

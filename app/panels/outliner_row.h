@@ -25,7 +25,7 @@ struct OutlinerContent {
   SharedEnds muscleEnds;                 ///< The same for muscles; views into the rig.
 };
 
-/// At the cursor; leaves the cursor below it.
+/// At the cursor, which moves below it.
 void drawOutlinerRow(PanelUi& ui, const OutlinerContent& frame, int position);
 
 /// Menus of a right click on the last item; in outliner.cpp.

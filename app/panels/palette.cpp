@@ -58,8 +58,7 @@ bool drawRow(PanelUi& ui, const PaletteEntry& entry, const Candidate& candidate,
   drawMarked(list, {corner.x + ui.px(30), middle}, candidate.label, found.marks,
              candidate.usable ? palette::kText : palette::kMuted.faded(0.6f));
   const float right = corner.x + ImGui::GetContentRegionAvail().x - ui.px(8);
-  // The reason takes the place of the keys if the entry cannot be used.
-  const bool usable = candidate.usable;
+  const bool usable = candidate.usable;  // The reason takes the place of the keys if the entry cannot be used.
   const std::string keys = usable && entry.action != nullptr ? keyText(*entry.action, ui.state) : entry.why;
   const float keysWidth = keys.empty() ? 0.0f : ImGui::CalcTextSize(keys.c_str()).x;
   list.AddText({right - keysWidth, middle}, (usable ? palette::kText : palette::kMuted).packed(), keys.c_str());

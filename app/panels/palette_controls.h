@@ -24,10 +24,8 @@ struct Control {
   Control& operator=(const Control&) = delete;
   ~Control() = default;
 };
-/// All, panel by panel.
-[[nodiscard]] const std::vector<const Control*>& controls();
-/// Its panel: "Inspector: Muscle", "Preferences"
-[[nodiscard]] const char* placeTitle(const Control& control);
+[[nodiscard]] const std::vector<const Control*>& controls();   ///< All, panel by panel.
+[[nodiscard]] const char* placeTitle(const Control& control);  ///< Its panel: "Inspector: Muscle", "Preferences"
 /// Why it cannot be shown now; "" if it can.
 [[nodiscard]] std::string whyNotThere(const Control& control, const EditorState& state);
 

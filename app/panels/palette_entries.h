@@ -41,8 +41,7 @@ struct PaletteEntry {
   PrimitiveId muscle = {};
   std::filesystem::path file = {};
   SetEntry set = {};
-  /// Index of the command (kPanel), clip (-1: bind pose), bone, part, group or help page.
-  int place = -1;
+  int place = -1;        ///< Index of the command (kPanel), clip (-1: bind pose), bone, part, group or help page.
   std::string why = {};  ///< Why it cannot be used now; "" if it can.
 };
 

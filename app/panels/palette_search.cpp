@@ -36,8 +36,7 @@ int weightAt(std::string_view text, std::size_t at) {
   return kLetter + (beginsWord(text, at) ? kWordBegins : 0) + (at == 0 ? kTextBegins : 0);
 }
 
-/// The best match of a word's letters, by dynamic programming: best[i][j] is the best score of the first i + 1 letters
-/// with the last of them at j.
+/// The best match of a word's letters by dynamic programming; best[i][j]: score of the first i + 1, the last one at j.
 std::optional<Fit> fitWord(std::string_view word, std::string_view text) {
   if (word.size() > text.size()) return std::nullopt;
   std::vector<std::vector<int>> best(word.size(), std::vector<int>(text.size(), kWorst));

@@ -19,8 +19,7 @@ namespace sinew::app {
 /// The interface and the editor behind it, for the length of a frame.
 struct PanelUi : Ui {
   EditorState& state;
-  /// Boxes drawn by hand over the picture: low x and y, high x and y, on the screen.
-  std::vector<glm::vec4> covered;
+  std::vector<glm::vec4> covered;  ///< Boxes drawn by hand over the picture: low x and y, high x and y, on the screen.
 
   PanelUi(EditorState& editor, WidgetLog& log, const Fonts& letters)
       : Ui{log, letters, editor.frame.uiScale}, state(editor) {}
@@ -38,8 +37,7 @@ struct PanelUi : Ui {
 [[nodiscard]] std::string howToStart(const PanelUi& ui, const Action& action);
 /// Label, key in the user's keymap and hint of an action, and why it cannot run now.
 [[nodiscard]] std::string tooltipOf(const PanelUi& ui, const Action& action);
-/// The same without label and key.
-[[nodiscard]] std::string hintOf(const PanelUi& ui, const Action& action);
+[[nodiscard]] std::string hintOf(const PanelUi& ui, const Action& action);  ///< The same without label and key.
 /// A row named after its control.
 inline void beginRow(PanelUi& ui, const Control& control) { beginRow(ui, control.label); }
 /// Notes itself as `id`. @param size  0: as large as the label
@@ -54,26 +52,19 @@ void actionButton(PanelUi& ui, const std::string& id, const Action& action, Icon
 /// pillButton for an action: filled when the action is checked.
 void actionPill(PanelUi& ui, const std::string& id, const Action& action);
 
-// Parts of dialogs.
 /// A modal window with the dialog style; place it before. @param draw  its content; returns whether to close it
 void drawModal(PanelUi& ui, const char* title, const std::function<bool()>& draw);
 /// The button that Enter presses. Notes itself as `id`.
 [[nodiscard]] bool accentButton(Ui& ui, const std::string& id, const char* label, const ImVec2& size);
 /// A row's name; what follows begins `width` design pixels from the left.
 void dialogLabel(Ui& ui, const char* text, float width);
-/// An explanation below a row, with some space after it.
-void dialogExplain(Ui& ui, const char* text, float width);
-/// Muted text that wraps at the window's edge.
-void mutedParagraph(const std::string& text);
-/// Width of a button with this label, window coordinates.
-[[nodiscard]] float buttonWidth(const char* label);
+void dialogExplain(Ui& ui, const char* text, float width);  ///< An explanation below a row, with some space after it.
+void mutedParagraph(const std::string& text);               ///< Muted text that wraps at the window's edge.
+[[nodiscard]] float buttonWidth(const char* label);         ///< Width of a button with this label, window coordinates.
 
 /// Inside a combo that has just been opened: bones to choose from, the nearest in the tree first. Typing filters by
-/// name, Enter takes the first. Rows note themselves as ID/NAME.
-/// @param near  -1: the tree's order
-/// @param chosen  the marked bone, or -1
-/// @param drawOthers  further choices under the search
-/// @return the bone that was taken, or -1
+/// name, Enter takes the first. Rows note themselves as ID/NAME. @param near  -1: the tree's order
+/// @param chosen  marked, or -1  @param drawOthers  choices under the search  @return the bone taken, or -1
 [[nodiscard]] int boneList(PanelUi& ui, const std::string& id, int near, int chosen,
                            const std::function<bool(int)>& isOffered, const std::function<void()>& drawOthers = {});
 

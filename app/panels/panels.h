@@ -18,11 +18,9 @@ struct Panel {
   bool (*isWanted)(const EditorState& state) = nullptr;  ///< Hides panel and title if false. Null: never hidden.
 };
 
-/// In drawing order.
-[[nodiscard]] std::span<const Panel> panels();
+[[nodiscard]] std::span<const Panel> panels();  ///< In drawing order.
 
-/// The tabs at the left, of which one is shown.
-void drawLeftTabs(PanelUi& ui);
+void drawLeftTabs(PanelUi& ui);  ///< The tabs at the left, of which one is shown.
 void drawOutliner(PanelUi& ui);
 void drawLibrary(PanelUi& ui);
 void drawShapes(PanelUi& ui);
@@ -31,10 +29,9 @@ void keepDraggedShown(PanelUi& ui);
 void drawHistory(PanelUi& ui);
 void drawTimeline(PanelUi& ui);
 
-/// The whole window: menu bar, regions, splitters, status line, dialogs. Sets state.frame.viewport and viewportPixels.
+/// The whole window. Sets state.frame.viewport and viewportPixels.
 /// @return whether the mouse is over the picture and nothing is in front of it
 bool drawLayout(PanelUi& ui);
-/// Height in window coordinates.
-float drawMenuBar(PanelUi& ui);
+float drawMenuBar(PanelUi& ui);  ///< Height in window coordinates.
 
 }  // namespace sinew::app

@@ -234,8 +234,7 @@ std::string noticeOf(const KeyCapture& capture) {
   return "Press a key for \"" + std::string(action(capture.action).label) + "\". Backspace or Del clears, Esc cancels.";
 }
 
-/// Instructions, the reason why a key was refused, or the question. Its height is fixed, so that the list does not
-/// move.
+/// Instructions, why a key was refused, or the question. The height is fixed, so that the list does not move.
 void noticeRow(PanelUi& ui) {
   const KeyCapture capture = ui.state.dialogs.keyCapture;
   const bool asking = capture.step == KeyCapture::Step::kAsking;

@@ -1,5 +1,4 @@
-// app/panels/questions.cpp: questions: unsaved changes, running exports, recovery, a missing character, muscles for
-// another character, a file that changed on disk.
+// app/panels/questions.cpp: unsaved changes, running exports, recovery, a missing or another character, changed files.
 #include <array>
 #include <string>
 #include <utility>

@@ -31,7 +31,6 @@ void sideRow(PanelUi& ui) {
   if (chosen >= 0) chooseReferenceSide(ui.state, static_cast<ReferenceSide>(chosen));
 }
 
-/// The file, with buttons that show or hide it and remove it.
 void fileRow(PanelUi& ui) {
   ReferencePicture& picture = ui.state.open.reference.chosen();
   const bool any = !picture.file.empty();

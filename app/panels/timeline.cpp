@@ -29,7 +29,6 @@ constexpr float kClipNarrowest = 96.0f;
 constexpr float kSpeedWidth = 84.0f;
 constexpr float kTimelineLowest = 60.0f;  // Controls and track.
 
-/// The name in the list.
 std::string clipName(const std::vector<std::string>& shown, int clip) {
   return clip < 0 ? "Bind pose" : at(shown, clip);
 }
@@ -49,7 +48,6 @@ void fileNameTooltip(PanelUi& ui, const std::string& drawn, int clip) {
   if (!text.empty()) tooltip(ui, text);
 }
 
-/// A heading above the clips of each file.
 void originHeading(PanelUi& ui, int clip) {
   const std::vector<AnimationClip>& clips = ui.state.character().clips;
   const std::string before = clip > 0 ? at(clips, clip - 1).addedFrom : "";
@@ -59,7 +57,6 @@ void originHeading(PanelUi& ui, int clip) {
   if (!origin.empty()) mutedText(fitted(origin, ImGui::GetContentRegionAvail().x).c_str());
 }
 
-/// A row of the list: name and duration.
 bool clipRow(PanelUi& ui, const std::vector<std::string>& names, int clip) {
   const Character& character = ui.state.character();
   ImGui::PushID(clip);

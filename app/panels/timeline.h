@@ -18,8 +18,7 @@ struct TrackSpan {
 
   [[nodiscard]] double perSecond() const { return static_cast<double>(right - left) / (shown.to - shown.from); }
   [[nodiscard]] float xOf(double time) const { return left + static_cast<float>((time - shown.from) * perSecond()); }
-  /// Within the clip.
-  [[nodiscard]] double timeAt(float x) const;
+  [[nodiscard]] double timeAt(float x) const;  ///< Within the clip.
 };
 
 /// Fills the rest of the region. @param gutter  left free at its left, window coordinates
@@ -31,8 +30,7 @@ TrackSpan drawTimelineTrack(PanelUi& ui, float gutter = 0.0f);
 /// The number of a clip's keys in each column of a time span, as a fraction of the fullest column's.
 [[nodiscard]] std::vector<float> keyDensity(const AnimationClip& clip, const PlayRange& span, int columns);
 
-/// The span after zooming with the wheel at a time, which keeps its place: shorter for steps > 0, within 0..duration,
-/// at least five frames.
+/// The span after a zoom at a time, which keeps its place: shorter for steps > 0, within 0..duration, >= five frames.
 [[nodiscard]] PlayRange zoomedSpan(const PlayRange& span, double at, float steps, double duration);
 
 /// A row of keys: the track of a number or channel in the current clip.
@@ -49,7 +47,6 @@ struct KeyRow {
 /// Rows of the selected muscles, their lines and the surface, then all channels. None in the bind pose.
 [[nodiscard]] std::vector<KeyRow> keyRows(const EditorState& state);
 
-// Edits of a row's track.
 /// Replaces a key at the same time.
 [[nodiscard]] Result<Rig> withKeyAt(const Rig& rig, const KeyRow& row, float time, float value);
 /// The track of `start` with a key moved, in the rig `shown`, so that twins follow. Replaces a key of `start` at the

@@ -108,7 +108,6 @@ constexpr float kLeastTrack = 320.0f;
 constexpr float kValueWidth = 54.0f;
 constexpr float kKey = 5.0f;  // Half a diamond.
 
-/// A row while it is drawn.
 struct ShownRow {
   PanelUi& ui;
   const KeyRow& keys;

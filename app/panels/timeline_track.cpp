@@ -23,7 +23,6 @@ constexpr float kColumn = 2.0f;  // Width of a column of keys.
 constexpr double kZoomPerStep = 1.25;
 constexpr double kLeastFrames = 5.0;
 
-/// The track while it is drawn.
 struct Track : TrackSpan {
   PanelUi& ui;
   ImDrawList& list;

@@ -48,7 +48,6 @@ void moreItem(PanelUi& ui, const std::string& id, const Action& item) {
   if (chosen) run(item, ui.state);
 }
 
-/// A button of the strip.
 struct StripButton {
   std::string id;
   std::string actionId;

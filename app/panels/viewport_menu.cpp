@@ -47,7 +47,6 @@ void swatch(PanelUi& ui, const ImVec2& corner, const PickEntry& entry) {
                                               ui.px(4), tint.packed(), 16);
 }
 
-/// The name of the muscle or bone under the pointer.
 void drawTitle(PanelUi& ui, const ViewportHover& target) {
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   std::string text = "Nothing here";

@@ -21,10 +21,8 @@ struct TextureRevision {
 /// Compares the triangles in each square of the window with the last frame's. For windows with FramebufferScale 1.
 class ChangedTiles {
  public:
-  /// @param size  of the framebuffer, pixels; a new size changes everything
-  /// @param parts  changed in any case: low x and y, high x and y
-  /// @return at most kMostRects disjoint rectangles with all changes: low x and y, high x and y; pixels, from the top
-  /// left
+  /// Pixels from the top left; rectangles are low x and y, high x and y. @param parts  changed in any case
+  /// @param size  of the framebuffer; a new one changes everything  @return at most kMostRects disjoint rectangles
   [[nodiscard]] std::vector<glm::ivec4> update(const ImDrawData& data, const glm::ivec2& size,
                                                std::span<const TextureRevision> textures,
                                                std::span<const glm::vec4> parts = {});

@@ -9,12 +9,9 @@ namespace sinew::app {
 /// Opens files in the desktop's programs by xdg-open, which may run as long as the program: poll failed().
 class DesktopOpener {
  public:
-  /// @return whether xdg-open was started
-  bool open(const std::filesystem::path& file);
-  /// Files that could not be opened, each once.
-  [[nodiscard]] std::vector<std::filesystem::path> failed();
-  /// A recent request may still fail: call failed() again soon.
-  [[nodiscard]] bool busy() const;
+  bool open(const std::filesystem::path& file);               ///< @return whether xdg-open was started
+  [[nodiscard]] std::vector<std::filesystem::path> failed();  ///< Files that could not be opened, each once.
+  [[nodiscard]] bool busy() const;  ///< A recent request may still fail: call failed() again soon.
 
  private:
   struct Running {
@@ -25,8 +22,7 @@ class DesktopOpener {
   std::vector<Running> running_;
 };
 
-/// Version and commit: "0.2.0 (4bbcc04d41e0)"; the commit ends in "-dirty" if the tree was changed, "unknown" without
-/// git.
+/// "0.2.0 (4bbcc04d41e0)": the commit ends in "-dirty" if the tree was changed, and is "unknown" without git.
 [[nodiscard]] const char* programVersion();
 
 /// A file that ships with the program, by its path in the source tree ("shaders/surface.vert"). Searches the folder

@@ -10,8 +10,7 @@ namespace sinew::app {
 /// Durations of the frames of the last two seconds, milliseconds.
 class FrameStats {
  public:
-  /// @param now  seconds, monotonic
-  void add(double now, double milliseconds);
+  void add(double now, double milliseconds);  ///< @param now  seconds, monotonic
 
   [[nodiscard]] double now() const { return frames_.empty() ? 0.0 : frames_.back().milliseconds; }
   [[nodiscard]] double median() const;

@@ -14,10 +14,8 @@ struct ImDrawData;
 
 namespace sinew::app {
 
-/// Writes one frame's input into the current ImGui context.
-void feedImGui(const RawInput& input);
-/// Sets ImGui's key map to the codes of RawInput::keys.
-void mapKeys();
+void feedImGui(const RawInput& input);  ///< Writes one frame's input into the current ImGui context.
+void mapKeys();                         ///< Sets ImGui's key map to the codes of RawInput::keys.
 
 /// Owns the ImGui context and its OpenGL backend. The window's OpenGL context must stay current.
 class ImGuiLayer {
@@ -29,8 +27,7 @@ class ImGuiLayer {
 
   /// @param seconds  since the last frame  @param drawing  duration of a frame without waiting for events
   void beginFrame(const RawInput& input, double seconds, double drawing);
-  /// Sets the pointer's shape. @return what to draw, valid until the next frame
-  ImDrawData& endFrame();
+  ImDrawData& endFrame();  ///< Sets the pointer's shape. @return what to draw, valid until the next frame
 
   /// Between frames: rebuilds the fonts for a new scale or new letters. @return whether it did
   bool prepareFonts(float scale);

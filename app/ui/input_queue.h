@@ -43,12 +43,9 @@ class InputQueue {
   void key(int key, bool down);
   void keyRepeat(int key);
   void character(char32_t codepoint);
-  /// Releases all keys and buttons when the focus is lost, as the system does not report it.
-  void releaseAll();
+  void releaseAll();  ///< Releases all keys and buttons when the focus is lost, as the system does not report it.
 
-  /// The next frame's input; without events, no transition.
-  [[nodiscard]] const RawInput& next();
-  /// More events are waiting.
+  [[nodiscard]] const RawInput& next();  ///< The next frame's input; without events, no transition.
   [[nodiscard]] bool pending() const { return !events_.empty(); }
 
  private:

@@ -90,8 +90,7 @@ void feedFocusKeys(const RawInput& input) {
 }
 
 bool moveFocus(WidgetLog& controls, const RawInput& input) {
-  // Disables ImGui's Ctrl+Tab, which switches windows.
-  ImGui::GetCurrentContext()->NavWindowingTarget = nullptr;
+  ImGui::GetCurrentContext()->NavWindowingTarget = nullptr;  // Disables ImGui's Ctrl+Tab, which switches windows.
   const int key = keyOf(input);
   if (key < 0 || input.alt || input.super || typesText()) return false;
   if (key != GLFW_KEY_TAB) {

@@ -28,8 +28,7 @@ enum class HanRegion { kJapan, kKorea, kMainland, kTaiwan, kHongKong };
 
 /// Japan for letters with kana, Korea for hangul; else by the user's language ("ja_JP.UTF-8"), else mainland China.
 [[nodiscard]] HanRegion hanRegion(std::u32string_view letters, std::string_view locale);
-/// The first of LC_ALL, LC_CTYPE, LANG that is set, or "".
-[[nodiscard]] std::string_view localeOfEnvironment();
+[[nodiscard]] std::string_view localeOfEnvironment();  ///< The first of LC_ALL, LC_CTYPE, LANG that is set, or "".
 
 /// Font files of Debian's packages for a letter, best first; any may be missing. @param strong  for headings
 [[nodiscard]] std::vector<FontFile> fontFilesFor(char32_t c, bool strong, HanRegion region);
@@ -71,20 +70,17 @@ class LetterFaces {
   std::map<char32_t, bool> known_;  ///< Results of has(), the same for all regions.
 };
 
-/// Letters in the font texture beyond the fonts' own scripts: from a document's names when it opens, later from all
-/// text that is typed or shown. The texture is rebuilt for new ones.
+/// Letters beyond the fonts' own scripts, from an opened document's names and all text typed or shown: for new ones the
+/// font texture is rebuilt.
 class NameTexture {
  public:
-  /// Adds letters that the texture lacks.
-  void want(std::u32string_view letters);
+  void want(std::u32string_view letters);  ///< Adds letters that the texture lacks.
   void setRegion(HanRegion region);
   /// Whether build() would add or change a letter.
   [[nodiscard]] bool outdated() const { return outdated_; }
-  /// Builds the atlas of the current ImGui context, with its fonts and all wanted letters.
-  void build(const Fonts& fonts);
+  void build(const Fonts& fonts);  ///< Builds the current ImGui context's atlas with fonts and all wanted letters.
 
-  /// Whether an installed font has it.
-  [[nodiscard]] bool has(char32_t c);
+  [[nodiscard]] bool has(char32_t c);  ///< Whether an installed font has it.
 
  private:
   LetterFaces faces_;

@@ -17,9 +17,8 @@ struct Typed {
   bool relative = false;  ///< "+= 0.1", "-=", "*=" or "/="
 };
 
-/// Evaluates arithmetic: numbers with a decimal point or comma, + - * / ^, brackets, pi and sqrt(); a leading += -= *=
-/// or
-/// /= changes `current`. Ignores a unit at the end ("%", "°", "deg", "x"). Error: a short reason.
+/// Arithmetic: numbers with a decimal point or comma, + - * / ^, brackets, pi, sqrt(); a leading += -= *= or /= changes
+/// `current`. Ignores a unit at the end ("%", "°", "deg", "x"). Error: a short reason.
 [[nodiscard]] Result<Typed> evaluate(std::string_view text, double current);
 
 /// Result of typing into a field.

@@ -11,8 +11,7 @@ namespace sinew::app {
 /// destroyed. It has no framebuffer 0.
 class OffscreenContext {
  public:
-  /// Error: no driver offers OpenGL 4.5 through EGL.
-  [[nodiscard]] static Result<std::unique_ptr<OffscreenContext>> create();
+  [[nodiscard]] static Result<std::unique_ptr<OffscreenContext>> create();  ///< Error: no OpenGL 4.5 through EGL.
   ~OffscreenContext();
   OffscreenContext(const OffscreenContext&) = delete;
   OffscreenContext& operator=(const OffscreenContext&) = delete;

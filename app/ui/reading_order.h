@@ -10,8 +10,7 @@ namespace sinew::app {
 
 // Elides long names so that different names stay different.
 
-/// Width of a text in any unit; grows with the text.
-using MeasureText = std::function<float(std::string_view)>;
+using MeasureText = std::function<float(std::string_view)>;  ///< Width of a text in any unit; grows with the text.
 
 /// Common beginnings and ends of a list's names: "mixamorig:", "_Twist_01".
 struct SharedEnds {
@@ -33,9 +32,7 @@ struct SharedEnds {
 /// keep what is typed. Calls noteShown().
 [[nodiscard]] std::string inReadingOrder(const std::string& text);
 
-/// Notes letters that are shown otherwise: typed or pasted.
-void noteShown(std::u32string_view letters);
-/// Letters beyond ASCII that were noted since the last call.
-[[nodiscard]] std::u32string takeShown();
+void noteShown(std::u32string_view letters);  ///< Notes letters that are shown otherwise: typed or pasted.
+[[nodiscard]] std::u32string takeShown();     ///< Letters beyond ASCII that were noted since the last call.
 
 }  // namespace sinew::app

@@ -38,8 +38,7 @@ std::string cutToFit(const std::string& text, float width, const SharedEnds& sha
 void showTooltip(Ui& ui, const std::string& text) {
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {ui.px(10), ui.px(7)});
   ImGui::BeginTooltip();
-  // The first frame only measures it; the next one shows it.
-  if (ImGui::IsWindowAppearing()) ui.wakeIn(kNextFrame);
+  if (ImGui::IsWindowAppearing()) ui.wakeIn(kNextFrame);  // The first frame only measures it; the next one shows it.
   ImGui::PushTextWrapPos(ui.px(320));
   ImGui::TextUnformatted(inReadingOrder(text).c_str());
   ImGui::PopTextWrapPos();

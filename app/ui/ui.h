@@ -28,8 +28,7 @@ struct Ui {
 
 void heading(Ui& ui, const char* text);
 void mutedText(const char* text);
-/// Tooltip of the last item, disabled or not, after a short delay.
-void tooltip(Ui& ui, const std::string& text);
+void tooltip(Ui& ui, const std::string& text);  ///< Tooltip of the last item, disabled or not, after a short delay.
 
 /// Square button with an icon, lit when active; notes itself as `id`.
 bool iconButton(Ui& ui, const std::string& id, Icon icon, bool active, float size, const std::string& hint = "");
@@ -38,19 +37,16 @@ bool pillButton(Ui& ui, const std::string& id, const char* label, bool active);
 
 /// A property's name, elided if needed, in the left column; the next item fills the rest of the row.
 void beginRow(Ui& ui, const char* label);
-/// The same for wide items: in a narrow panel the name stands above.
-void beginWideRow(Ui& ui, const char* label);
+void beginWideRow(Ui& ui, const char* label);  ///< The same for wide items: in a narrow panel the name stands above.
 
-/// Padding and corners of a modal window.
-void pushDialogStyle(Ui& ui);
+void pushDialogStyle(Ui& ui);  ///< Padding and corners of a modal window.
 void popDialogStyle();
 /// Before a modal window: centers it, with this width but no larger than the window.
 void placeDialog(Ui& ui, float designWidth);
 
 /// Once a frame, before all panels: Esc closes the topmost menu or list. @return whether one was closed
 bool closeMenuOnEscape();
-/// Esc was pressed in this frame and closed no menu or list.
-[[nodiscard]] bool escapePressed(const Ui& ui);
+[[nodiscard]] bool escapePressed(const Ui& ui);  ///< Esc was pressed in this frame and closed no menu or list.
 
 /// A row of words of which one is chosen; notes itself as ID/WORD in lower case. @return the clicked index, or -1
 int segmented(Ui& ui, const std::string& id, const char* const* words, int count, int chosen, float width);
@@ -60,10 +56,9 @@ int segmented(Ui& ui, const std::string& id, const char* const* words, int count
 /// Draws it into a list. @return whether something was left out, for a tooltip
 bool clippedText(ImDrawList& list, const ImVec2& at, float width, ImU32 color, const std::string& text,
                  const SharedEnds& shared = {});
-/// Muted text, elided to the available width, with the whole text as tooltip.
+/// Muted, elided to the available width, with the whole text as tooltip.
 void mutedLine(Ui& ui, const std::string& text);
-/// Tooltip for what is drawn by hand.
-void tooltipWhile(Ui& ui, bool over, const std::string& text);
+void tooltipWhile(Ui& ui, bool over, const std::string& text);  ///< Tooltip for what is drawn by hand.
 
 /// How many items fit into a room; if not all, together with a button of width `more` for the rest.
 [[nodiscard]] std::size_t fittingCount(std::span<const float> widths, float room, float more);

@@ -23,8 +23,7 @@ void noteScrolling(LaidOut& item) {
 void takeFocus(ImGuiWindow* window) {
   ImGuiContext& context = *ImGui::GetCurrentContext();
   ImGui::FocusWindow(window);
-  // A new dialog would focus its first control in the next frame.
-  context.NavInitRequest = false;
+  context.NavInitRequest = false;  // A new dialog would focus its first control in the next frame.
   context.NavInitResultId = 0;
   ImGui::SetFocusID(context.LastItemData.ID, window);
   context.NavDisableHighlight = false;
@@ -72,8 +71,7 @@ void WidgetLog::note(const std::string& id) {
   const bool cut = item.visible.z < item.whole.z - 1.0f || item.visible.w < item.whole.w - 1.0f;
   if ((sought || focused) && cut) ImGui::ScrollToBringRectIntoView(window, ImRect(low, high));
   laidOut_.push_back(std::move(item));
-  // Too narrow to click.
-  if (right - x < 3.0f || bottom - y < 3.0f) return;
+  if (right - x < 3.0f || bottom - y < 3.0f) return;  // Too narrow to click.
   note(id, {x, y, right - x, bottom - y});
 }
 

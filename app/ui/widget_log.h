@@ -25,10 +25,8 @@ struct LaidOut {
 class WidgetLog {
  public:
   void beginFrame();
-  /// Call right after an ImGui item. @param id  place and control: "timeline/play"
-  void note(const std::string& id);
-  /// For what is drawn by hand.
-  void note(const std::string& id, const glm::vec4& rectangle);
+  void note(const std::string& id);  ///< Call right after an ImGui item. @param id  place and control: "timeline/play"
+  void note(const std::string& id, const glm::vec4& rectangle);  ///< For what is drawn by hand.
 
   [[nodiscard]] const std::map<std::string, glm::vec4>& rectangles() const { return rectangles_; }
   /// Every noted ImGui item, cut off or not.

@@ -14,8 +14,7 @@ namespace sinew::app {
 
 namespace {
 
-/// GLFW's codes of these keys are their ASCII characters.
-constexpr std::string_view kPunctuation = "',-./;=[\\]`";
+constexpr std::string_view kPunctuation = "',-./;=[\\]`";  ///< GLFW's codes of these keys are their ASCII characters.
 
 }  // namespace
 
@@ -44,11 +43,9 @@ void setContextHints() {
   glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 5);
   glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
   glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
-  // The viewport has its own framebuffer with samples.
-  glfwWindowHint(GLFW_SAMPLES, 0);
+  glfwWindowHint(GLFW_SAMPLES, 0);  // The viewport has its own framebuffer with samples.
   glfwWindowHint(GLFW_DEPTH_BITS, 0);
-  // As in the desktop entry, for name and icon.
-  glfwWindowHintString(GLFW_X11_CLASS_NAME, "sinew");
+  glfwWindowHintString(GLFW_X11_CLASS_NAME, "sinew");  // As in the desktop entry, for name and icon.
   glfwWindowHintString(GLFW_X11_INSTANCE_NAME, "sinew");
 }
 

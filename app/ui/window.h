@@ -48,8 +48,7 @@ class Window {
   [[nodiscard]] glm::ivec2 size() const;             ///< Window coordinates.
   [[nodiscard]] glm::ivec2 framebufferSize() const;  ///< Pixels.
   [[nodiscard]] float contentScale() const;          ///< 1 on ordinary screens, 2 on dense ones.
-  /// While maximized or minimized, the place before.
-  [[nodiscard]] WindowPlace place() const;
+  [[nodiscard]] WindowPlace place() const;           ///< While maximized or minimized, the place before.
 
   void setTitle(const std::string& title);
   [[nodiscard]] bool closeRequested() const;
@@ -58,10 +57,8 @@ class Window {
   void poll();                ///< Takes waiting events.
   void wait(double seconds);  ///< Sleeps until an event, at most so long.
   void swap();
-  /// Files dropped since the last call.
-  [[nodiscard]] std::vector<std::filesystem::path> takeDrops();
-  /// The window was uncovered or resized since the last call.
-  [[nodiscard]] bool takeRefresh();
+  [[nodiscard]] std::vector<std::filesystem::path> takeDrops();  ///< Files dropped since the last call.
+  [[nodiscard]] bool takeRefresh();  ///< The window was uncovered or resized since the last call.
 
  private:
   Window() = default;

@@ -11,8 +11,7 @@
 
 namespace sinew::app {
 
-/// Everything between input and picture, without window or OpenGL, so that tests run the same frame. Call between
-/// ImGui's NewFrame and Render.
+/// Everything from input to picture, without window or OpenGL, for tests. Call between ImGui's NewFrame and Render.
 class EditorStep {
  public:
   /// @param seconds  since the last frame

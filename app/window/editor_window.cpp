@@ -82,7 +82,6 @@ double secondsNow() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
-/// The running editor.
 class Editor {
  public:
   Editor(Window& window, Viewport& viewport, EditorState state, SessionKeeper keeper, const EditorOptions& options,
@@ -98,8 +97,7 @@ class Editor {
     state_.session.thumbnails = &thumbnails_;
   }
 
-  /// Opens the document of the command line, else a sample. Error: it cannot be smoothed.
-  /// @param orphan  the command line's rig if its character is missing: asks for the character
+  /// Opens the document, else a sample. Error: it cannot be smoothed. @param orphan  a rig that lacks its character
   Result<void> open(std::optional<Document> document, const std::filesystem::path& orphan) {
     if (document) {
       if (!showDocument(state_, std::move(*document))) return Error{"", "", state_.session.messages.back().text};
@@ -261,7 +259,6 @@ class Editor {
     else show();
   }
 
-  /// Shows the drawn frame.
   void show() {
     if (!std::exchange(unshown_, false)) return;
     window_.swap();

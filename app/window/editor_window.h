@@ -20,8 +20,7 @@ struct EditorOptions {
   float scale = 0.0f;              ///< --scale; 0: from the preferences or the system.
 };
 
-/// Runs the editor. @return exit status: 0, or 1 after a line on stderr (no display, no OpenGL 4.5, unreadable file or
-/// unwritable log)
+/// @return exit status: 0, or 1 after a line on stderr (no display, no OpenGL 4.5, unreadable file or unwritable log)
 [[nodiscard]] int runEditor(const EditorOptions& options);
 
 }  // namespace sinew::app

@@ -23,8 +23,7 @@ struct ImDrawList;
 struct ImDrawData;
 namespace sinew::app {
 
-/// Draws the interface into the window's back buffer. Without a graphics card only the changed parts are drawn, over
-/// the last frame, because every pixel costs time.
+/// Draws the interface into the back buffer; without a graphics card only the changed parts, over the last frame.
 class Screen {
  public:
   Screen();
@@ -62,8 +61,7 @@ class MovingResolution {
   static constexpr std::size_t kFewFrames = 3;    ///< Slow frames in a row for a step down.
   static constexpr std::size_t kManyFrames = 20;  ///< Fast frames in a row for a step up.
 
-  /// A frame was drawn at scale() while the picture moved.
-  void add(const FrameCost& cost);
+  void add(const FrameCost& cost);  ///< A frame was drawn at scale() while the picture moved.
   /// Scale of the next moving picture, kept between movements.
   [[nodiscard]] float scale() const { return kScales[step_]; }
   /// Seconds that drawing may take: at least half of the goal, so that a slow surface does not coarsen the picture.
@@ -117,8 +115,7 @@ class Picture {
 
   /// Seconds until refine() has work; nullopt: the picture is final, or there is none.
   [[nodiscard]] std::optional<double> secondsUntilRefining(const EditorState& state, double now) const;
-  /// Adds a sample to a resting picture. @return whether the picture changed
-  bool refine(EditorState& state);
+  bool refine(EditorState& state);  ///< Adds a sample to a resting picture. @return whether the picture changed
 
   /// Writes the picture with all samples, without hover and selection, as PNG. The next frame draws the picture again.
   Result<void> save(EditorState& state, const std::filesystem::path& file);

@@ -19,14 +19,12 @@ class SessionKeeper {
   SessionKeeper(std::filesystem::path preferencesFile, std::filesystem::path recoveryFolder,
                 std::filesystem::path viewsFolder = {});
 
-  /// Loads preferences and layout, and offers work left by a crash. Failures become messages.
-  void start(EditorState& state);
+  void start(EditorState& state);  ///< Loads preferences and layout; offers work left by a crash. Failures: messages.
   /// Call every frame and at least once a second. @param now  seconds, monotonic
   void tick(EditorState& state, double now, const WindowPlace& window);
   /// Seconds until tick() has work; nullopt: not before a change.
   [[nodiscard]] std::optional<double> secondsLeft(const EditorState& state, double now) const;
-  /// Clean exit.
-  void finish(EditorState& state, const WindowPlace& window);
+  void finish(EditorState& state, const WindowPlace& window);  ///< Clean exit.
 
  private:
   void keepRecent(EditorState& state);

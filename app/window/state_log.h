@@ -13,7 +13,6 @@
 
 namespace sinew::app {
 
-/// An open log.
 class StateLog {
  public:
   /// Appends to the file. Error: it cannot be opened.

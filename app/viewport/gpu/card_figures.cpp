@@ -58,8 +58,7 @@ double degreesBetween(const glm::vec3& a, const glm::vec3& b) {
   return 2.0 * std::asin(half) * 180.0 / std::numbers::pi;
 }
 
-/// Refined triangles that face against the mean normal of their corners by more than rounding.
-/// @param position, normal  functions of a vertex
+/// Refined triangles against their corners' mean normal by more than rounding. @param position, normal  of a vertex
 int turnedTriangles(const Refinement& refinement, const auto& position, const auto& normal) {
   int turned = 0;
   for (const auto& corners : refinement.triangles) {

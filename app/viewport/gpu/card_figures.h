@@ -1,5 +1,4 @@
-// app/viewport/gpu/card_figures.h: the graphics card compared with the processor in speed and result: `sinew bench
-// gpu`.
+// app/viewport/gpu/card_figures.h: `sinew bench gpu`: speed and result of the graphics card against the processor.
 #pragma once
 
 #include <memory>
@@ -47,20 +46,17 @@ struct CardFigures {
 
 class CardSurface;
 
-/// Computes one pose on both. Error: the pose needs the processor.
-/// @param card  has this preparation and at least one body; the first is compared.
+/// One pose on both. Error: it needs the processor. @param card  with this preparation; its first body is compared
 [[nodiscard]] Result<CardDifference> compareWithProcessor(const std::shared_ptr<const Preparation>& preparation,
                                                           const Pose& pose, CardSurface& card);
 
-/// Error: the card does not compute this surface.
-/// @param frames  at least one; body b is at frame i + b, modulo their count
+/// @param frames  at least one; body b is at frame i + b, modulo count. Error: the card does not compute this surface.
 [[nodiscard]] Result<CardFigures> measureCard(const StagePrograms& programs,
                                               const std::shared_ptr<const Preparation>& preparation,
                                               std::span<const Pose> frames, int bodies);
 
 /// Report for the terminal. @param name  of the scene
 [[nodiscard]] std::string textOf(const std::string& name, const CardFigures& figures);
-/// See docs/formats.md.
-[[nodiscard]] Json jsonOf(const std::string& name, const CardFigures& figures);
+[[nodiscard]] Json jsonOf(const std::string& name, const CardFigures& figures);  ///< See docs/formats.md.
 
 }  // namespace sinew::app

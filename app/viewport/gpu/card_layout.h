@@ -41,9 +41,8 @@ struct Candidate {
 static_assert(sizeof(Candidate) == 20);
 
 struct Primitive {
-  /// Columns; w: strength, blend width, 1 / radius of a sphere or 0.
-  std::array<glm::vec4, 3> toUnit{};
-  glm::vec4 center{0.0f};  ///< World; w: radius of a ball that holds the influence.
+  std::array<glm::vec4, 3> toUnit{};  ///< Columns; w: strength, blend width, 1 / radius of a sphere or 0.
+  glm::vec4 center{0.0f};             ///< World; w: radius of a ball that holds the influence.
   // UnitShape of a shape that is not an ellipsoid.
   glm::vec4 bendCurve{0.0f};
   glm::vec4 section{0.0f};  ///< lateral, taper, core, inverseEnd

@@ -54,8 +54,7 @@ inline constexpr std::size_t kStages = static_cast<std::size_t>(Stage::kDrawn) +
 /// Compiled shaders for any number of surfaces in one context.
 class StagePrograms {
  public:
-  /// Error: the driver lacks OpenGL 4.5, or refuses a shader.
-  [[nodiscard]] static Result<StagePrograms> create();
+  [[nodiscard]] static Result<StagePrograms> create();  ///< Error: the driver lacks OpenGL 4.5, or refuses a shader.
   [[nodiscard]] const GlProgram& of(Stage stage) const { return programs_[static_cast<std::size_t>(stage)]; }
 
  private:
@@ -72,10 +71,8 @@ class PartTimers {
   PartTimers();
   void begin();
   void end(SurfacePart part);
-  /// Waits for the card.
-  [[nodiscard]] PartSeconds seconds() const;
-  /// nullopt: not finished or not begun.
-  [[nodiscard]] std::optional<PartSeconds> secondsIfDone() const;
+  [[nodiscard]] PartSeconds seconds() const;                       ///< Waits for the card.
+  [[nodiscard]] std::optional<PartSeconds> secondsIfDone() const;  ///< nullopt: not finished or not begun.
 
  private:
   std::vector<GlQuery> stamps_;  ///< [kSurfaceParts + 1]
@@ -109,8 +106,7 @@ class CardSurface {
     std::uint32_t mostGroups = kMostGroupsAlong;  ///< Along an axis; fewer in tests.
   };
 
-  /// @param programs  must outlive this.
-  /// Error: leftToProcessor, or a buffer is too large for the card.
+  /// @param programs  must outlive this. Error: leftToProcessor, or a buffer is too large for the card.
   [[nodiscard]] static Result<CardSurface> create(const StagePrograms& programs,
                                                   std::shared_ptr<const Preparation> preparation,
                                                   const Options& options);
@@ -137,10 +133,8 @@ class CardSurface {
   // For tests and measurements: these wait for the card.
   [[nodiscard]] PartSeconds seconds() const { return timers_.seconds(); }
   [[nodiscard]] std::vector<card::Vertex> readSurface() const;  ///< [bodies * V']
-  /// Vertices of the last make() that were computed in double precision.
-  [[nodiscard]] std::uint32_t readUnsure() const;
-  /// Whether the bound on slopes has converged.
-  [[nodiscard]] bool readSlopesRest() const;
+  [[nodiscard]] std::uint32_t readUnsure() const;  ///< Vertices of the last make() computed in double precision.
+  [[nodiscard]] bool readSlopesRest() const;       ///< Whether the bound on slopes has converged.
 
  private:
   enum class Buffer {

@@ -41,8 +41,7 @@ class DrawnOnCard {
   DrawnOnCard(const DrawnOnCard&) = delete;
   DrawnOnCard& operator=(const DrawnOnCard&) = delete;
 
-  /// @return why the pose needs the processor, or nullopt
-  [[nodiscard]] std::optional<std::string> make(const Pose& pose);
+  [[nodiscard]] std::optional<std::string> make(const Pose& pose);  ///< @return why it needs the processor, or nullopt
   /// For Scene::surface: refinement and classes without vertices.
   [[nodiscard]] const Surface& surface() const { return shell_; }
   [[nodiscard]] const CardVertices& vertices() const { return vertices_; }

@@ -12,8 +12,7 @@ enum class SurfacePart { kSkin, kPatch, kProject, kHeights, kFolds, kNormals, kD
 inline constexpr std::size_t kSurfaceParts = static_cast<std::size_t>(SurfacePart::kDrawn) + 1;
 [[nodiscard]] const char* nameOf(SurfacePart part);
 
-/// Seconds by part.
-using PartSeconds = std::array<double, kSurfaceParts>;
+using PartSeconds = std::array<double, kSurfaceParts>;  ///< Seconds by part.
 [[nodiscard]] inline double total(const PartSeconds& seconds) {
   return std::accumulate(seconds.begin(), seconds.end(), 0.0);
 }

@@ -26,14 +26,12 @@ inline constexpr int kGroupColors = 8;
 /// The group's color slot, which it keeps for life. @param group  index into Rig::groups
 [[nodiscard]] int colorSlot(const Rig& rig, int group);
 
-/// sRGB, by name; gray for an unknown group.
-[[nodiscard]] glm::vec3 groupColor(const Rig& rig, const std::string& group);
+[[nodiscard]] glm::vec3 groupColor(const Rig& rig, const std::string& group);  ///< sRGB; gray for an unknown group.
 
 /// sRGB: the skin that a muscle may move, and its bones.
 inline constexpr glm::vec3 kTerritoryColor{0.665f, 0.485f, 0.965f};
 
-/// sRGB -> linear.
-[[nodiscard]] glm::vec3 toLinear(const glm::vec3& srgb);
+[[nodiscard]] glm::vec3 toLinear(const glm::vec3& srgb);  ///< sRGB -> linear.
 
 // Linear colors of ellipsoids and their outlines.
 
@@ -68,8 +66,7 @@ struct OutlineLook {
 /// perceptual color space for image processing", 2020).
 [[nodiscard]] const std::array<glm::vec3, 9>& heatStops();
 
-/// Unlit sRGB color at x, clamped to -1..1; interpolated in linear light.
-[[nodiscard]] glm::vec3 heatColor(float x);
+[[nodiscard]] glm::vec3 heatColor(float x);  ///< Unlit sRGB color at x, clamped to -1..1; interpolated in linear light.
 
 /// Name and color of a triangle class in the interface.
 struct ClassColor {
@@ -79,8 +76,7 @@ struct ClassColor {
   glm::vec3 srgb{0.0f};
 };
 
-/// By TriangleClass.
-[[nodiscard]] const std::array<ClassColor, 3>& classColors();
+[[nodiscard]] const std::array<ClassColor, 3>& classColors();  ///< By TriangleClass.
 
 /// Name and tint of a layer in the interface.
 struct LayerColor {
@@ -90,8 +86,7 @@ struct LayerColor {
   glm::vec3 srgb{0.0f};
 };
 
-/// By SkinLayer, equal in lightness.
-[[nodiscard]] const std::array<LayerColor, 3>& layerColors();
+[[nodiscard]] const std::array<LayerColor, 3>& layerColors();  ///< By SkinLayer, equal in lightness.
 [[nodiscard]] const LayerColor& layerColor(SkinLayer layer);
 
 // Colors of Shading::kClasses: the classes of skin, then cloth and rigid parts.
@@ -99,8 +94,7 @@ inline constexpr std::size_t kZones = 5;
 [[nodiscard]] std::size_t zoneOf(TriangleClass kind, SkinLayer layer);
 [[nodiscard]] glm::vec3 zoneColor(std::size_t zone);
 
-/// Color of muscles from relaxed (0) to fully flexed (1), sRGB.
-[[nodiscard]] glm::vec3 fleshColor(float activation);
+[[nodiscard]] glm::vec3 fleshColor(float activation);  ///< Color of muscles from relaxed (0) to fully flexed (1), sRGB.
 
 /// Subdivision level of a control triangle for Shading::kClasses, 1..16: about its pieces along each side.
 [[nodiscard]] int levelShown(const Refinement& refinement, int triangle);

@@ -138,7 +138,6 @@ bool holdsCenter(float a, float b, float c, float size) {
   return static_cast<int>(least + 0.5f) < static_cast<int>(most + 0.5f);
 }
 
-/// Whether a triangle may face the eye.
 bool mayFace(const glm::vec2& a, const glm::vec2& b, const glm::vec2& c) {
   const glm::vec2 u = b - a;
   const glm::vec2 v = c - a;

@@ -32,8 +32,7 @@ struct ShadowMesh {
 [[nodiscard]] std::vector<int> shadowClusters(const Character& character);
 
 /// The control triangles; those of opaque materials between clusters, without degenerate and repeated ones.
-/// @param clusters  shadowClusters() of the character
-/// @param order  all control triangles by material
+/// @param clusters  shadowClusters() of the character  @param order  all control triangles by material
 [[nodiscard]] ShadowMesh makeShadowMesh(const Character& character, std::span<const int> clusters,
                                         const Refinement& refinement, std::span<const int> order);
 

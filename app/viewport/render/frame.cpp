@@ -69,8 +69,7 @@ LightBlock rim() {
   return light;
 }
 
-/// One distant lamp under which a white diffuse surface that faces it is exactly white, to compare materials with other
-/// programs.
+/// A distant lamp that makes a facing white diffuse surface exactly white, to compare materials with other programs.
 LightBlock whiteLamp() {
   LightBlock light;
   light.keyColor = glm::vec4(1.0f, 1.0f, 1.0f, 0.0f);

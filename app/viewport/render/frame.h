@@ -29,8 +29,7 @@ struct LightBlock {
 };
 [[nodiscard]] const LightBlock& lightBlock(LightPreset light);
 
-/// World, unit, towards the light that casts the shadow.
-[[nodiscard]] glm::vec3 keyDirection(LightPreset light);
+[[nodiscard]] glm::vec3 keyDirection(LightPreset light);  ///< World, unit, towards the light that casts the shadow.
 
 enum class BackdropKind { kVignette, kVertical, kChecker };
 
@@ -55,7 +54,6 @@ struct FrameBlock {
   glm::vec4 occluded{0.0f};  ///< x 1: with an occlusion texture (ScreenOcclusion). y 1: part of a mean.
 };
 
-/// One picture.
 struct Frame {
   const Scene& scene;
   const View& view;

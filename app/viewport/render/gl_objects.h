@@ -131,19 +131,15 @@ struct ProgramFiles {
 [[nodiscard]] Result<void> loadPrograms(std::initializer_list<ProgramFiles> all);
 
 [[nodiscard]] std::string rendererName();  ///< For example "llvmpipe (LLVM 15.0.6, 256 bits)".
-/// Whether the processor draws.
-[[nodiscard]] bool isSoftwareRenderer();
+[[nodiscard]] bool isSoftwareRenderer();   ///< Whether the processor draws.
 
 // The picture's framebuffer, and means of pictures.
 
 class RenderTarget {
  public:
-  /// Size >= 1x1; samples >= 1, clamped to the driver's maximum.
-  void resize(const glm::ivec2& size, int samples);
-  /// Binds framebuffer and viewport; colors are linear and stored as sRGB.
-  void begin() const;
-  /// Averages the samples into the texture.
-  void end() const;
+  void resize(const glm::ivec2& size, int samples);  ///< Size >= 1x1; samples >= 1, clamped to the driver's maximum.
+  void begin() const;  ///< Binds framebuffer and viewport; colors are linear and stored as sRGB.
+  void end() const;    ///< Averages the samples into the texture.
 
   [[nodiscard]] const glm::ivec2& size() const { return size_; }
   /// The finished picture, read without decoding sRGB.
@@ -168,8 +164,7 @@ class PictureMean {
 
   void begin(const glm::ivec2& size);
   void add(const RenderTarget& picture);
-  /// Writes the mean of at least one picture to a target of the same size.
-  void writeTo(const RenderTarget& target) const;
+  void writeTo(const RenderTarget& target) const;  ///< Writes the mean of >= 1 pictures to a target of the same size.
   [[nodiscard]] int count() const { return count_; }
 
  private:

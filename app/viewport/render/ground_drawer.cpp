@@ -32,8 +32,7 @@ bool isChosen(const Frame& frame) {
   return frame.settings.background && frame.settings.look.backdrop != Backdrop::kStudio;
 }
 
-/// Pixels of the surface below the floor, which may shine through it: low corner and size, rows from below; nullopt:
-/// they may be anywhere.
+/// Pixels of the surface below the floor, which may shine through: low corner and size, from below; nullopt: anywhere.
 std::optional<glm::ivec4> sunkPixels(const Frame& frame) {
   const View& view = frame.view;
   const Bounds& box = frame.surfaceBounds;

@@ -18,17 +18,14 @@ class GroundDrawer {
   /// Draws the shadow into its own texture. Changes framebuffer and viewport.
   void prepareShadow(const Frame& frame, const SurfaceDrawer& surface);
   void drawBackground(const Frame& frame) const;
-  /// Over the opaque surface, with depth test.
-  void drawGround(const Frame& frame) const;
+  void drawGround(const Frame& frame) const;  ///< Over the opaque surface, with depth test.
 
   /// Copies the kept background and floor, redrawn when they change, into a target of one sample, in place of
   /// drawBackground(). With drawSunkOverKept() after clearing the depth and drawGroundOverKept() in place of
   /// drawGround() the picture is the same to the pixel. Call it while no drawing into the target is pending: the copy
   /// would wait. Changes the framebuffer.
   /// @param boxes  the target holds the copy outside of these, unless keptAnew(); 0..1, low and high corner from the
-  /// top
-  ///               left. Empty: copies everything.
-  /// @return false: the surface may be anywhere below the floor; nothing was drawn
+  /// top left; empty: copies all  @return false: the surface may be anywhere below the floor; nothing was drawn
   [[nodiscard]] bool copyKept(const RenderTarget& target, const Frame& frame, std::span<const glm::vec4> boxes);
   void drawSunkOverKept(const Frame& frame) const;
   void drawGroundOverKept(const Frame& frame) const;
@@ -73,7 +70,6 @@ struct GridZoom {
 };
 [[nodiscard]] GridZoom gridZoom(const View& view, const glm::vec3& center, float height);
 
-/// Cell of the grid near a quarter of the height: 1, 2 or 5 times a power of ten.
-[[nodiscard]] float gridCell(float height);
+[[nodiscard]] float gridCell(float height);  ///< Cell near a quarter of the height: 1, 2 or 5 times a power of ten.
 
 }  // namespace sinew::app

@@ -8,8 +8,7 @@
 
 namespace sinew::app {
 
-/// Bits of the maps that a program reads.
-using MapSet = unsigned;
+using MapSet = unsigned;  ///< Bits of the maps that a program reads.
 inline constexpr MapSet kNormalBit = 1, kRoughnessBit = 2, kOcclusionBit = 4, kEmissiveBit = 8;
 inline constexpr MapSet kSharedBit = 16;  ///< Occlusion is in the roughness map, read once.
 
@@ -17,18 +16,15 @@ class MaterialTextures {
  public:
   MaterialTextures();
 
-  /// With mipmaps. Colors are decoded from sRGB when read, other values are not.
-  void set(const Character& character);
+  void set(const Character& character);  ///< With mipmaps. Colors are decoded from sRGB when read, others not.
   /// Maps of a material that textured shading, or clay with relief, uses.
   [[nodiscard]] MapSet mapsOf(const Material& material, const DisplaySettings& settings) const;
-  /// On unit 0; white where the material has none.
-  void bindBase(const Material& material) const;
+  void bindBase(const Material& material) const;  ///< On unit 0; white where the material has none.
   /// On units 1 to 4, with their uniforms of shaders/surface.frag.
   void bindMaps(const GlProgram& program, const Material& material, MapSet maps) const;
 
  private:
-  /// By index in Character::textures. An image may be in both.
-  using Uploaded = std::map<int, GlTexture>;
+  using Uploaded = std::map<int, GlTexture>;  ///< By index in Character::textures. An image may be in both.
   static void upload(const Character& character, int texture, GLenum format, Uploaded& to);
 
   GlTexture white_;

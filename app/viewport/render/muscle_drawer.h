@@ -15,14 +15,10 @@ class MuscleDrawer {
  public:
   [[nodiscard]] static Result<MuscleDrawer> create();
 
-  /// Sets the muscles to draw.
-  void place(const Frame& frame);
-  /// Bellies, tendons and, where the skeleton is shown, bones: opaque.
-  void drawFlesh(const Frame& frame) const;
-  /// The same with shaders/depth.frag for ScreenOcclusion.
-  void drawDepths() const;
-  /// Translucent volumes that carves remove.
-  void drawHollows() const;
+  void place(const Frame& frame);            ///< Sets the muscles to draw.
+  void drawFlesh(const Frame& frame) const;  ///< Bellies, tendons and, where the skeleton is shown, bones: opaque.
+  void drawDepths() const;                   ///< The same with shaders/depth.frag for ScreenOcclusion.
+  void drawHollows() const;                  ///< Translucent volumes that carves remove.
   /// The nearest layer of skin before the muscles, written to the depth too.
   void drawGlass(const Frame& frame, const SurfaceDrawer& surface) const;
 

@@ -12,8 +12,7 @@
 
 namespace sinew::app {
 
-/// A texture with the light that the surroundings leave to each pixel of the opaque surface or, in its place, of the
-/// muscles.
+/// A texture with the light that the surroundings leave to each pixel of the opaque surface or, instead, the muscles.
 class ScreenOcclusion {
  public:
   [[nodiscard]] static Result<ScreenOcclusion> create();

@@ -33,8 +33,7 @@ class SkeletonDrawer {
 class LineDrawer {
  public:
   [[nodiscard]] static Result<LineDrawer> create();
-  /// Edges of the skinned control mesh; fainter where hidden.
-  void drawControlMesh(const Frame& frame);
+  void drawControlMesh(const Frame& frame);  ///< Edges of the skinned control mesh; fainter where hidden.
   /// Scene::segments with a dot at both ends, the larger one at `from`; fainter where hidden.
   void drawSegments(const Frame& frame);
   /// Lines of selected and hovered muscles: pale at tendons, flesh-colored at bellies.
@@ -56,7 +55,6 @@ class LineDrawer {
   GlBuffer lines_;
 };
 
-/// Linear color of a class of segments, for legends.
-[[nodiscard]] glm::vec3 segmentColor(SegmentClass kind);
+[[nodiscard]] glm::vec3 segmentColor(SegmentClass kind);  ///< Linear color of a class of segments, for legends.
 
 }  // namespace sinew::app

@@ -26,8 +26,7 @@ namespace sinew::app {
 
 namespace {
 
-// A fifth of the time of the strongest compression; files are a fifth larger.
-constexpr int kCompressionLevel = 1;
+constexpr int kCompressionLevel = 1;  // A fifth of the time of the strongest compression; files are a fifth larger.
 
 struct FreeContext {
   void operator()(spng_ctx* context) const { spng_ctx_free(context); }

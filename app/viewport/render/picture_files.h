@@ -23,10 +23,8 @@ namespace sinew::app {
 class Movie {
  public:
   virtual ~Movie() = default;
-  /// All pictures have the size of the first.
-  virtual Result<void> add(const Image& image) = 0;
-  /// Writes the file atomically.
-  virtual Result<void> finish() = 0;
+  virtual Result<void> add(const Image& image) = 0;  ///< All pictures have the size of the first.
+  virtual Result<void> finish() = 0;                 ///< Writes the file atomically.
 };
 
 /// @param file  passed checkMovieName()  @param picturesPerSecond  > 0

@@ -9,10 +9,8 @@ namespace sinew::app {
 class PrimitiveDrawer {
  public:
   [[nodiscard]] static Result<PrimitiveDrawer> create();
-  /// Shells and rings, as the settings choose; fainter behind the surface.
-  void drawShells(const Frame& frame);
-  /// Outlines of selected and, fainter, hovered primitives, over everything.
-  void drawOutlines(const Frame& frame);
+  void drawShells(const Frame& frame);    ///< Shells and rings, as the settings choose; fainter behind the surface.
+  void drawOutlines(const Frame& frame);  ///< Outlines of selected and, fainter, hovered primitives, over everything.
 
  private:
   struct ShellLook {
@@ -24,8 +22,7 @@ class PrimitiveDrawer {
   };
   PrimitiveDrawer();
   void drawFamily(const ShapeMesh& shells, const ShellLook& look) const;
-  /// Copies the depth drawn so far, for the line where shells meet the skin.
-  void copyDepth(const Frame& frame);
+  void copyDepth(const Frame& frame);  ///< Copies the depth drawn so far, for the line where shells meet the skin.
   void drawRims(float scale) const;
   /// Adds a shape's outline. @return its number for shaders/outline.vert; 0: an ellipsoid, computed there
   [[nodiscard]] float outlineNumber(const PrimitiveShape& shape, const View& view);

@@ -19,8 +19,7 @@ class ReferenceDrawer {
  public:
   [[nodiscard]] static Result<ReferenceDrawer> create();
 
-  /// Uploads the frame's pictures and drops others.
-  void prepare(const Frame& frame);
+  void prepare(const Frame& frame);  ///< Uploads the frame's pictures and drops others.
   /// With depth test, without writing depth. @param inside  the pictures inside the body, else those behind it
   void draw(const Frame& frame, bool inside) const;
 
@@ -54,8 +53,7 @@ struct ReferencePicture {
 };
 using ReferencePictures = std::array<ReferencePicture, kReferenceSides>;
 
-/// "front"
-[[nodiscard]] const char* nameOf(ReferenceSide side);
+[[nodiscard]] const char* nameOf(ReferenceSide side);  ///< "front"
 
 /// Reads and scales down a .png, .jpg or .webp. Error: missing, damaged or too large.
 [[nodiscard]] Result<Image> readReference(const std::filesystem::path& file);

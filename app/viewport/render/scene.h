@@ -79,15 +79,13 @@ struct PrimitiveShape {
   friend bool operator==(const PrimitiveShape&, const PrimitiveShape&) = default;
 };
 
-/// The usable primitives of a rig in a pose, in rig order.
-/// @param posed  of this rig
+/// The usable primitives of a rig in a pose, in rig order. @param posed  of this rig
 [[nodiscard]] std::vector<PrimitiveShape> shapesOf(const Rig& rig, const PosedRig& posed);
 
 /// World-space ends of its three axes where rho = scale.
 [[nodiscard]] std::array<glm::vec3, 6> extremesOf(const PrimitiveShape& shape, float scale);
 
-/// Each has its color (segmentColor).
-enum class SegmentClass : std::uint8_t { kPlain, kFound, kFallback, kLost };
+enum class SegmentClass : std::uint8_t { kPlain, kFound, kFallback, kLost };  ///< Each has its color (segmentColor).
 
 /// A straight line with a dot at both ends, such as a projection ray. World space.
 struct SceneSegment {

@@ -26,14 +26,11 @@ struct ShapeInstance {
 
 class ShapeMesh {
  public:
-  /// Radius 1 around the origin; twice as many columns as rows.
-  [[nodiscard]] static ShapeMesh ball(std::uint32_t rows);
-  /// From the origin to y = 1; half width 1 at y = 1/6.
-  [[nodiscard]] static ShapeMesh octahedron();
+  [[nodiscard]] static ShapeMesh ball(std::uint32_t rows);  ///< Radius 1, at the origin; twice as many columns as rows.
+  [[nodiscard]] static ShapeMesh octahedron();              ///< From the origin to y = 1; half width 1 at y = 1/6.
 
   void setInstances(std::span<const ShapeInstance> instances);
-  /// Draws all instances with the program in use.
-  void draw() const;
+  void draw() const;  ///< Draws all instances with the program in use.
   /// Draws numbered vertices per instance in place of the mesh, for programs that compute their own shape.
   void drawNumbered(int vertices) const;
 

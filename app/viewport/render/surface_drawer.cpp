@@ -412,8 +412,7 @@ void SurfaceDrawer::drawBlended(const Frame& frame) const {
 
 namespace {
 
-// Opacity of the tint of a part.
-constexpr float kHoveredPart = 0.52f;
+constexpr float kHoveredPart = 0.52f;  // Opacity of the tint of a part.
 constexpr float kChosenPart = 0.40f;
 constexpr float kHiddenPart = 0.85f;  ///< Factor where the part is hidden.
 

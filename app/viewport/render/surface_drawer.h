@@ -31,8 +31,7 @@ struct SurfaceKind {
 
 class SurfacePrograms {
  public:
-  /// Loads the common kinds; others are loaded on first use.
-  [[nodiscard]] static Result<SurfacePrograms> create();
+  [[nodiscard]] static Result<SurfacePrograms> create();  ///< Loads the common kinds; others are loaded on first use.
 
   /// A kind that fails to load is replaced by the one without maps and in the usual light.
   [[nodiscard]] const GlProgram& of(const SurfaceKind& kind) const;
@@ -45,8 +44,7 @@ class SurfaceDrawer {
  public:
   [[nodiscard]] static Result<SurfaceDrawer> create();
 
-  /// Textures with mipmaps, and materials.
-  void setCharacter(const Character& character);
+  void setCharacter(const Character& character);  ///< Textures with mipmaps, and materials.
   /// As Viewport::setCardVertices.
   void setCardVertices(const std::optional<CardVertices>& vertices) { cardVertices_ = vertices; }
   /// Uploads what has changed: vertices by surfaceRevision, index buffers by refinement and culling, skin values by
@@ -59,8 +57,7 @@ class SurfaceDrawer {
   void drawOpaque(const Frame& frame) const;
   /// With a program that is in use and takes the attributes of shaders/surface.vert. Blended if blending is enabled.
   void drawOpaque(const GlProgram& program, const Frame& frame) const;
-  /// Materials with alpha blending: back sides, then front sides.
-  void drawBlended(const Frame& frame) const;
+  void drawBlended(const Frame& frame) const;  ///< Materials with alpha blending: back sides, then front sides.
   /// Tints Scene::litParts on the drawn surface. A part that is wholly hidden, such as teeth, shines through, fainter.
   void drawLitParts(const Frame& frame) const;
   /// All triangles including culled ones: with `withAlpha` where the picture shows a material's alpha, else with
@@ -85,8 +82,7 @@ class SurfaceDrawer {
   void rebuildSkinValues(const ControlMesh& mesh);
   void fillVertices(const Scene& scene);
   void stage(const Surface& surface);
-  /// Draws from the bound array, and the second surface.
-  void drawTriangles(int firstTriangle, int triangles) const;
+  void drawTriangles(int firstTriangle, int triangles) const;  ///< Draws from the bound array, and the second surface.
   void takeCardVertices();
   void fillClasses(const Scene& scene);
   void rebuildTopology(const Character& character);

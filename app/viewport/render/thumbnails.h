@@ -16,8 +16,7 @@ namespace sinew::app {
 
 inline constexpr glm::ivec2 kThumbnailSize{144, 108};
 
-/// The largest middle part of a picture, scaled down by averaging.
-[[nodiscard]] Image thumbnailOf(const Image& picture);
+[[nodiscard]] Image thumbnailOf(const Image& picture);  ///< The largest middle part of it, scaled down by averaging.
 /// nullopt: not a picture, or not of a thumbnail's size.
 [[nodiscard]] std::optional<Image> readThumbnail(std::string_view png);
 
@@ -29,8 +28,7 @@ class Thumbnails {
   /// Stores a document's thumbnail, made from a picture of it. Does nothing if the cache cannot be written.
   void keep(const std::filesystem::path& document, const Image& picture);
 
-  /// Top row first; 0: there is none. Reads the disk once per state of the document.
-  /// @param changed  the time of its last change
+  /// Top row first; 0: none. Reads the disk once per state of the document. @param changed  the time of its last change
   [[nodiscard]] unsigned texture(const std::filesystem::path& document, std::filesystem::file_time_type changed);
 
   /// Texture of a picture that is drawn on first use.

@@ -26,10 +26,8 @@ struct View {
   [[nodiscard]] glm::mat4 clipFromWorld() const { return clipFromView * viewFromWorld; }
   /// Pixel of a point; z = depth in -1..1. w <= 0 (behind the eye) gives z > 1.
   [[nodiscard]] glm::vec3 toPixel(const glm::vec3& pointInWorld) const;
-  /// Ray through a pixel, from the near plane's side.
-  [[nodiscard]] Ray rayThrough(const glm::vec2& pixel) const;
-  /// World length of one pixel at a point.
-  [[nodiscard]] float unitsPerPixelAt(const glm::vec3& pointInWorld) const;
+  [[nodiscard]] Ray rayThrough(const glm::vec2& pixel) const;  ///< Ray through a pixel, from the near plane's side.
+  [[nodiscard]] float unitsPerPixelAt(const glm::vec3& pointInWorld) const;  ///< World length of one pixel at a point.
   [[nodiscard]] glm::vec3 forwardInWorld() const;
   /// Point to which surfaces face as they do to the picture: the eye, or, without perspective, a point so far behind
   /// it that all rays are parallel in floats.
@@ -38,10 +36,8 @@ struct View {
   friend bool operator==(const View&, const View&) = default;
 };
 
-/// Bit i of the index: high in axis i.
-[[nodiscard]] std::array<glm::vec3, 8> cornersOf(const Bounds& box);
-/// Unit vectors spread evenly over the sphere.
-[[nodiscard]] std::vector<glm::vec3> evenDirections(int count);
+[[nodiscard]] std::array<glm::vec3, 8> cornersOf(const Bounds& box);  ///< Bit i of the index: high in axis i.
+[[nodiscard]] std::vector<glm::vec3> evenDirections(int count);       ///< Unit vectors spread evenly over the sphere.
 
 inline constexpr float kFieldOfView = 0.55f;    ///< Radians, along the picture's height.
 inline constexpr float kDefaultMargin = 0.08f;  ///< Fraction of the picture left free on each side.

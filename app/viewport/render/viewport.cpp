@@ -95,8 +95,7 @@ void resetState() {
   glBindSampler(0, 0);
 }
 
-/// Bounds of points in the picture, 0..1 from the top left, with room for linear scaling; nullopt: some are not in
-/// front of the eye.
+/// Bounds in the picture, 0..1 from the top left, with room for linear scaling; nullopt: not all in front of the eye.
 std::optional<glm::vec4> boxAround(const View& view, std::span<const glm::vec3> points) {
   constexpr float kRoom = 3.0f;
   const glm::vec2 size(view.size);
@@ -201,8 +200,7 @@ void Viewport::setCardVertices(const std::optional<CardVertices>& vertices) {
   state_->surface.setCardVertices(vertices);
 }
 
-/// Below the character. In a movement it moves only when it must, so that the floor under a swaying character can be
-/// kept.
+/// Below the character. In a movement it moves only when it must, so that the floor under a swaying one can be kept.
 glm::vec3 Viewport::groundCenter(const Frame& frame, bool moving) {
   const glm::vec3 below = frame.surfaceBounds.isEmpty() ? glm::vec3(0.0f) : frame.surfaceBounds.center();
   std::optional<glm::vec3>& held = state_->heldCenter;

@@ -31,33 +31,28 @@ struct DrawSeconds {
 /// One picture of one character. Every call needs the OpenGL 4.5 core context in which it was created to be current.
 class Viewport {
  public:
-  /// @param samples  per pixel, >= 1; clamped to the driver's maximum.
-  /// Error: a shader is missing or refused, or the driver lacks OpenGL 4.5.
+  /// @param samples  >= 1, clamped to the driver's maximum. Error: a shader is missing or refused, or no OpenGL 4.5.
   [[nodiscard]] static Result<std::unique_ptr<Viewport>> create(int samples);
   ~Viewport();
   Viewport(const Viewport&) = delete;
   Viewport& operator=(const Viewport&) = delete;
 
-  /// 4, or 1 where the processor draws.
-  [[nodiscard]] static int defaultSamples();
+  [[nodiscard]] static int defaultSamples();  ///< 4, or 1 where the processor draws.
 
   /// Uploads textures and copies materials. Call before drawing another character.
   void setCharacter(const Character& character);
 
-  /// Draws these vertices in place of those of Scene::surface, of which only refinement and classes are used. nullopt:
-  /// the surface's own, the default.
+  /// Draws these vertices with refinement and classes of Scene::surface. nullopt, the default: the surface's own.
   void setCardVertices(const std::optional<CardVertices>& vertices);
 
   /// Draws into its own framebuffer, resized to view.size. Leaves framebuffer 0 bound, and depth test, blending and
   /// culling off. scene.character must be that of setCharacter; without scene.surface no surface is drawn.
-  /// @param moving  for one picture of a movement, soon replaced: its resolution as a fraction of view.size, 0..1.
-  /// Lines
-  ///                keep their apparent widths. refine() needs a picture without it.
+  /// @param moving  for one picture of a movement, soon replaced: its resolution as a fraction of view.size, 0..1;
+  /// lines keep their apparent widths. refine() needs a picture without it.
   void draw(const Scene& scene, const View& view, const DisplaySettings& settings,
             std::optional<float> moving = std::nullopt);
 
-  /// Draws the mean of several pictures, for smooth edges and ambient occlusion without noise.
-  /// @param samples  kFewSamples or kMeanSamples
+  /// The mean of several pictures: smooth edges, occlusion without noise. @param samples  kFewSamples or kMeanSamples
   void drawMean(const Scene& scene, const View& view, const DisplaySettings& settings, int samples);
 
   /// Adds a picture to a mean of kMeanSamples. Call it after draw() with the same arguments until isRefined().
@@ -68,8 +63,7 @@ class Viewport {
 
   /// Wait for the graphics card in draw(), so that seconds() includes it. Off by default.
   void setFinishFrames(bool finish);
-  /// Whether draw() computes ambient occlusion. By default only on a graphics card: on the processor, draw() is for
-  /// movements, which must not wait.
+  /// Whether draw() computes ambient occlusion; by default not on the processor, where movements must not wait.
   void setOccludesOnce(bool occludes);
   [[nodiscard]] const DrawSeconds& seconds() const;
 

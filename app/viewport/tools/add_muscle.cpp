@@ -36,8 +36,7 @@ struct CutPiece {
   EdgeEnds leave;
 };
 
-/// The skin cut by a plane. Neighbors wind their common edge in opposite ways: the edge that leaves one triangle enters
-/// the next.
+/// The skin cut by a plane. Neighbors wind an edge in opposite ways: the edge that leaves one triangle enters the next.
 class SkinCut {
  public:
   SkinCut(const SkinSnapshot& skin, const glm::vec3& origin, const glm::vec3& normal) : skin_(skin) {
@@ -194,9 +193,8 @@ namespace {
 constexpr float kClickLength = 0.05f;  ///< Semi-axes, of H.
 constexpr float kClickWidth = 0.025f;
 constexpr float kClickThickness = 0.011f;
-constexpr float kWidth = 0.5f;  ///< Fraction of half a stroke's length.
-// Thin: skin lifted only by the top of a thick ellipsoid would pop in motion.
-constexpr float kThickness = 0.22f;
+constexpr float kWidth = 0.5f;            ///< Fraction of half a stroke's length.
+constexpr float kThickness = 0.22f;       // Thin: skin lifted only by the top of a thick ellipsoid would pop in motion.
 constexpr float kLeastThickness = 0.01f;  ///< Of H: visible on the skin,
 constexpr float kMostThickness = 0.012f;  ///< but not a lump.
 constexpr float kShortestStroke = 0.01f;  ///< Chord, of H.
@@ -289,7 +287,6 @@ PathProfile profileOf(std::span<const SkinPoint> path, const glm::vec3& along, c
   return profile;
 }
 
-/// Thickness on a flat skin.
 float flatThickness(float half, float height) {
   return std::clamp(kThickness * half, kLeastThickness * height, kMostThickness * height);
 }
@@ -470,8 +467,7 @@ void updateAddMuscle(AddMuscleState& state, const ViewportInput& input, const Vi
   if (drag.dragged) {
     stroke = strokeOnSkin(drag.skin, drag.start, view, input.mouse, context.document.character->height);
   }
-  // A refused state is not shown.
-  static_cast<void>(show(drag, stroke, context.document));
+  static_cast<void>(show(drag, stroke, context.document));  // A refused state is not shown.
   if (!input.button(MouseButton::kLeft).released) return;
   context.document.commands.endGesture();
   state.drag.reset();

@@ -73,8 +73,7 @@ struct AddMuscleState {
 void updateAddMuscle(AddMuscleState& state, const ViewportInput& input, const ViewportContext& context,
                      const View& view);
 
-/// Ends a gesture and undoes it.
-void cancelAddMuscle(AddMuscleState& state, Document& document);
+void cancelAddMuscle(AddMuscleState& state, Document& document);  ///< Ends a gesture and undoes it.
 
 /// Adds and selects a muscle around the middle of a bone as one undo step: along it, a little thicker than the skin in
 /// the bind pose, at least 1.25 times as long as thick; a ball on a bone without length. @return its name

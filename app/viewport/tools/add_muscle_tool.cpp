@@ -19,8 +19,7 @@ bool pressOnSkin(ToolFrame& frame) {
 
 bool drawOnSkin(ToolFrame& frame, const ViewportInput& input) {
   AddMuscleState& state = frame.tools.addMuscle;
-  // An undo may have ended the gesture.
-  if (!frame.document().commands.inGesture()) state.drag.reset();
+  if (!frame.document().commands.inGesture()) state.drag.reset();  // An undo may have ended the gesture.
   else updateAddMuscle(state, input, frame.context, frame.view);
   return state.drag.has_value();
 }

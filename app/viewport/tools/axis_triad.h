@@ -12,8 +12,7 @@ struct ImDrawList;
 
 namespace sinew::app {
 
-/// Even: positive.
-enum class AxisEnd { kX = 0, kMinusX, kY, kMinusY, kZ, kMinusZ };
+enum class AxisEnd { kX = 0, kMinusX, kY, kMinusY, kZ, kMinusZ };  ///< Even: positive.
 
 inline constexpr float kTriadRadius = 44.0f;  ///< The ball's, design pixels.
 inline constexpr float kTriadMargin = 14.0f;  ///< From the corner to the ball.
@@ -55,8 +54,7 @@ bool routeTriad(AxisTriad& triad, Camera& camera, const ViewportInput& input, co
 [[nodiscard]] ViewportInput passTriad(AxisTriad& triad, Camera& camera, ViewportInput input, const glm::ivec2& size,
                                       float uiScale, bool busy);
 
-/// For the status line; "" if the pointer is elsewhere.
-[[nodiscard]] std::string describe(const AxisTriad& triad);
+[[nodiscard]] std::string describe(const AxisTriad& triad);  ///< For the status line; "" if the pointer is elsewhere.
 
 /// @param topLeft of the viewport, in the list's units.  @param unitsPerPixel  list units per viewport pixel.
 void drawTriad(ImDrawList& list, const AxisTriad& triad, const TriadLayout& layout, const glm::vec2& topLeft,

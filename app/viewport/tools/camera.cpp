@@ -84,8 +84,7 @@ void moveTo(Camera& camera, const CameraStand& goal, bool animated) {
   else camera.stand = goal;
 }
 
-/// Least distance that shows a box in a part of the picture around its center. @param part  fractions of width and
-/// height
+/// Least distance that shows a box in a central part of the picture. @param part  fractions of width and height
 float distanceToShow(const Camera& camera, const glm::vec3& halfExtent, const glm::ivec2& size, const glm::vec2& part) {
   const glm::mat3 axes = cameraAxes(camera.stand.yaw, camera.stand.pitch);
   const float aspect = static_cast<float>(std::max(size.x, 1)) / static_cast<float>(std::max(size.y, 1));

@@ -27,11 +27,9 @@ struct CameraStand {
   float distance = 4.0f;               ///< From target to eye, > 0; also scales orthographic pictures.
   float yaw = 0.5f;                    ///< Radians; grows as the eye goes from +Z to +X.
   float pitch = 0.2f;                  ///< Radians, -pi/2..pi/2; positive: the eye is above.
-  /// Position of the target in the picture, -1..1, right and up. Does not rotate the eye.
-  glm::vec2 aim{0.0f};
+  glm::vec2 aim{0.0f};  ///< Position of the target in the picture, -1..1, right and up. Does not rotate the eye.
 };
 
-/// A move between two positions.
 struct CameraTransition {
   CameraStand from;
   CameraStand to;
@@ -57,23 +55,19 @@ void setScene(Camera& camera, const Bounds& boundsInWorld, float characterHeight
 // Drags are in pixels of a picture of `size`. They stop a transition.
 /// A drag across the height of the picture is half a rotation. Pitch stops at the poles.
 void orbit(Camera& camera, const glm::vec2& drag, const glm::ivec2& size);
-/// The target's plane follows the pointer.
-void pan(Camera& camera, const glm::vec2& drag, const glm::ivec2& size);
+void pan(Camera& camera, const glm::vec2& drag, const glm::ivec2& size);  ///< The target's plane follows the pointer.
 /// One step is 12 %. The point at the pixel stays: `pointInWorld`, or the point in the target's plane.
 void zoomToward(Camera& camera, float steps, const glm::vec2& pixel, const glm::ivec2& size,
                 const std::optional<glm::vec3>& pointInWorld);
 
 /// Shows a whole box with a margin, from the current direction. Ignores empty boxes.
-/// @param animated  false: at once
-/// @param covered   parts of the picture to avoid: low x and y, high x and y, 0..1 from the top left. The box is framed
-/// in
-///                  the free part that shows it largest, or nearly so with more room around it.
+/// @param covered  parts of the picture to avoid: low x and y, high x and y, 0..1 from the top left. The box is framed
+/// in the free part that shows it largest, or nearly so with more room around it.
 void frameBounds(Camera& camera, const Bounds& boundsInWorld, const glm::ivec2& size, bool animated,
                  std::span<const glm::vec4> covered = {});
 /// Looks along an axis at the current target. kLeft: the character's left, with the eye on +X.
 void showStandardView(Camera& camera, StandardView view);
-/// Advances a transition. @return whether the camera still moves
-bool advance(Camera& camera, float deltaSeconds);
+bool advance(Camera& camera, float deltaSeconds);  ///< Advances a transition. @return whether the camera still moves
 [[nodiscard]] inline bool isMoving(const Camera& camera) { return camera.transition.has_value(); }
 
 /// Matrices of the current position. Near and far planes depend on the distance and the scene's bounds.

@@ -262,8 +262,7 @@ void drawHandle(const GizmoCanvas& canvas, const HandleShape& shape, const Gizmo
 
 void drawAxisLine(const GizmoCanvas& canvas, const glm::vec3& origin, const glm::vec3& direction, float arm,
                   ImU32 color, const View& view) {
-  // In pieces, so that those behind the eye are left out.
-  constexpr int kPieces = 48;
+  constexpr int kPieces = 48;  // In pieces, so that those behind the eye are left out.
   for (int i = -kPieces; i < kPieces; ++i) {
     const auto at = [&](int step) { return view.toPixel(origin + 0.5f * arm * static_cast<float>(step) * direction); };
     const glm::vec3 a = at(i);

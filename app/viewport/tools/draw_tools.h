@@ -33,13 +33,11 @@ void drawMeshName(ImDrawList& list, const Canvas& canvas, const Bounds& box, con
 /// A bone's segment over everything, unless an end is behind the eye.
 void drawBoneMark(ImDrawList& list, const Canvas& canvas, const Bone& bone, const glm::mat4& boneInWorld);
 
-/// Marks where a muscle would be added: a ring on the skin, the bone and its name. Nothing without skin under the
-/// pointer.
+/// Marks where a muscle would be added, if there is skin under the pointer: a ring on it, the bone and its name.
 void drawLanding(ImDrawList& list, const Canvas& canvas, const ViewportHover& hover, const Character& character,
                  const Pose& pose);
 
-/// The handles of the active muscle's line. @param curve  also the line, if LineDrawer::drawMuscleLines does not draw
-/// it
+/// The handles of the active muscle's line. @param curve  the line too, if LineDrawer::drawMuscleLines does not draw it
 void drawLine(ImDrawList& list, const Canvas& canvas, const ShownLine& line, const LineHandles& handles, bool curve);
 
 /// Handles, hover and the marks of a drag (axis line, wedge, number), clipped to the viewport. Layout and context are

@@ -153,7 +153,6 @@ struct GizmoState {
   std::optional<GizmoDrag> drag;
 };
 
-/// One handle on the screen.
 struct HandleShape {
   GizmoHandle handle = GizmoHandle::kNone;
   glm::vec2 anchor{0.0f};          ///< A whole pixel that hits this handle.
@@ -172,8 +171,7 @@ struct GizmoLayout {
   std::vector<HandleShape> handles;
 
   [[nodiscard]] const HandleShape* find(GizmoHandle handle) const;
-  /// Name -> pixel of every handle in `handles`.
-  [[nodiscard]] std::map<std::string, glm::vec2> namedPixels() const;
+  [[nodiscard]] std::map<std::string, glm::vec2> namedPixels() const;  ///< Name -> pixel of every handle in `handles`.
 };
 
 /// Unit directions of the chosen axes in the world; scale always uses the primitive's. Not orthogonal on sheared bones.
@@ -181,8 +179,7 @@ struct GizmoLayout {
 
 [[nodiscard]] GizmoLayout layoutGizmo(const GizmoState& state, const Placement& inBone, const GizmoContext& context);
 
-/// The handle under a pixel, or kNone.
-[[nodiscard]] GizmoHandle hitTest(const GizmoLayout& layout, const glm::vec2& pixel);
+[[nodiscard]] GizmoHandle hitTest(const GizmoLayout& layout, const glm::vec2& pixel);  ///< Handle there, or kNone.
 
 /// Starts a drag at a pixel of that handle.
 void beginDrag(GizmoState& state, GizmoHandle handle, const Placement& inBone, const glm::vec2& pixel,
@@ -196,8 +193,7 @@ struct DragResult {
   GizmoEffect effect;  ///< Nothing if canceled.
 };
 
-/// The effect on another ellipsoid on its bone in this pose; none on flattened bones. Radii stay above 0.2 % of H, or
-/// above their start.
+/// The effect on another ellipsoid on its bone, none on a flattened one. Radii stay above 0.2 % of H, or their start.
 [[nodiscard]] Placement draggedAlong(const GizmoEffect& effect, const Placement& start, const glm::mat4& boneInWorld,
                                      float characterHeight);
 
@@ -207,8 +203,7 @@ struct DragResult {
 /// ends when the outcome is not kDragging. Asserts that a drag is in progress.
 [[nodiscard]] DragResult updateDrag(GizmoState& state, const ViewportInput& input, const GizmoContext& context);
 
-/// For the status line.
-[[nodiscard]] std::string describe(const GizmoState& state);
+[[nodiscard]] std::string describe(const GizmoState& state);  ///< For the status line.
 
 // Shared by layout, drags and drawing.
 
@@ -224,11 +219,9 @@ struct HandleParts {
 };
 
 [[nodiscard]] HandleParts partsOf(GizmoHandle handle);
-/// Inverse of partsOf; kNone if no handle has those parts.
-[[nodiscard]] GizmoHandle handleOf(const HandleParts& parts);
+[[nodiscard]] GizmoHandle handleOf(const HandleParts& parts);  ///< Inverse of partsOf; kNone if no handle has them.
 
-/// The lock, or else the way of the handle.
-[[nodiscard]] Way wayOf(const GizmoDrag& drag);
+[[nodiscard]] Way wayOf(const GizmoDrag& drag);  ///< The lock, or else the way of the handle.
 
 /// A gizmo in one frame's pose.
 struct GizmoBasis {
@@ -251,8 +244,7 @@ inline constexpr float kGizmoArmPixels = 95.0f;
 [[nodiscard]] std::optional<GizmoBasis> gizmoBasis(GizmoAxes axes, const Placement& inBone,
                                                    const GizmoContext& context);
 
-/// The basis for a drag of a handle: scale, poles and shape along the primitive's own axes, poles and shape about its
-/// center even with a pivot.
+/// The basis of a drag: scale, poles and shape along the primitive's axes, the last two about its center, not a pivot.
 [[nodiscard]] std::optional<GizmoBasis> basisOfDrag(const GizmoState& state, GizmoHandle handle,
                                                     const Placement& inBone, const GizmoContext& context);
 
@@ -260,8 +252,7 @@ inline constexpr float kGizmoArmPixels = 95.0f;
   return mode == GizmoMode::kScale || mode == GizmoMode::kPoles ? GizmoAxes::kPrimitive : axes;
 }
 
-/// Parameter of the point of a line (unit direction) nearest to the ray; nullopt: parallel within 2 degrees, or behind
-/// the eye.
+/// Parameter of a line's point (unit direction) nearest to the ray; nullopt: parallel to 2 degrees, or behind the eye.
 [[nodiscard]] std::optional<float> alongLine(const glm::vec3& origin, const glm::vec3& direction, const Ray& ray);
 
 /// Where the ray meets a plane; nullopt: it grazes the plane within 1 degree, or the point is behind the eye.
@@ -270,10 +261,8 @@ inline constexpr float kGizmoArmPixels = 95.0f;
 /// A pole relative to the center, in bone space: where the visible body is widest along an axis.
 [[nodiscard]] glm::vec3 poleInBone(const Placement& inBone, int axis, float sign);
 
-/// Middle of the axis relative to the center, in bone space.
-[[nodiscard]] glm::vec3 axisMiddleInBone(const Placement& inBone);
-/// The point of the thickest section, half way between poles, that is furthest towards `toEye`; relative to the center.
-/// @param toEye  bone space
+[[nodiscard]] glm::vec3 axisMiddleInBone(const Placement& inBone);  ///< Relative to the center, in bone space.
+/// The point of the thickest section, half way between poles, furthest towards `toEye`; from the center, bone space.
 [[nodiscard]] glm::vec3 thickestInBone(const Placement& inBone, const glm::vec3& toEye);
 
 /// Moves the belly along the axis. @param traveled  in radii y of the start  @param typed  the belly itself
@@ -283,7 +272,6 @@ inline constexpr float kGizmoArmPixels = 95.0f;
 [[nodiscard]] Placement withBend(const Placement& start, Way way, const glm::vec3& traveled, float reach,
                                  std::optional<float> typed);
 
-/// Any unit vector perpendicular to a unit vector.
-[[nodiscard]] glm::vec3 across(const glm::vec3& direction);
+[[nodiscard]] glm::vec3 across(const glm::vec3& direction);  ///< Any unit vector perpendicular to a unit vector.
 
 }  // namespace sinew::app

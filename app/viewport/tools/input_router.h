@@ -5,8 +5,7 @@
 
 namespace sinew::app {
 
-/// Changes the tool and the gizmo's mode; ignored during drags.
-void setTool(ViewportTools& tools, ToolKind tool);
+void setTool(ViewportTools& tools, ToolKind tool);  ///< Changes the tool and the gizmo's mode; ignored during drags.
 
 /// setTool, then starts a drag of the whole muscle at the pointer in the next frame, like Blender's G: without a
 /// button, a click or Enter keeps it, Esc or the right button cancels it. No drag without Tool::whole, without a
@@ -23,11 +22,9 @@ void armBox(ViewportTools& tools);
 /// begin one and must find the skin as it was shown.
 [[nodiscard]] bool holdsPose(const ViewportTools& tools, bool leftPressed);
 
-/// Ends and keeps a drag of startDrag.
-void keepDrag(ViewportTools& tools, Document& document);
+void keepDrag(ViewportTools& tools, Document& document);  ///< Ends and keeps a drag of startDrag.
 
-/// Ends and undoes all drags.
-void cancelDrags(ViewportTools& tools, Document& document);
+void cancelDrags(ViewportTools& tools, Document& document);  ///< Ends and undoes all drags.
 
 /// One frame, after ImGui's input and with the pose of this frame; the surface may be that of the last frame. May
 /// change the rig (CommandStack::revision). Picks the skin at most once, when the pointer has moved or presses, never

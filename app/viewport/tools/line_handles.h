@@ -47,7 +47,7 @@ void beginLineEnd(LineHandles& handles, const ViewportContext& context, const Vi
 [[nodiscard]] bool continueLineEnd(LineHandles& handles, const ViewportInput& input, const ViewportContext& context,
                                    const View& view);
 
-/// For the status line; empty if no end is hovered or dragged.
+/// For the status line; "" if no end is hovered or dragged.
 [[nodiscard]] std::string describe(const LineHandles& handles);
 [[nodiscard]] const char* nameOf(LineEnd end);  ///< "origin"
 

@@ -222,8 +222,7 @@ void cancel(ViewportTools& tools, Document& document) {
 bool draw(ToolFrame& frame, const ViewportInput& input) {
   std::optional<LineDrag>& drag = frame.tools.line.drag;
   Document& document = frame.document();
-  // An undo may have ended the gesture.
-  if (!document.commands.inGesture()) drag.reset();
+  if (!document.commands.inGesture()) drag.reset();  // An undo may have ended the gesture.
   if (!drag) return false;
   const bool canceled = input.keyPressed(Key::kEscape) || input.button(MouseButton::kRight).pressed;
   const bool dragged = glm::length(input.mouse - drag->pressPixel) > kDragThreshold * frame.context.uiScale;

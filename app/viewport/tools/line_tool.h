@@ -19,8 +19,7 @@ struct LaidLine {
   Primitive belly;
 };
 
-/// The control mesh in the bind pose as a surface.
-[[nodiscard]] Surface bindSkin(const Character& character);
+[[nodiscard]] Surface bindSkin(const Character& character);  ///< The control mesh in the bind pose as a surface.
 
 /// In the bind pose. Anchors lie half way from the skin to the axes of the bones below: far enough from the joint, and
 /// inside the limb in every pose. The belly's y axis spans the tendons, its z axis points away from the bone, and it
@@ -37,8 +36,7 @@ struct MendedLaidLine {
 /// Learns full contraction, and keeps the line in the flesh in all clips (core/bodies/mend.h).
 [[nodiscard]] Result<MendedLaidLine> mended(const LaidLine& laid, const Motions& motions);
 
-/// Adds the line and its belly to Rig::primitives, under symmetry with their twins. A line near the mirror plane is
-/// moved into it. @param plan  null: without symmetry
+/// Adds the line and its belly, with twins unless the plan is null. A line near the mirror plane is moved into it.
 [[nodiscard]] Result<Rig> withLaidLine(const Rig& rig, const LaidLine& laid, const MirrorPlan* plan);
 
 /// A gesture in progress; the pose is held.

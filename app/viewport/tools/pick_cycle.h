@@ -10,8 +10,7 @@
 
 namespace sinew::app {
 
-/// The things found by the first click on a place, and the one picked last. Entries have identities, so that playing
-/// clips does not confuse them.
+/// The things found by the first click on a place, and the one picked last; by identity, since clips may be playing.
 struct PickCycle {
   std::vector<PickEntry> here;  ///< Empty: no cycle.
   std::size_t taken = 0;        ///< Index into `here`.
@@ -37,8 +36,7 @@ void aim(ViewportHover& hover, const PickCycle& cycle, const ViewportContext& co
 void advance(PickCycle& cycle, ViewportHover& hover, const ViewportContext& context, const View& view,
              const glm::vec2& pixel);
 
-/// Aims at what is selected already, if that is here.
-void aimAtSelected(ViewportHover& hover, const Document& document);
+void aimAtSelected(ViewportHover& hover, const Document& document);  ///< Aims at what is selected, if that is here.
 
 /// "2 of 5 here" in a cycle, "5 here" before the first click; "" for a single thing.
 [[nodiscard]] std::string countHere(const ViewportHover& hover);

@@ -43,7 +43,6 @@ struct Sight {
   float lift = 0.0f;  ///< Displacement of the skin that is hit, character units.
 };
 
-/// One muscle.
 struct Muscle {
   const Primitive& primitive;
   int bone;

@@ -1,5 +1,4 @@
-// app/viewport/tools/viewport_tools.h: the tools of the viewport, their state between frames, and the result of a
-// frame.
+// app/viewport/tools/viewport_tools.h: the viewport's tools, their state between frames, and the result of a frame.
 #pragma once
 
 #include <cstddef>
@@ -23,8 +22,7 @@
 
 namespace sinew::app {
 
-/// Rows of tools().
-enum class ToolKind { kSelect, kAddMuscle, kMuscleLine, kMove, kRotate, kScale, kPose };
+enum class ToolKind { kSelect, kAddMuscle, kMuscleLine, kMove, kRotate, kScale, kPose };  ///< Rows of tools().
 inline constexpr std::size_t kToolCount = 7;
 
 [[nodiscard]] std::string nameOf(ToolKind tool);  ///< Its label in lower case: "add muscle".
@@ -111,26 +109,18 @@ struct Tool {
   std::optional<GizmoTarget> (*target)(const ToolFrame& frame, bool atStart) = nullptr;
   /// Starts a drag of the hovered handle. @return false: not possible
   bool (*beginHandle)(ToolFrame& frame, const GizmoTarget& target) = nullptr;
-  /// @return false: the drag has ended
-  bool (*continueHandle)(ToolFrame& frame, const ViewportInput& input) = nullptr;
+  bool (*continueHandle)(ToolFrame& frame, const ViewportInput& input) = nullptr;  ///< @return false: the drag is over
 
   ViewportHover (*hover)(const ViewportContext& context, const View& view, const glm::vec2& pixel);
-  /// A press outside the handles. @return whether the tool takes the mouse
-  bool (*press)(ToolFrame& frame) = nullptr;
-  /// While it has it. @return false: it has ended
-  bool (*drag)(ToolFrame& frame, const ViewportInput& input) = nullptr;
-  /// Ends and undoes a drag.
-  void (*cancel)(ViewportTools& tools, Document& document) = nullptr;
-  /// A click outside the handles.
-  void (*click)(ToolFrame& frame) = nullptr;
-  /// The status line, unless a handle is hovered or dragged.
-  std::string (*describe)(const ToolFrame& frame);
+  bool (*press)(ToolFrame& frame) = nullptr;  ///< A press outside the handles. @return whether the tool takes the mouse
+  bool (*drag)(ToolFrame& frame, const ViewportInput& input) = nullptr;  ///< While it has it. @return false: it is over
+  void (*cancel)(ViewportTools& tools, Document& document) = nullptr;    ///< Ends and undoes a drag.
+  void (*click)(ToolFrame& frame) = nullptr;                             ///< A click outside the handles.
+  std::string (*describe)(const ToolFrame& frame);  ///< The status line, unless a handle is hovered or dragged.
 };
 
-/// By ToolKind.
-[[nodiscard]] std::span<const Tool* const, kToolCount> tools();
-/// The chosen tool, or the territory mode while it is on.
-[[nodiscard]] const Tool& activeTool(const ViewportTools& tools);
+[[nodiscard]] std::span<const Tool* const, kToolCount> tools();    ///< By ToolKind.
+[[nodiscard]] const Tool& activeTool(const ViewportTools& tools);  ///< The chosen tool, or the territory mode if on.
 
 extern const Tool kSelectTool;
 extern const Tool kMoveTool;
