@@ -1,9 +1,11 @@
 // tests/panels/keep_muscles_test.cpp: dropping a character on one with muscles, and Muscles > Put on another character.
 
 #include <algorithm>
+#include <set>
 #include <string>
 
 #include "app/editor/actions.h"
+#include "app/editor/commands.h"
 #include "app/editor/open_file.h"
 #include "tests/support/characters/gltf_builder.h"
 #include "tests/support/editor/headless_editor.h"
@@ -52,6 +54,16 @@ TEST_F(KeepMuscles, DroppedCharacterReceivesTheMuscles) {
   }
   run(action("edit/undo"), state);
   EXPECT_TRUE(state.document.rig().primitives.empty());
+}
+
+TEST_F(KeepMuscles, MuscleAddedAfterwardsHasAnIdentityOfItsOwn) {
+  open("humanoid-flex.rig.json");
+  drop(asset("humanoid.glb"));
+  click("keep-muscles/keep");
+  addMuscle(state, 0);
+  std::set<PrimitiveId> ids;
+  for (const Primitive& primitive : state.document.rig().primitives) ids.insert(primitive.id());
+  EXPECT_EQ(ids.size(), state.document.rig().primitives.size());
 }
 
 TEST_F(KeepMuscles, DroppedCharacterCanBeOpenedWithoutMusclesOrCanceled) {
