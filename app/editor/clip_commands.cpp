@@ -35,6 +35,15 @@ int entryOf(const Document& document, const fs::path& file) {
   return found == names.end() ? -1 : static_cast<int>(found - names.begin());
 }
 
+/// Names of a file's clips. @param file  as in the rig
+std::vector<std::string> clipsOf(const Character& character, const std::string& file) {
+  std::vector<std::string> names;
+  for (const AnimationClip& clip : character.clips) {
+    if (clip.addedFrom == file) names.push_back(clip.name);
+  }
+  return names;
+}
+
 /// carriedOver(), else the first clip.
 Transport carriedOrFirst(const Transport& transport, const Character& before, const Character& after) {
   if (const auto same = carriedOver(transport, before, after)) return *same;
@@ -232,14 +241,6 @@ std::optional<Transport> carriedOver(const Transport& transport, const Character
   if (same.clip < 0) return std::nullopt;
   same.time = std::min(transport.time, clipDuration(same, after));
   return same;
-}
-
-std::vector<std::string> clipsOf(const Character& character, const std::string& file) {
-  std::vector<std::string> names;
-  for (const AnimationClip& clip : character.clips) {
-    if (clip.addedFrom == file) names.push_back(clip.name);
-  }
-  return names;
 }
 
 DroppedClips lookForClips(const Document& document, const fs::path& file) {

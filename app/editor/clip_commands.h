@@ -33,9 +33,6 @@ void followClipFiles(EditorState& state);
 [[nodiscard]] std::optional<Transport> carriedOver(const Transport& transport, const Character& before,
                                                    const Character& after);
 
-/// Names of a file's clips. @param file  as in the rig
-[[nodiscard]] std::vector<std::string> clipsOf(const Character& character, const std::string& file);
-
 /// Content of a dropped file for the open character.
 struct DroppedClips {
   bool any = false;          ///< It has clips.

@@ -40,10 +40,6 @@ const ExportFormat* findFormat(const std::filesystem::path& file, const std::vec
   return found == std::end(kFormats) ? nullptr : found;
 }
 
-Error unknownEnding(const std::filesystem::path& file, const std::vector<ExportForm>& forms) {
-  return {file.string(), {}, "expected a name that ends in " + listed(exportEndings(forms), "or")};
-}
-
 }  // namespace exporting
 
 using namespace exporting;
@@ -81,6 +77,10 @@ std::vector<std::filesystem::path> exportedFiles(const std::filesystem::path& fi
 // Skinned exports.
 
 namespace {
+
+Error unknownEnding(const std::filesystem::path& file, const std::vector<ExportForm>& forms) {
+  return {file.string(), {}, "expected a name that ends in " + listed(exportEndings(forms), "or")};
+}
 
 /// Opens the character's file and calls make(Source&) -> Result<Report>.
 template <class Report, class Make>

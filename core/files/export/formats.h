@@ -39,6 +39,4 @@ struct ExportFormat {
 /// By the name's ending; null: none of the forms has that ending.
 [[nodiscard]] const ExportFormat* findFormat(const std::filesystem::path& file, const std::vector<ExportForm>& forms);
 
-[[nodiscard]] Error unknownEnding(const std::filesystem::path& file, const std::vector<ExportForm>& forms);
-
 }  // namespace sinew::exporting

@@ -28,6 +28,20 @@ namespace {
 
 using CharacterPtr = std::shared_ptr<const Character>;
 
+/// In two poses.
+void expectSameBitsByEverySet(const TrialScene& scene, Projected& projected) {
+  for (const Pose& pose : spreadPoses(*scene.character, 2)) {
+    const Surface widest = projected.at(pose);
+    for (const InstructionSet set : availableInstructionSets()) {
+      if (set == InstructionSet::kScalar) continue;
+      const Surface other = surfaceBy(set, projected, pose);
+      EXPECT_TRUE(other.positions == widest.positions) << scene.name << ", " << nameOf(set);
+      EXPECT_TRUE(other.normals == widest.normals) << scene.name << ", " << nameOf(set);
+      EXPECT_TRUE(other.displacement == widest.displacement) << scene.name << ", " << nameOf(set);
+    }
+  }
+}
+
 // humanoid-flex and horse-flex have bent muscles.
 TEST(VectorSwell, MatchesTheScalarOnCharacters) {
   std::vector<TrialScene> scenes = trialScenes();
@@ -52,16 +66,7 @@ TEST(VectorSwell, EveryInstructionSetGivesTheSameBits) {
   for (const TrialScene& scene : trialScenes()) {
     Rig rig = withMode(scene.rig, SurfaceMode::kSwell);
     Projected projected(*scene.character, rig);
-    for (const Pose& pose : spreadPoses(*scene.character, 2)) {
-      const Surface widest = projected.at(pose);
-      for (const InstructionSet set : availableInstructionSets()) {
-        if (set == InstructionSet::kScalar) continue;
-        const Surface other = surfaceBy(set, projected, pose);
-        EXPECT_TRUE(other.positions == widest.positions) << scene.name << ", " << nameOf(set);
-        EXPECT_TRUE(other.normals == widest.normals) << scene.name << ", " << nameOf(set);
-        EXPECT_TRUE(other.displacement == widest.displacement) << scene.name << ", " << nameOf(set);
-      }
-    }
+    expectSameBitsByEverySet(scene, projected);
   }
 }
 
@@ -205,16 +210,7 @@ TEST(VectorReplace, MatchesTheScalarOnCharacters) {
 TEST(VectorReplace, EveryInstructionSetGivesTheSameBits) {
   for (const TrialScene& scene : scenes()) {
     Projected projected(*scene.character, withMode(scene.rig, SurfaceMode::kReplace));
-    for (const Pose& pose : spreadPoses(*scene.character, 2)) {
-      const Surface widest = projected.at(pose);
-      for (const InstructionSet set : availableInstructionSets()) {
-        if (set == InstructionSet::kScalar) continue;
-        const Surface other = surfaceBy(set, projected, pose);
-        EXPECT_TRUE(other.positions == widest.positions) << scene.name << ", " << nameOf(set);
-        EXPECT_TRUE(other.normals == widest.normals) << scene.name << ", " << nameOf(set);
-        EXPECT_TRUE(other.displacement == widest.displacement) << scene.name << ", " << nameOf(set);
-      }
-    }
+    expectSameBitsByEverySet(scene, projected);
   }
 }
 
