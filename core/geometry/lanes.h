@@ -36,6 +36,16 @@ HWY_INLINE M both(M a, M b) { return hn::And(a, b); }
 HWY_INLINE M andNot(M a, M b) { return hn::AndNot(b, a); }  ///< a without b.
 HWY_INLINE M none() { return hn::Ne(zero(), zero()); }
 HWY_INLINE V select(M mask, V yes, V no) { return hn::IfThenElse(mask, yes, no); }
+HWY_INLINE V min(V a, V b) { return hn::Min(a, b); }
+HWY_INLINE V max(V a, V b) { return hn::Max(a, b); }
+HWY_INLINE V clamp(V x, V low, V high) { return hn::Min(hn::Max(x, low), high); }
+HWY_INLINE V sqrt(V x) { return hn::Sqrt(x); }
+HWY_INLINE V abs(V x) { return hn::Abs(x); }
+/// 0 up to `from`, 1 from `to` on, between them 3 t^2 - 2 t^3.
+HWY_INLINE V smoothstep(V from, V to, V x) {
+  const V t = clamp((x - from) / (to - from), zero(), all(1.0f));
+  return t * t * (all(3.0f) - all(2.0f) * t);
+}
 
 struct V3 {
   V x;
@@ -68,6 +78,12 @@ HWY_INLINE V3 unitOr(const V3& v, const V3& fallback) {
   const M usual = both(hn::Gt(squared, all(1e-20f)), hn::Lt(squared, all(1e20f)));
   return select(usual, (all(1.0f) / hn::Sqrt(squared)) * v, fallback);
 }
+
+// For the formulas (core/geometry/formulas.h), which headers of lanes include where `formula` is HWY_INLINE.
+using Real = V;
+using Real3 = V3;
+using Mask = M;
+HWY_INLINE V num(double value) { return all(static_cast<float>(value)); }
 
 /// Points or directions, one per lane of a tile.
 struct LanePoints {

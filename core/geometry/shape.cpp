@@ -9,6 +9,7 @@
 #include <glm/geometric.hpp>
 
 #include "core/geometry/affine_image.h"
+#include "core/geometry/formulas.h"
 
 namespace sinew {
 namespace {
@@ -89,6 +90,14 @@ struct Numbers {
     return volume(-1.0, -core) + volume(-core, core) + volume(core, 1.0);
   }
 };
+
+template <class Numbers, class Real>
+Numbers numbersOf(const UnitShape& unit) {
+  return {Real(unit.lateral), Real(unit.taper),   Real(unit.bend.x), Real(unit.bend.y),
+          Real(unit.curve.x), Real(unit.curve.y), Real(unit.core),   Real(unit.inverseEnd)};
+}
+constexpr auto kInFloat = numbersOf<in_float::ShapeNumbers, float>;
+constexpr auto kInDouble = numbersOf<in_double::ShapeNumbers, double>;
 
 /// ballAround() of the unit ball.
 double ballAroundEllipsoid(const glm::dmat3& axes) {
@@ -199,6 +208,21 @@ UnitShape unitShape(const Shape& shape, float reach) {
   unit.low = {low.x, -along, low.y};
   unit.high = {high.x, along, high.y};
   return unit;
+}
+
+float UnitShape::rSquared(const glm::vec3& p) const {
+  return in_float::shapeRSquared(in_float::shapePoint(kInFloat(*this), p));
+}
+double UnitShape::rSquared(const glm::dvec3& p) const {
+  return in_double::shapeRSquared(in_double::shapePoint(kInDouble(*this), p));
+}
+glm::vec3 UnitShape::rSquaredSlope(const glm::vec3& p) const {
+  const in_float::ShapeNumbers numbers = kInFloat(*this);
+  return 2.0f * in_float::shapeHalfSlope(numbers, in_float::shapePoint(numbers, p));
+}
+glm::dvec3 UnitShape::rSquaredSlope(const glm::dvec3& p) const {
+  const in_double::ShapeNumbers numbers = kInDouble(*this);
+  return 2.0 * in_double::shapeHalfSlope(numbers, in_double::shapePoint(numbers, p));
 }
 
 double ballAround(const UnitShape& shape, const glm::dmat3& axes) {

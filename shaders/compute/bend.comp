@@ -3,6 +3,8 @@
 // a vertex passes on. As core/surface/finish/lifted_heights.cpp.
 #include "compute/items.glsl"
 #include "compute/mesh.glsl"
+#include "compute/numbers.glsl"
+#include "core/geometry/formulas/finish.h"
 
 layout(std430, binding = 0) readonly buffer Rings { Ring rings[]; };
 layout(std430, binding = 1) readonly buffer Neighbors { int neighbors[]; };
@@ -15,8 +17,6 @@ layout(std430, binding = 6) writeonly buffer Bends { vec2 bends[]; };  // Own we
 float heightOf(int at) { return surface[at].position.w; }
 LIFT_SUMS(heightOf)
 
-const float kBentFrom = 0.15, kBentWhole = 0.5, kRisen = 0.1;
-
 void main() {
   int v = item();
   if (v >= refinedVertices) return;
@@ -26,9 +26,8 @@ void main() {
   if (marks[at].moved == kMoved && height != 0.0) {
     vec2 sums = liftSums(v, height);
     float bent = abs(sums.x) * rings[v].share;
-    float weight = bent > kBentFrom ? smoothstep(kBentFrom, kBentWhole, bent) : 0.0;
-    // Else a vertex that begins to move beside high ones would lower them at once.
-    bend = weight * vec2(1.0, smoothstep(0.0, kRisen, abs(height) * sums.y * rings[v].share));
+    float weight = bentWeight(bent);
+    bend = vec2(weight, passedWeight(weight, abs(height) * sums.y * rings[v].share));
   }
   filtered[at] = height;
   bends[at] = bend;

@@ -3,6 +3,8 @@
 // core/surface/finish/crease_lift.h.
 #include "compute/items.glsl"
 #include "compute/mesh.glsl"
+#include "compute/numbers.glsl"
+#include "core/geometry/formulas/finish.h"
 
 struct Control {
   vec4 position;  // World; w: rho.
@@ -19,8 +21,6 @@ layout(std430, binding = 2) readonly buffer Surface { Vertex surface[]; };
 layout(std430, binding = 3) readonly buffer Marks { Mark marks[]; };
 layout(std430, binding = 4) writeonly buffer Heights { uint heights[]; };  // Bits of |height|.
 
-const float kFolded = -0.3, kLevel = 0.4, kLeft = 0.4;
-
 void main() {
   int v = item();
   if (v >= refinedVertices) return;
@@ -31,7 +31,7 @@ void main() {
     for (int i = 0; i < 3; ++i) {
       rho += refined[v].weights[i] * controls[body() * controlVertices + refined[v].place[i + 1]].position.w;
     }
-    height *= kLeft + (1.0 - kLeft) * smoothstep(kFolded, kLevel, rho);
+    height *= leftOfHeight(rho);
   }
   heights[at] = floatBitsToUint(height);
 }

@@ -3,6 +3,11 @@
 // core/surface/finish/crease_lift.h.
 #include "compute/items.glsl"
 
+#include "compute/numbers.glsl"
+#define dot(a, b) dotOf(a, b)
+#define cross(a, b) crossOf(a, b)
+#include "core/geometry/formulas/finish.h"
+
 struct Control {
   vec4 position;  // World; w: out: rho.
   vec4 normal;
@@ -19,13 +24,10 @@ layout(std430, binding = 2) buffer Controls { Control controls[]; };
 vec3 positionOf(int v) { return controls[body() * controlVertices + v].position.xyz; }
 vec3 normalOf(int v) { return controls[body() * controlVertices + v].normal.xyz; }
 
-// As core/surface/finish/fold.h.
 float frontOf(ControlTriangle t) {
   vec3 a = positionOf(t.a);
   vec3 u = positionOf(t.b) - a, v = positionOf(t.c) - a;
-  float along = dotOf(crossOf(u, v), normalOf(t.a) + normalOf(t.b) + normalOf(t.c));
-  float edges = 3.0 * (dotOf(u, u) + dotOf(v, v) + dotOf(v - u, v - u));
-  return edges > 0.0 ? along / edges : 0.0;
+  return frontOf(crossOf(u, v), normalOf(t.a) + normalOf(t.b) + normalOf(t.c), u, v);
 }
 
 void main() {

@@ -3,6 +3,8 @@
 // core/surface/finish/lifted_heights.cpp.
 #include "compute/items.glsl"
 #include "compute/mesh.glsl"
+#include "compute/numbers.glsl"
+#include "core/geometry/formulas/finish.h"
 
 layout(std430, binding = 0) readonly buffer Rings { Ring rings[]; };
 layout(std430, binding = 1) readonly buffer Neighbors { int neighbors[]; };
@@ -16,8 +18,6 @@ float heightOf(int at) { return before[at]; }
 LIFT_SUMS(heightOf)
 uniform int isLast;
 
-const float kStep = 0.5;
-
 void main() {
   int v = item();
   if (v >= refinedVertices) return;
@@ -29,7 +29,7 @@ void main() {
   if (marks[at].moved != kMoved || !(weight > 0.0) || height == 0.0) return;
   vec2 sums = liftSums(v, own);
   if (!(sums.y > 0.0)) return;
-  float next = clamp(own + kStep * weight * sums.x / sums.y, min(0.0, height), max(0.0, height));
+  float next = filteredHeight(own, weight, sums.x, sums.y, height);
   after[at] = next;
   if (isLast == 0) return;
   vec3 patchPlace = patches[at].position.xyz;

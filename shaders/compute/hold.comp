@@ -3,6 +3,8 @@
 // core/surface/finish/normals_kernel.cpp.
 #include "compute/items.glsl"
 #include "compute/mesh.glsl"
+#include "compute/numbers.glsl"
+#include "core/geometry/formulas/finish.h"
 
 layout(std430, binding = 0) readonly buffer Rings { Ring rings[]; };
 layout(std430, binding = 1) readonly buffer Corners { int corners[]; };
@@ -12,9 +14,6 @@ layout(std430, binding = 4) buffer Surface { Vertex surface[]; };
 layout(std430, binding = 5) readonly buffer Marks { Mark marks[]; };
 // What muscles turn normals by; w: how far, squared.
 layout(std430, binding = 6) writeonly buffer Turns { vec4 turns[]; };
-
-const float kFreedom = 0.145;
-const float kRotationFrom = -0.95, kRotationWhole = -0.7;
 
 // An angle from twice its cosine (Abramowitz & Stegun 4.4.45).
 float roughAngle(float x) {
@@ -32,24 +31,6 @@ vec3 cornerNormal(vec3 a, vec3 b, vec3 c) {
   float cosine = squares > 0.0 ? ((one - dotOf(bc, bc)) + other) / sqrt(squares) : 0.0;
   float perLength = whole > 0.0 ? 1.0 / sqrt(whole) : 0.0;
   return roughAngle(cosine) * perLength * face;
-}
-
-vec3 unitOfSum(vec3 sum, vec3 fallback) {
-  float squared = dotOf(sum, sum);
-  return squared > 1e-12 ? (1.0 / sqrt(squared)) * sum : fallback;
-}
-
-// What the least rotation that takes `from` to `to` adds to v; towards opposite ones it becomes their difference.
-vec3 turnOf(vec3 v, vec3 from, vec3 to) {
-  float cosine = dotOf(from, to);
-  float t = clamp((cosine - kRotationFrom) / (kRotationWhole - kRotationFrom), 0.0, 1.0);
-  float share = t * t * (3.0 - 2.0 * t);
-  vec3 axis = crossOf(from, to);
-  vec3 across = crossOf(axis, v);
-  vec3 plain = to - from;
-  if (!(t > 0.0)) return plain;
-  vec3 rotated = across + (1.0 / (1.0 + cosine)) * crossOf(axis, across);
-  return t >= 1.0 ? rotated : share * rotated + (1.0 - share) * plain;
 }
 
 void main() {
@@ -72,14 +53,8 @@ void main() {
   vec3 ofField = normal - own;
   vec3 shown = turnOf(own, unitOfSum(patchSum, own), unitOfSum(sum, own));
   float turn = max(dotOf(ofField, ofField), dotOf(shown, shown));
-  vec3 beyond = ofField - shown;
-  float squared = dotOf(beyond, beyond);
-  float freedom = kFreedom * (1.0 - marks[at].filtered);
-  vec3 delta = ofField;
-  if (squared > freedom * freedom) {
-    delta = shown + (freedom / sqrt(squared)) * beyond;
-    normal = unitOfSum(own + delta, normal);
-  }
+  Held held = heldDelta(ofField, shown, marks[at].filtered);
+  if (held.isHeld) normal = unitOfSum(own + held.delta, normal);
   surface[at].normal = vec4(normal, 0.0);
-  turns[at] = vec4(delta, turn);
+  turns[at] = vec4(held.delta, turn);
 }

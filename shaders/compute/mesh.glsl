@@ -22,3 +22,7 @@ struct Mark {
 const uint kNear = 1u, kMoved = 3u;
 
 int firstVertex() { return body() * refinedVertices; }
+
+// As on the processor.
+#define dot(a, b) dotOf(a, b)
+#define cross(a, b) crossOf(a, b)

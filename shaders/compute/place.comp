@@ -4,9 +4,10 @@
 #include "compute/items.glsl"
 #include "compute/field.glsl"
 
-#define Real float
-#define Real2 vec2
-#define Real3 vec3
+#include "compute/numbers.glsl"
+#include "core/geometry/formulas/potential.h"
+#include "core/geometry/formulas/shape.h"
+#include "core/geometry/formulas/rise.h"
 #include "compute/shape.glsl"
 #include "compute/potential.glsl"
 
@@ -24,19 +25,6 @@ layout(std430, binding = 6) buffer Surface { Vertex surface[]; };  // Holds the 
 
 const float kLeastAlong = 0.2;
 
-float limitedRise(float s, float inverseLimit) {
-  if (!(s * inverseLimit > 0.5)) return s;
-  float limit = 1.0 / inverseLimit;
-  return limit - 0.25 * limit * limit / s;
-}
-
-float inverseTouchLimit(float onSkin, float width) {
-  if (!(onSkin < iso)) return 0.0;
-  float left = sqrt(min(1.0, iso - onSkin));
-  float further = abs(onSkin) / ((isoRoot + left) * (sqrt(1.0 - left) + isoRadius));
-  return (1.0 - smoothstep(0.5 * iso, iso, onSkin)) / (2.0 * width * further);
-}
-
 void main() {
   int v = item();
   if (v >= refinedVertices) return;
@@ -48,10 +36,10 @@ void main() {
   vec3 n = surface[at].normal.xyz;
   vec3 d = lines[at].along.xyz;
   vec3 p = lines[at].from.xyz;
-  float width = root.blendWidth / (1.0 - isoRadius);
-  float r = max(0.0, s / width + isoRadius);
-  float slope = 2.0 * r * -2.0 * max(0.0, 1.0 - r * r) / width / max(dotOf(n, d), kLeastAlong);
-  float touch = inverseTouchLimit(root.onSkin, width);
+  float sense = s > 0.0 ? 1.0 : -1.0;
+  SkinRay skin = SkinRay(sense, (1.0 - isoRadius) / root.blendWidth, isoRadius, isoRoot, s > 0.0 ? isoRoot : 1e30);
+  float slope = -4.0 * skinSlope(skin, abs(s)) / max(dotOf(n, d), kLeastAlong);
+  float touch = inverseTouchLimit(root.onSkin, iso, isoRoot, isoRadius, skin.inverseWidth);
   float below = abs(root.height);
   float height = s > 0.0 ? limitedRise(below, max(refined[v].weights.w, touch)) : -limitedRise(below, touch);
   vec3 ofField = normalizeOr(-(slope * n + fieldAt(p + s * d).yzw), n);

@@ -1,5 +1,5 @@
 // shaders/compute/potential.glsl: potentials of muscles and their field F at a point. As core/rig/field.cpp.
-// Includes nothing: field.glsl and, with Real float, shape.glsl come before.
+// Includes nothing: field.glsl and, with Real float, shape.glsl and its formulas come before.
 vec3 inUnit(Primitive p, vec3 d) {
   if (p.toUnit[2].w > 0.0) return d;
   precise vec3 y = d.x * p.toUnit[0].xyz + d.y * p.toUnit[1].xyz + d.z * p.toUnit[2].xyz;
@@ -8,14 +8,14 @@ vec3 inUnit(Primitive p, vec3 d) {
 
 float rSquaredAt(Primitive p, vec3 fromCenter) {
   vec3 y = inUnit(p, fromCenter);
-  return isShaped(p) ? rSquaredOf(shapeAt(p, y)) : scaleOf(p) * dotOf(y, y);
+  return isShaped(p) ? shapeRSquared(shapePoint(numbersOf(p), y)) : scaleOf(p) * dotOf(y, y);
 }
 
 // Half of d(r^2)/dx.
 vec3 halfSlopeAt(Primitive p, vec3 fromCenter) {
   if (p.toUnit[2].w > 0.0) return scaleOf(p) * fromCenter;
   vec3 y = inUnit(p, fromCenter);
-  if (isShaped(p)) y = halfSlopeOf(p, shapeAt(p, y));
+  if (isShaped(p)) y = shapeHalfSlope(numbersOf(p), shapePoint(numbersOf(p), y));
   return vec3(dotOf(p.toUnit[0].xyz, y), dotOf(p.toUnit[1].xyz, y), dotOf(p.toUnit[2].xyz, y));
 }
 
@@ -33,7 +33,7 @@ vec4 fieldAt(vec3 x) {
     float w = 1.0 - rSquaredAt(p, x - p.center.xyz);
     if (!(weight > 0.0) || !(w > 0.0) || p.center.w == 0.0) continue;
     float factor = strengthOf(p) * weight;
-    vec4 part = factor * vec4(w * w, -4.0 * w * halfSlopeAt(p, x - p.center.xyz));
+    vec4 part = vec4(potential(factor, w), -4.0 * factor * potentialRate(w) * halfSlopeAt(p, x - p.center.xyz));
     if (factor < 0.0) {
       carved += part;
       continue;

@@ -4,9 +4,10 @@
 #include "compute/items.glsl"
 #include "compute/field.glsl"
 
-#define Real float
-#define Real2 vec2
-#define Real3 vec3
+#include "compute/numbers.glsl"
+#include "core/geometry/formulas/potential.h"
+#include "core/geometry/formulas/shape.h"
+#include "core/geometry/formulas/rise.h"
 #include "compute/shape.glsl"
 #include "compute/potential.glsl"
 #include "compute/exact.glsl"
@@ -104,12 +105,6 @@ void addLines(vec3 p, vec3 n, vec3 anchor, bool inside) {
     bool toAnchor = toAnchors != 0 && line == 0;
     addLine(p, toAnchor ? normalizeOr(way, -n) : -n, double(toAnchor ? length(way) : searchLength), inside, n);
   }
-}
-
-float limitedRise(float s, float inverseLimit) {
-  if (!(s * inverseLimit > 0.5)) return s;
-  float limit = 1.0 / inverseLimit;
-  return limit - 0.25 * limit * limit / s;
 }
 
 Vertex placed(Vertex onPatch, float omega, float inverseLimit) {

@@ -3,6 +3,8 @@
 // around a vertex. As core/surface/finish/normals_kernel.cpp.
 #include "compute/items.glsl"
 #include "compute/mesh.glsl"
+#include "compute/numbers.glsl"
+#include "core/geometry/formulas/finish.h"
 
 layout(std430, binding = 0) readonly buffer Rings { Ring rings[]; };
 layout(std430, binding = 1) readonly buffer Neighbors { int neighbors[]; };
@@ -13,8 +15,6 @@ layout(std430, binding = 4) readonly buffer Marks { Mark marks[]; };
 layout(std430, binding = 5) writeonly buffer Rims { vec4 rims[]; };
 // What the ring's mean adds to the normal; w: how far it takes the place of the second step.
 layout(std430, binding = 6) writeonly buffer Means { vec4 means[]; };
-
-const float kMeanFrom = 0.2, kMeanWhole = 0.45, kSoftening = 0.8;
 
 void main() {
   int v = item();
@@ -34,7 +34,7 @@ void main() {
     most = max(most, dotOf(apart, apart));
     mostOfTurns = max(mostOfTurns, dotOf(turn, turn));
   }
-  float mean = smoothstep(kMeanFrom, kMeanWhole, sqrt(most));
+  float mean = meanShare(sqrt(most));
   rims[at] = vec4(rings[v].share * sumOfTurns, sqrt(mostOfTurns));
   means[at] = vec4(kSoftening * mean * rings[v].share * sum, mean);
 }

@@ -5,6 +5,8 @@
 // core/surface/finish/lifted_heights.h.
 #include "compute/items.glsl"
 #include "compute/mesh.glsl"
+#include "compute/numbers.glsl"
+#include "core/geometry/formulas/finish.h"
 
 layout(std430, binding = 0) readonly buffer Rings { Ring rings[]; };
 layout(std430, binding = 1) readonly buffer Neighbors { int neighbors[]; };
@@ -14,8 +16,6 @@ layout(std430, binding = 4) readonly buffer Marks { Mark marks[]; };
 layout(std430, binding = 5) coherent buffer Heights { uint heights[]; };  // Bits of |height|.
 #define ROUNDS 6
 #include "compute/rounds.glsl"
-
-const float kSlope = 1.5;
 
 void main() {
   int v = item();
@@ -34,7 +34,7 @@ void main() {
     vec3 step = patches[other].position.xyz - p;
     bool along = (surface[other].position.w > 0.0) == rises;
     float left = along ? uintBitsToFloat(heights[other]) : 0.0;
-    precise float offer = left + kSlope * sqrt(dotOf(step, step));
+    precise float offer = left + kMostSlope * sqrt(dotOf(step, step));
     least = min(least, offer);
   }
   if (!(least < own)) return;

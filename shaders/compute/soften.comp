@@ -3,6 +3,8 @@
 // core/surface/finish/normals_kernel.cpp.
 #include "compute/items.glsl"
 #include "compute/mesh.glsl"
+#include "compute/numbers.glsl"
+#include "core/geometry/formulas/finish.h"
 
 layout(std430, binding = 0) readonly buffer Rings { Ring rings[]; };
 layout(std430, binding = 1) readonly buffer Neighbors { int neighbors[]; };
@@ -10,8 +12,6 @@ layout(std430, binding = 2) readonly buffer Patches { Vertex patches[]; };
 layout(std430, binding = 3) buffer Surface { Vertex surface[]; };
 layout(std430, binding = 4) readonly buffer Rims { vec4 rims[]; };
 layout(std430, binding = 5) readonly buffer Means { vec4 means[]; };
-
-const float kRimFrom = 0.05, kRimWhole = 0.2, kRimSecond = 0.44;
 
 void main() {
   int v = item();
@@ -21,7 +21,7 @@ void main() {
   if (!(own.w > kRimFrom || mean.w > 0.0)) return;
   vec3 sum = vec3(0.0);
   for (int i = rings[v].begin; i < rings[v].end; ++i) sum += rims[firstVertex() + neighbors[i]].xyz - own.xyz;
-  float second = kRimSecond * smoothstep(kRimFrom, kRimWhole, own.w) * (1.0 - mean.w);
+  float second = rimWeight(own.w, mean.w);
   vec3 patchNormal = patches[at].normal.xyz;
   vec3 delta = surface[at].normal.xyz - patchNormal;
   vec3 normal = patchNormal + ((delta - second * rings[v].share * sum) + mean.xyz);

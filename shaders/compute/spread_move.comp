@@ -3,6 +3,8 @@
 // core/surface/finish/fold_spread.cpp.
 #include "compute/items.glsl"
 #include "compute/mesh.glsl"
+#include "compute/numbers.glsl"
+#include "core/geometry/formulas/finish.h"
 
 layout(std430, binding = 0) readonly buffer Rings { Ring rings[]; };
 layout(std430, binding = 1) readonly buffer Corners { int corners[]; };
@@ -13,8 +15,6 @@ layout(std430, binding = 5) readonly buffer Asks { float asks[]; };  // Weights.
 layout(std430, binding = 6) readonly buffer Ways { vec4 ways[]; };
 #define ROUNDS 7
 #include "compute/rounds.glsl"
-
-const float kRelaxation = 1.5;
 
 // As near to where muscles have put it as they have moved it (core/surface/finish/fold_spread.h).
 vec3 keptNear(vec3 to, vec3 from, vec3 patchPlace) {
@@ -39,6 +39,6 @@ void main() {
     folded[at].w = 0.0;
     return;
   }
-  folded[at] = vec4(keptNear(own + kRelaxation / max(1.0, sum.w) * sum.xyz, from, patchPlace), 1.0);
+  folded[at] = vec4(keptNear(own + foldRelaxation(sum.w) * sum.xyz, from, patchPlace), 1.0);
   askForNext();
 }

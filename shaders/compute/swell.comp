@@ -5,9 +5,10 @@
 #include "compute/items.glsl"
 #include "compute/field.glsl"
 
-#define Real float
-#define Real2 vec2
-#define Real3 vec3
+#include "compute/numbers.glsl"
+#include "core/geometry/formulas/potential.h"
+#include "core/geometry/formulas/shape.h"
+#include "core/geometry/formulas/bounds.h"
 #include "compute/shape.glsl"
 #include "compute/potential.glsl"
 
@@ -16,8 +17,9 @@ const float kValueRounding = 1e-5, kSlopeRounding = 1e-3, kLeastStretch = 0.0;
 const int kMostMarches = 20, kMostSteps = 24;
 #include "compute/ray.glsl"
 
-vec2 psiAt(float t) { return sampleRay(t); }
-#include "compute/overhang.glsl"
+#define Rays int
+Sample psiAt(Rays rays, float t) { return sampleRay(t); }
+#include "core/geometry/formulas/overhang.h"
 
 struct Line {
   vec4 from;
@@ -38,7 +40,7 @@ vec3 skinAt(vec3 p) {
     if (muscle.center.w == 0.0) continue;
     precise float w = 1.0 - rSquaredAt(muscle, p - muscle.center.xyz);
     if (!(w > 0.0)) continue;
-    precise float value = strengthOf(muscle) * weightOf(c) * w * w;
+    float value = potential(strengthOf(muscle) * weightOf(c), w);
     shares += abs(value);
     widths += abs(value) * blendWidthOf(muscle);
     radii += abs(value) * meanRadiusOf(muscle);
@@ -63,23 +65,22 @@ void main() {
   see(v, body());
   if (firstCandidate == endCandidate) return;
   vec3 p = lines[at].from.xyz;
-  vec3 skin = skinAt(p);
-  if (skin.x == 0.0) return;
-  sense = skin.x > 0.0 ? 1.0 : -1.0;
-  inverseWidth = (1.0 - isoRadius) / skin.y;
-  maxFall = sense > 0.0 ? isoRoot : kFar;
+  vec3 here = skinAt(p);
+  if (here.x == 0.0) return;
+  float sense = here.x > 0.0 ? 1.0 : -1.0;
+  skin = SkinRay(sense, (1.0 - isoRadius) / here.y, isoRadius, isoRoot, sense > 0.0 ? isoRoot : kFar);
   bool known = fillTerms(p, sense * lines[at].along.xyz);
-  float way = 0.0, height = skin.z;
+  float way = 0.0, height = here.z;
   if (known) {
-    vec3 rise = riseOf(skin.y);
+    vec3 rise = riseOf(here.y);
     Search search = bracketFromSkin(rise);
     if (search.rootless) way = rise.z;
     else known = search.bracketed && newton(search, way);
-    float sigma = overhangSlope(skin.z);
-    float steep = sense > 0.0 ? min(0.5 * skin.y, rise.x) : 0.0;
+    float sigma = overhangSlope(skin, here.y, here.z);
+    float steep = sense > 0.0 ? min(0.5 * here.y, rise.x) : 0.0;
     bool slowly = known && steep < way && boundsOf(steep, way).maxSlope > -sigma;
-    if (known) height = sense * (slowly ? belowOverhangs(way, sigma, skin.y) : way);
+    if (known) height = sense * (slowly ? heightBelowOverhangs(0, way, sigma, here.y, true) : way);
   }
-  roots[at] = Root(sense * way, skin.x, skin.y, known ? kFound : meetsShape ? kUnsureShaped : kUnsure, height);
+  roots[at] = Root(sense * way, here.x, here.y, known ? kFound : meetsShape ? kUnsureShaped : kUnsure, height);
   if (!known) leaveUnsure(uint(at));
 }

@@ -6,10 +6,15 @@
 #include "compute/exact.glsl"
 
 #define Real double
-#define Real2 dvec2
-double sense;  // 1: outwards.
-dvec2 psiAt(double t) { return sense * sampleExact(t); }
-#include "compute/overhang.glsl"
+#define Real3 dvec3
+#include "compute/numbers.glsl"
+#include "core/geometry/formulas/potential.h"
+#define Rays double  // 1: outwards, -1: inwards.
+Sample psiAt(Rays sense, double t) {
+  dvec2 phi = sampleExact(t);
+  return Sample(sense * phi.x, sense * phi.y);
+}
+#include "core/geometry/formulas/overhang.h"
 
 struct Line {
   vec4 from;
@@ -35,9 +40,11 @@ void find(int at) {
   for (int i = 0; outward && i < exactCount; ++i) end = max(end, exact[i].leave);
   double t = firstChange(0.0lf, end, outward);
   if (t == kNone) t = end;
-  sense = outward ? 1.0lf : -1.0lf;
+  double sense = outward ? 1.0lf : -1.0lf;
+  SkinRay skin = SkinRay(sense, 1.0lf / width, radius, isoRoot, outward ? double(isoRoot) : 1e30lf);
+  double sigma = overhangSlope(skin, h, double(root.height));
   roots[at].way = float(sense * t);
-  roots[at].height = float(sense * belowOverhangs(t, overhangSlope(double(root.height)), h));
+  roots[at].height = float(sense * heightBelowOverhangs(sense, t, sigma, h, true));
   roots[at].state = kFound;
 }
 

@@ -5,8 +5,11 @@
 #include "compute/field.glsl"
 
 #define Real double
-#define Real2 dvec2
 #define Real3 dvec3
+#include "compute/numbers.glsl"
+#include "core/geometry/formulas/potential.h"
+#include "core/geometry/formulas/shape.h"
+#include "core/geometry/formulas/bounds.h"
 #include "compute/shape.glsl"
 
 const int kMostTerms = 96, kMostShapes = 96;  // No place of the skin sees more, or the surface is the processor's.
@@ -15,8 +18,9 @@ const double kValueRounding = 1e-13lf, kSlopeRounding = 1e-11lf;
 const int kMostMarches = 400, kMostSteps = 60;
 #include "compute/ray.glsl"
 
-dvec2 psiAt(double t) { return sampleRay(t); }
-#include "compute/overhang.glsl"
+#define Rays int
+Sample psiAt(Rays rays, double t) { return sampleRay(t); }
+#include "core/geometry/formulas/overhang.h"
 
 struct Line {
   vec4 from;
@@ -30,16 +34,16 @@ void find(int at) {
   Root root = roots[at];
   if (root.state != kUnsureShaped) return;
   see(at % refinedVertices, at / refinedVertices);
-  sense = root.onSkin > 0.0 ? 1.0lf : -1.0lf;
-  inverseWidth = (1.0lf - isoRadius) / double(root.blendWidth);
-  maxFall = sense > 0.0lf ? double(isoRoot) : double(kFar);
+  double sense = root.onSkin > 0.0 ? 1.0lf : -1.0lf, h = double(root.blendWidth);
+  skin = SkinRay(sense, (1.0lf - isoRadius) / h, isoRadius, isoRoot, sense > 0.0lf ? double(isoRoot) : double(kFar));
   fillTerms(lines[at].from.xyz, float(sense) * lines[at].along.xyz);
-  dvec3 rise = riseOf(double(root.blendWidth));
+  dvec3 rise = riseOf(h);
   Search search = bracketFromSkin(rise);
   double way = search.rootless ? rise.z : search.low;
   if (search.bracketed) newton(search, way);
   roots[at].way = float(sense * way);
-  roots[at].height = float(sense * belowOverhangs(way, overhangSlope(double(root.height)), double(root.blendWidth)));
+  double sigma = overhangSlope(skin, h, double(root.height));
+  roots[at].height = float(sense * heightBelowOverhangs(0, way, sigma, h, true));
   roots[at].state = kFound;
 }
 

@@ -3,15 +3,14 @@
 // from the ring's mean, and the weight with which it counts. As core/surface/finish/normals_kernel.cpp.
 #include "compute/items.glsl"
 #include "compute/mesh.glsl"
+#include "compute/numbers.glsl"
+#include "core/geometry/formulas/finish.h"
 
 layout(std430, binding = 0) readonly buffer Rings { Ring rings[]; };
 layout(std430, binding = 1) readonly buffer Neighbors { int neighbors[]; };
 layout(std430, binding = 2) readonly buffer Marks { Mark marks[]; };
 layout(std430, binding = 3) readonly buffer Turns { vec4 turns[]; };
 layout(std430, binding = 4) writeonly buffer Teeth { vec4 teeth[]; };  // w: the weight.
-
-const float kTeeth = 0.23, kTeethFrom = 0.22, kTeethWhole = 0.45;
-const float kCliffFrom = 0.45, kCliffWhole = 0.8, kTurnedWhole = 0.1;
 
 void main() {
   int v = item();
@@ -25,12 +24,6 @@ void main() {
     sum += apart;
     most = max(most, dotOf(apart, apart));
   }
-  float weight = 0.0;
-  if (most > kTeethFrom * kTeethFrom) {
-    float apart = sqrt(most);
-    float cliff = (1.0 - marks[at].filtered) * smoothstep(kCliffFrom, kCliffWhole, apart);
-    weight = kTeeth * smoothstep(kTeethFrom, kTeethWhole, apart) * (1.0 - cliff) *
-             smoothstep(0.0, kTurnedWhole, sqrt(own.w));
-  }
+  float weight = teethWeight(sqrt(most), marks[at].filtered, sqrt(own.w));
   teeth[at] = vec4(rings[v].share * sum, weight);
 }

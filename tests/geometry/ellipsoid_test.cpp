@@ -25,7 +25,8 @@ TEST(Potential, HasTheDefinedValuesAndDerivative) {
 
 TEST(Potential, StrengthPutsTheIsoValueOnTheVisibleSurface) {
   for (const float iso : {0.05f, 0.25f, 0.9f}) {
-    EXPECT_NEAR(potential(isoRadius(iso) * isoRadius(iso)), iso, 1e-6f);
+    const auto radius = static_cast<float>(isoRadius(static_cast<double>(iso)));
+    EXPECT_NEAR(potential(radius * radius), iso, 1e-6f);
     for (const float reach : {1.05f, 1.4142135f, 3.0f}) {
       EXPECT_NEAR(strengthFor(iso, reach) * potential(1.0f / (reach * reach)), iso, 1e-5f);
     }

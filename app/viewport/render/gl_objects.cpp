@@ -25,6 +25,11 @@ Result<std::string> readShader(const std::filesystem::path& file) {
   return std::string(std::istreambuf_iterator<char>(stream), {});
 }
 
+/// Formulas that shaders share with the processor are in core, other included files in the folder of shaders.
+std::filesystem::path includedFile(const std::string& name) {
+  return name.starts_with("core/") ? dataFile(name) : dataFile(std::filesystem::path("shaders") / name);
+}
+
 /// Replaces `#include "name"` lines, one level deep, and inserts the defines below the version line (the first).
 /// #line keeps the line numbers of the file.
 Result<std::string> expand(const std::string& source, const std::vector<const char*>& define) {
@@ -45,7 +50,7 @@ Result<std::string> expand(const std::string& source, const std::vector<const ch
     }
     const std::string_view rest = text.substr(kInclude.size());
     const std::string name(rest.substr(0, rest.find('"')));
-    const Result<std::string> included = readShader(dataFile(std::filesystem::path("shaders") / name));
+    const Result<std::string> included = readShader(includedFile(name));
     if (!included) return included.error();
     out.append(included.value()).append("\n#line ").append(std::to_string(line + 1)).append("\n");
   }

@@ -4,24 +4,18 @@
 #include <algorithm>
 #include <atomic>
 
+#include "core/geometry/formulas.h"
 #include "core/geometry/parallel.h"
-#include "core/geometry/potential.h"
 #include "core/surface/finish/fold.h"
 
 namespace sinew {
 namespace {
 
-constexpr float kFolded = -0.3f;           ///< rho up to which heights fall to kLeft.
-constexpr float kLevel = 0.4f;             ///< rho from which heights stay.
-constexpr float kLeft = 0.4f;              ///< Fraction.
 constexpr float kLeastFront = 0.05f;       ///< In the bind pose.
 constexpr std::size_t kFewCreased = 2048;  ///< Triangles, edges or vertices for one thread.
 
-/// Remaining fraction of a vertex's height.
-float leftOf(float rho) { return kLeft + (1.0f - kLeft) * smoothstep(kFolded, kLevel, rho); }
-
 float ratioOf(const std::array<int, 3>& t, std::span<const glm::vec3> positions, std::span<const glm::vec3> normals) {
-  return frontOf(t, faceOf(t, positions), {positions, normals, {}}).ratio();
+  return frontOf(t, faceOf(t, positions), {positions, normals, {}});
 }
 
 }  // namespace
@@ -72,11 +66,11 @@ void CreaseLift::lowerInside(const CarryingMesh& c, const MovedTriangles& moved,
     const ControlTriangle& triangle = c.mesh.triangles[t];
     const auto& [a, b, d] = triangle.vertices;
     const std::array rho{at(rho_, a), at(rho_, b), at(rho_, d)};
-    if (*std::ranges::min_element(rho) >= kLevel) return;
+    if (*std::ranges::min_element(rho) >= in_float::kLevel) return;
     for (const int edge : triangle.edges) std::atomic_ref(at(isLowered, edge)).store(1, std::memory_order_relaxed);
     for (int v = c.refinement.insideBegin[t]; v < c.refinement.insideBegin[t + 1]; ++v) {
       const glm::vec2 place = c.refinement.insideAt(v);
-      at(heights, v) *= leftOf(rho[0] + place.x * (rho[1] - rho[0]) + place.y * (rho[2] - rho[0]));
+      at(heights, v) *= in_float::leftOfHeight(rho[0] + place.x * (rho[1] - rho[0]) + place.y * (rho[2] - rho[0]));
     }
   });
 }
@@ -91,7 +85,7 @@ void CreaseLift::lowerEdges(const CarryingMesh& c, std::span<float> heights) {
     for (int step = 1; step < level; ++step) {
       const float share = static_cast<float>(step) / static_cast<float>(level);
       const float rho = at(rho_, begin) + share * (at(rho_, end) - at(rho_, begin));
-      at(heights, c.refinement.edgeVertex(edge, step)) *= leftOf(rho);
+      at(heights, c.refinement.edgeVertex(edge, step)) *= in_float::leftOfHeight(rho);
     }
   });
 }
@@ -101,7 +95,7 @@ void CreaseLift::lower(const CarryingMesh& c, const MovedTriangles& moved, std::
   lowerInside(c, moved, heights);
   lowerEdges(c, heights);
   forEachIndex(rho_.size(), kFewCreased, [&](std::size_t v) {
-    if (rho_[v] < kLevel) heights[v] *= leftOf(rho_[v]);
+    if (rho_[v] < in_float::kLevel) heights[v] *= in_float::leftOfHeight(rho_[v]);
   });
 }
 

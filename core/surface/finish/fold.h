@@ -10,6 +10,7 @@
 #include <glm/geometric.hpp>
 
 #include "core/geometry/at.h"
+#include "core/geometry/formulas.h"
 #include "core/geometry/instruction_set.h"
 #include "core/surface/finish/moved_triangles.h"
 #include "core/surface/finish/vertex_rings.h"
@@ -43,21 +44,11 @@ struct Fold {
   return glm::cross(at(positions, t[1]) - a, at(positions, t[2]) - a);
 }
 
-/// Numerator and denominator of triangleFronts().
-struct Front {
-  float along = 0.0f;  ///< Twice the area projected along the sum of the three normals.
-  float edges = 0.0f;  ///< Three times the sum of the squared edges.
-
-  [[nodiscard]] float ratio() const { return edges > 0.0f ? along / edges : 0.0f; }
-};
-
-/// @param face  of the triangle in the patch.
-[[nodiscard]] inline Front frontOf(const std::array<int, 3>& t, const glm::vec3& face, const PatchView& patch) {
+/// One of triangleFronts().  @param face  of the triangle in the patch.
+[[nodiscard]] inline float frontOf(const std::array<int, 3>& t, const glm::vec3& face, const PatchView& patch) {
   const glm::vec3& a = at(patch.positions, t[0]);
-  const glm::vec3 u = at(patch.positions, t[1]) - a;
-  const glm::vec3 v = at(patch.positions, t[2]) - a;
   const glm::vec3 normals = at(patch.normals, t[0]) + at(patch.normals, t[1]) + at(patch.normals, t[2]);
-  return {glm::dot(face, normals), 3.0f * (glm::dot(u, u) + glm::dot(v, v) + glm::dot(v - u, v - u))};
+  return in_float::frontOf(face, normals, at(patch.positions, t[1]) - a, at(patch.positions, t[2]) - a);
 }
 
 /// Fold::weight.  @param face  of the triangle in the patch.

@@ -73,14 +73,6 @@ std::span<const FoldMove> FoldMesh::finish(std::span<glm::vec3> positions) {
   return moved_;
 }
 
-namespace {
-
-constexpr float kWholeLack = 0.1f;   ///< Missing q from which a request has its full weight.
-constexpr float kWholeStep = 0.01f;  ///< The same for moves of corners, over the edges.
-constexpr float kRelaxation = 1.5f;  ///< Factor on the mean move; above 1 for faster convergence.
-
-}  // namespace
-
 void FoldSpread::ask(int triangle, FoldMesh& mesh) {
   const Fold fold = mesh.foldOf(triangle, kLeastArea);
   if (fold.weight == 0.0f) return;
@@ -96,10 +88,8 @@ void FoldSpread::ask(int triangle, FoldMesh& mesh) {
     gradients[i] = glm::cross(normal, opposite);
     squared += glm::dot(gradients[i], gradients[i]);
   }
-  // The gradients vanish where the triangle has shrunk to a line along the normal: moves stay small.
-  const float step = (kLeastArea - fold.area) * area / std::max(squared, area);
-  // The q of a sliver changes fast: its requests must not weigh as much as its neighbors' at once.
-  const float weight = fold.weight * std::min({1.0f, (kLeastArea - fold.area) / kWholeLack, step / kWholeStep});
+  const float step = in_float::foldStep(fold.area, area, squared);
+  const float weight = in_float::foldWeight(fold.weight, fold.area, step);
   for (std::size_t i = 0; i < 3; ++i) {
     FoldVertex& corner = mesh.vertex(corners[i]);
     if (corner.weight == 0.0f) asked_.push_back(corners[i]);
@@ -126,7 +116,7 @@ void FoldSpread::moveAsked(FoldMesh& mesh) {
   moved_.clear();
   for (const int v : asked_) {
     FoldVertex& vertex = mesh.vertex(v);
-    const glm::vec3 way = kRelaxation / std::max(1.0f, vertex.weight) * vertex.way;
+    const glm::vec3 way = in_float::foldRelaxation(vertex.weight) * vertex.way;
     vertex.weight = 0.0f;
     vertex.way = glm::vec3(0.0f);
     if (vertex.most == 0.0f) continue;

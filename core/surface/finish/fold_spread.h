@@ -113,7 +113,7 @@ class FoldMesh {
 /// only the one before: the order of triangles does not matter, and positions depend continuously on each other.
 class FoldSpread {
  public:
-  static constexpr float kLeastArea = 0.3f;  ///< q below which a triangle counts as folded.
+  static constexpr float kLeastArea = in_float::kLeastArea;  ///< q
   static constexpr int kMostRounds = 8;
 
   void apply(FoldMesh& mesh);  ///< @param mesh  of a region found with kLeastArea.

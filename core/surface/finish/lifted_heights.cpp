@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/geometry/formulas.h"
 #include "core/geometry/parallel.h"
-#include "core/geometry/potential.h"
 
 namespace sinew {
 
@@ -106,11 +106,6 @@ std::span<const int> SlopeBound::lower(LiftedHeights& heights) {
 
 namespace {
 
-constexpr float kBentFrom = 0.15f;  ///< c up to which the mesh follows the heights.
-constexpr float kBentWhole = 0.5f;  ///< c from which the filter has its full weight.
-constexpr float kRisen = 0.1f;      ///< Height, in edges, from which a vertex passes on its full weight.
-constexpr float kStep = 0.5f;       ///< Fraction of the difference to the mean, per round.
-
 /// Sum over a ring of height differences per length.
 float differenceOf(std::span<const int> ring, const SixEdges* edges, float own, std::span<const float> heights) {
   float difference = 0.0f;
@@ -149,12 +144,11 @@ bool LiftFilter::weigh(const LiftedHeights& lifted, std::size_t vertices) {
     const int vertex = lifted.lifted()[i];
     // (M - 1) s = difference / perLength; the mean length is the number of neighbors / perLength.
     const float bent = std::abs(sums_[i].difference) * at(rings.share, vertex);
-    if (bent <= kBentFrom) continue;
-    const float weight = smoothstep(kBentFrom, kBentWhole, bent);
+    if (bent <= in_float::kBentFrom) continue;
+    const float weight = in_float::bentWeight(bent);
     raise(vertex, weight);
-    // Otherwise a vertex that starts to move beside high ones would lower them at once.
     const float rise = std::abs(lifted.height(vertex)) * sums_[i].perLength * at(rings.share, vertex);
-    const float passed = weight * smoothstep(0.0f, kRisen, rise);
+    const float passed = in_float::passedWeight(weight, rise);
     if (passed == 0.0f) continue;
     for (const int neighbor : rings.at(vertex)) raise(neighbor, passed);
   }
@@ -183,8 +177,8 @@ void LiftFilter::evenOut(const VertexRings& rings, std::span<const float> height
     for (const Active& a : active_) {
       const float height = at(heights, a.vertex);
       float& filtered = at(filtered_, a.vertex);
-      const float next = filtered + kStep * at(weights_, a.vertex) * a.sums.difference / a.sums.perLength;
-      filtered = std::clamp(next, std::min(0.0f, height), std::max(0.0f, height));
+      filtered =
+          in_float::filteredHeight(filtered, at(weights_, a.vertex), a.sums.difference, a.sums.perLength, height);
     }
   }
 }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/geometry/at.h"
+#include "core/geometry/formulas.h"
 #include "core/geometry/instruction_set.h"
 #include "core/surface/finish/moved_triangles.h"
 #include "core/surface/finish/vertex_rings.h"
@@ -86,7 +87,7 @@ class LiftedHeights {
 /// triangles nor on where the search begins.
 class SlopeBound {
  public:
-  static constexpr float kSlope = 1.5f;  ///< Flanks of muscles up to 56 degrees stay as they are.
+  static constexpr float kSlope = in_float::kMostSlope;
 
   /// @param heights  in and out.  @return lowered vertices, each once. Valid until the next call.
   std::span<const int> lower(LiftedHeights& heights);

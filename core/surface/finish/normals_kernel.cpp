@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/geometry/potential.h"
+#include "core/geometry/formulas.h"
 #include "core/geometry/targets.h"
 
 #undef HWY_TARGET_INCLUDE
@@ -18,24 +18,11 @@
 HWY_BEFORE_NAMESPACE();
 namespace sinew::HWY_NAMESPACE {
 
-// Difference between neighbors' deltas from which step 2 softens the field's, and from which it does so fully.
-constexpr float kRimFrom = 0.05f;
-constexpr float kRimWhole = 0.2f;
-constexpr float kRimSecond = 0.44f;  ///< Largest weight of step 2 there.
-// Difference between neighbors' normals from which the ring's mean replaces it, and from which it does so fully.
-constexpr float kMeanFrom = 0.2f;
-constexpr float kMeanWhole = 0.45f;
-constexpr float kSoftening = 0.8f;       ///< Largest weight of the mean.
-constexpr float kFreedom = 0.145f;       ///< About 8 degrees.
-constexpr float kRotationFrom = -0.95f;  ///< Cosine between face normals from which a rotation between them counts.
-constexpr float kRotationWhole = -0.7f;
-constexpr float kTeeth = 0.23f;  ///< Largest weight of step 2.
-// Differences between neighbors' deltas from which step 2 starts, is full, starts to fade, and ends.
-constexpr float kTeethFrom = 0.22f;
-constexpr float kTeethWhole = 0.45f;
-constexpr float kCliffFrom = 0.45f;
-constexpr float kCliffWhole = 0.8f;
-constexpr float kTurnedWhole = 0.1f;  ///< Length of delta from which step 2 is full.
+#define formula HWY_INLINE
+#define constant constexpr
+#include "core/geometry/formulas/finish.h"
+#undef constant
+#undef formula
 
 using Pair = Blocks<2>;
 
@@ -120,28 +107,6 @@ HWY_INLINE Pair sumOfFaces(const NormalsInputs& inputs, int vertex) {
   return sum;
 }
 
-/// Normalizes a sum of a few weighted unit vectors; `fallback` where they cancel.
-HWY_INLINE V3 unitOfSum(const V3& sum, const V3& fallback) {
-  const V squared = dot(sum, sum);
-  return select(hn::Gt(squared, all(1e-12f)), (all(1.0f) / hn::Sqrt(squared)) * sum, fallback);
-}
-
-/// Change of v by the least rotation from `from` to `to`, both unit. Opposite vectors have none; near them the change
-/// becomes to - from.
-HWY_INLINE V3 turnOf(const V3& v, const V3& from, const V3& to) {
-  const V cosine = dot(from, to);
-  const V t = hn::Min(hn::Max((cosine - all(kRotationFrom)) / all(kRotationWhole - kRotationFrom), zero()), all(1.0f));
-  const V share = t * t * (all(3.0f) - all(2.0f) * t);
-  const V3 axis = cross(from, to);
-  const V3 across = cross(axis, v);
-  const V3 rotated = across + (all(1.0f) / (all(1.0f) + cosine)) * cross(axis, across);
-  const M whole = hn::Ge(t, all(1.0f));
-  if (hn::AllTrue(kTag, whole)) return rotated;
-  const V3 plain = to - from;
-  const V3 between = share * rotated + (all(1.0f) - share) * plain;
-  return select(whole, rotated, select(hn::Gt(t, zero()), between, plain));
-}
-
 /// For up to width() vertices; lanes beyond them repeat the last one.
 void holdToFaces(const NormalsInputs& inputs, const Rows& patchNormals, std::span<const int> vertices) {
   const auto vertexOf = [&](std::size_t lane) { return vertices[std::min(lane, vertices.size() - 1)]; };
@@ -161,19 +126,14 @@ void holdToFaces(const NormalsInputs& inputs, const Rows& patchNormals, std::spa
   const V3 fieldDelta = normal - own;
   const V3 shown = turnOf(own, unitOfSum(patchFaces, own), unitOfSum(faces, own));
   const V turn = hn::Max(dot(fieldDelta, fieldDelta), dot(shown, shown));
-  const V3 beyond = fieldDelta - shown;
-  const V squared = dot(beyond, beyond);
-  const V whole = all(kFreedom);
-  const V freedom = inputs.filtered.empty() ? whole : whole * (all(1.0f) - hn::Load(kTag, filtered.at(0)));
-  const M held = hn::Gt(squared, freedom * freedom);
-  const V3 delta = select(held, shown + (freedom / hn::Sqrt(squared)) * beyond, fieldDelta);
-  normals.store(select(held, unitOfSum(own + delta, normal), normal), 0);
+  const Held held = heldDelta(fieldDelta, shown, hn::Load(kTag, filtered.at(0)));
+  normals.store(select(held.isHeld, unitOfSum(own + held.delta, normal), normal), 0);
   scatterTo(
-      delta, [&](std::size_t lane) { return inputs.vertices[vertices[lane]].delta.data(); }, vertices.size());
+      held.delta, [&](std::size_t lane) { return inputs.vertices[vertices[lane]].delta.data(); }, vertices.size());
   LaneFloats turns{};
   hn::Store(turn, kTag, turns.at(0));
   for (std::size_t lane = 0; lane < vertices.size(); ++lane) inputs.turns[vertices[lane]] = turns.lane[lane];
-  forEach(held, 0, [&](std::size_t lane) {
+  forEach(held.isHeld, 0, [&](std::size_t lane) {
     if (lane < vertices.size()) inputs.normals[static_cast<std::size_t>(vertices[lane])] = normals.at(lane);
   });
 }
@@ -284,7 +244,7 @@ HWY_INLINE float setFirstAndMean(const NormalsInputs& inputs, int vertex) {
   lower(means).store(out.first.data());
   const float apart = first(upper(most));  // Squared, between normals.
   if (apart > kMeanFrom * kMeanFrom) {
-    const float mean = smoothstep(kMeanFrom, kMeanWhole, std::sqrt(apart));
+    const float mean = in_float::meanShare(std::sqrt(apart));
     (Vector::all(kSoftening * mean) * upper(means)).store(out.mean.data());
     out.mean[3] = mean;
   }
@@ -308,15 +268,10 @@ void softenRims(const NormalsInputs& inputs, std::size_t begin, std::size_t coun
   for (std::size_t rim = begin; rim < begin + count; ++rim) {
     const int vertex = inputs.teeth[rim];
     const float* mean = placeOf<&NormalsVertex::mean>(inputs, vertex);
-    const float second = smoothstep(kRimFrom, kRimWhole, std::sqrt(inputs.weights[rim])) * (1.0f - mean[3]);
+    const float second = in_float::rimWeight(std::sqrt(inputs.weights[rim]), mean[3]);
     const Vector added = xyzAndW(Vector::load(mean), Vector::all(0.0f));
-    setNormal(inputs, vertex, withoutSecond(inputs, vertex, kRimSecond * second) + added);
+    setNormal(inputs, vertex, withoutSecond(inputs, vertex, second) + added);
   }
-}
-
-HWY_INLINE V smoothstepOf(float from, float to, V x) {
-  const V t = hn::Min(hn::Max((x - all(from)) / all(to - from), zero()), all(1.0f));
-  return t * t * (all(3.0f) - all(2.0f) * t);
 }
 
 /// Replaces squared differences by weights.
@@ -324,20 +279,17 @@ void weighTeeth(const NormalsInputs& inputs, std::span<const int> teeth, float* 
   for (std::size_t begin = 0; begin < teeth.size(); begin += width()) {
     LaneFloats squared;
     LaneFloats turns;
-    LaneFloats cliffs;
+    LaneFloats filtered;
     for (std::size_t lane = 0; lane < width(); ++lane) {
       const std::size_t tooth = std::min(begin + lane, teeth.size() - 1);
       const int vertex = teeth[tooth];
       squared.lane[lane] = weights[tooth];
       turns.lane[lane] = inputs.turns[vertex];
-      cliffs.lane[lane] = inputs.filtered.empty() ? 1.0f : 1.0f - inputs.filtered[static_cast<std::size_t>(vertex)];
+      filtered.lane[lane] = inputs.filtered.empty() ? 0.0f : inputs.filtered[static_cast<std::size_t>(vertex)];
     }
     const V apart = hn::Sqrt(hn::Load(kTag, squared.at(0)));
     const V turn = hn::Sqrt(hn::Load(kTag, turns.at(0)));
-    const V cliff = hn::Load(kTag, cliffs.at(0)) * smoothstepOf(kCliffFrom, kCliffWhole, apart);
-    // Only where delta is not 0, and continuous from there.
-    const V weight = all(kTeeth) * smoothstepOf(kTeethFrom, kTeethWhole, apart) * (all(1.0f) - cliff) *
-                     smoothstepOf(0.0f, kTurnedWhole, turn);
+    const V weight = teethWeight(apart, hn::Load(kTag, filtered.at(0)), turn);
     hn::Store(weight, kTag, squared.at(0));
     for (std::size_t lane = 0; lane < width() && begin + lane < teeth.size(); ++lane) {
       weights[begin + lane] = squared.lane[lane];

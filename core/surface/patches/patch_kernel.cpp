@@ -235,7 +235,7 @@ struct Kind {
 void evaluateKind(const PatchInputs& inputs) {
   switch (inputs.kind) {
     case PatchKind::kPn:
-      return Kind<PnEdge, PnTriangle>::evaluate(inputs);
+      return Kind<PnEdgePatch, PnTrianglePatch>::evaluate(inputs);
     case PatchKind::kPhong:
       return Kind<PhongPatch<2>, PhongPatch<3>>::evaluate(inputs);
     case PatchKind::kSpherigon:
@@ -253,7 +253,7 @@ void interpolateAll(const DirectionInputs& inputs) {
 /// All kinds but pn have the same normals.
 void shadeKind(const ShadingInputs& inputs) {
   if (inputs.kind == PatchKind::kPn) {
-    Kind<PnEdge, PnTriangle>::shade(inputs);
+    Kind<PnEdgePatch, PnTrianglePatch>::shade(inputs);
   } else {
     Kind<FlatPatch<2>, FlatPatch<3>>::shade(inputs);
   }

@@ -42,25 +42,24 @@ struct Point {
   V3 normal;
 };
 
+#define formula HWY_INLINE
+#define precise
+#include "core/geometry/formulas/patch.h"
+#undef precise
+#undef formula
+
 template <std::size_t kCorners>
 HWY_INLINE V3 weightedSum(const Corners<kCorners>& corners, const Weights& w) {
-  V3 sum = V3{zero(), zero(), zero()} + w.u * corners.of[0] + w.v * corners.of[1];
-  if constexpr (kCorners == 3) sum = sum + w.s * corners.of[2];
-  return sum;
-}
-
-/// Value at the corner with the largest weight, the first if several are equal.
-template <std::size_t kCorners>
-HWY_INLINE V3 heaviest(const Corners<kCorners>& corners, const Weights& w) {
-  const M first = both(hn::Ge(w.u, w.v), hn::Ge(w.u, w.s));
-  V3 others = corners.of[1];
-  if constexpr (kCorners == 3) others = select(hn::Ge(w.v, w.s), corners.of[1], corners.of[2]);
-  return select(first, corners.of[0], others);
+  const V3(&of)[kCorners] = corners.of;
+  if constexpr (kCorners == 3) return weighted(of[0], of[1], of[2], w.u, w.v, w.s);
+  else return weighted(of[0], of[1], w.u, w.v);
 }
 
 template <std::size_t kCorners>
 HWY_INLINE V3 phongNormal(const Corners<kCorners>& normals, const Weights& w) {
-  return normalizeOr(weightedSum(normals, w), heaviest(normals, w));
+  const V3(&of)[kCorners] = normals.of;
+  if constexpr (kCorners == 3) return direction(of[0], of[1], of[2], w.u, w.v, w.s);
+  else return direction(of[0], of[1], w.u, w.v);
 }
 
 template <std::size_t kCorners>
@@ -72,26 +71,22 @@ struct FlatPatch {
   const Ends<kCorners>& ends;
 };
 
-/// Phong tessellation: a point pulled towards the mean of its projections onto the corners' tangent planes.
 template <std::size_t kCorners>
 struct PhongPatch {
   explicit PhongPatch(const Ends<kCorners>& of) : ends(of) {}
 
   HWY_INLINE Point at(const Weights& w) const {
-    constexpr float kAlpha = 0.75f;
     const V3 flat = weightedSum(ends.positions, w);
     Corners<kCorners> onPlanes;
     for (std::size_t i = 0; i < kCorners; ++i) {
-      const V3& normal = ends.normals.of[i];
-      onPlanes.of[i] = flat - dot(flat - ends.positions.of[i], normal) * normal;
+      onPlanes.of[i] = onPlane(flat, ends.positions.of[i], ends.normals.of[i]);
     }
-    return {flat * all(1.0f - kAlpha) + weightedSum(onPlanes, w) * all(kAlpha), phongNormal(ends.normals, w)};
+    return {phongPoint(flat, weightedSum(onPlanes, w)), phongNormal(ends.normals, w)};
   }
 
   const Ends<kCorners>& ends;
 };
 
-/// Spherigon: mean of the points on the spheres through each corner, along the Phong normal.
 template <std::size_t kCorners>
 struct SpherigonPatch {
   explicit SpherigonPatch(const Ends<kCorners>& of) : ends(of) {}
@@ -103,12 +98,8 @@ struct SpherigonPatch {
     V height = zero();
     V sum = zero();
     for (std::size_t i = 0; i < kCorners; ++i) {
-      const V3& own = ends.normals.of[i];
-      // 1 + N.Ni goes to 0 for opposite normals, which have no such sphere.
-      const V between = all(1.0f) + dot(normal, own);
-      const V along = select(hn::Lt(between, all(0.1f)), all(0.1f), between);
       const V squared = weights[i] * weights[i];
-      height = height + squared * dot(ends.positions.of[i] - flat, normal + own) / along;
+      height = height + sphereHeight(squared, flat, normal, ends.positions.of[i], ends.normals.of[i]);
       sum = sum + squared;
     }
     return {flat + normal * (height / sum), normal};
@@ -117,81 +108,34 @@ struct SpherigonPatch {
   const Ends<kCorners>& ends;
 };
 
-/// Tangent control point a third of the way from a to b, moved into a's tangent plane.
-template <std::size_t kCorners>
-HWY_INLINE V3 pnTangentPoint(const Ends<kCorners>& ends, std::size_t a, std::size_t b) {
-  const V3& from = ends.positions.of[a];
-  const V3& to = ends.positions.of[b];
-  const V3& normal = ends.normals.of[a];
-  return (all(2.0f) * from + to - dot(to - from, normal) * normal) / all(3.0f);
-}
-
-/// Mid-edge normal: the mean reflected in the plane across the edge, so that inflections show.
-template <std::size_t kCorners>
-HWY_INLINE V3 pnEdgeNormal(const Ends<kCorners>& ends, std::size_t a, std::size_t b) {
-  const V3 along = ends.positions.of[b] - ends.positions.of[a];
-  const V3 sum = ends.normals.of[a] + ends.normals.of[b];
-  const V squared = dot(along, along);
-  const V v = select(hn::Gt(squared, zero()), all(2.0f) * dot(along, sum) / squared, zero());
-  return normalizeOr(sum - v * along, ends.normals.of[a]);
-}
-
-struct PnEdge {
-  explicit PnEdge(const Ends<2>& of)
-      : ends(of), b21(pnTangentPoint(of, 0, 1)), b12(pnTangentPoint(of, 1, 0)), n11(pnEdgeNormal(of, 0, 1)) {}
+struct PnEdgePatch {
+  explicit PnEdgePatch(const Ends<2>& of)
+      : ends(of), inner(pnEdge(of.positions.of[0], of.positions.of[1], of.normals.of[0], of.normals.of[1])) {}
 
   HWY_INLINE Point at(const Weights& w) const {
-    const V u = w.u;
-    const V v = w.v;
-    const V3 position = ends.positions.of[0] * (u * u * u) + b21 * (all(3.0f) * u * u * v) +
-                        b12 * (all(3.0f) * u * v * v) + ends.positions.of[1] * (v * v * v);
-    const V3 normal = ends.normals.of[0] * (u * u) + n11 * (u * v) + ends.normals.of[1] * (v * v);
-    return {position, normalizeOr(normal, heaviest(ends.normals, w))};
+    const V3(&p)[2] = ends.positions.of;
+    const V3(&n)[2] = ends.normals.of;
+    return {pnPosition(inner, p[0], p[1], w.u, w.v), pnNormal(inner, n[0], n[1], w.u, w.v)};
   }
 
   const Ends<2>& ends;
-  V3 b21;
-  V3 b12;
-  V3 n11;
+  PnEdge inner;
 };
 
-struct PnTriangle {
-  explicit PnTriangle(const Ends<3>& of)
+struct PnTrianglePatch {
+  explicit PnTrianglePatch(const Ends<3>& of)
       : ends(of),
-        b210(pnTangentPoint(of, 0, 1)),
-        b120(pnTangentPoint(of, 1, 0)),
-        b021(pnTangentPoint(of, 1, 2)),
-        b012(pnTangentPoint(of, 2, 1)),
-        b102(pnTangentPoint(of, 2, 0)),
-        b201(pnTangentPoint(of, 0, 2)),
-        n110(pnEdgeNormal(of, 0, 1)),
-        n011(pnEdgeNormal(of, 1, 2)),
-        n101(pnEdgeNormal(of, 2, 0)) {
-    const V3(&p)[3] = ends.positions.of;
-    const V3 edgeMean = (b210 + b120 + b021 + b012 + b102 + b201) / all(6.0f);
-    const V3 cornerMean = (p[0] + p[1] + p[2]) / all(3.0f);
-    b111 = edgeMean + (edgeMean - cornerMean) * all(0.5f);
-  }
+        inner(pnTriangle(of.positions.of[0], of.positions.of[1], of.positions.of[2], of.normals.of[0], of.normals.of[1],
+                         of.normals.of[2])) {}
 
   HWY_INLINE Point at(const Weights& w) const {
-    const V u = w.u;
-    const V v = w.v;
-    const V s = w.s;
     const V3(&p)[3] = ends.positions.of;
     const V3(&n)[3] = ends.normals.of;
-    const V3 position = p[0] * (u * u * u) + p[1] * (v * v * v) + p[2] * (s * s * s) +
-                        (b210 * (u * u * v) + b120 * (u * v * v) + b021 * (v * v * s) + b012 * (v * s * s) +
-                         b102 * (u * s * s) + b201 * (u * u * s)) *
-                            all(3.0f) +
-                        b111 * (all(6.0f) * u * v * s);
-    const V3 normal =
-        n[0] * (u * u) + n[1] * (v * v) + n[2] * (s * s) + n110 * (u * v) + n011 * (v * s) + n101 * (u * s);
-    return {position, normalizeOr(normal, heaviest(ends.normals, w))};
+    return {pnPosition(inner, p[0], p[1], p[2], w.u, w.v, w.s), pnNormal(inner, n[0], n[1], n[2], w.u, w.v, w.s)};
   }
 
   const Ends<3>& ends;
-  V3 b210, b120, b021, b012, b102, b201, b111;
-  V3 n110, n011, n101;
+  PnTriangle inner;
 };
 
 }  // namespace sinew::HWY_NAMESPACE

@@ -213,7 +213,7 @@ void blendWithPatch(Surface& surface, std::size_t index, const Replaced& project
 void limitRise(Surface& surface, std::size_t index, const glm::vec3& patch, const glm::vec3& n, float inverseLimit) {
   const glm::vec3 way = surface.positions[index] - patch;
   const float rise = glm::length(way);
-  const float limited = limitedRise(rise, inverseLimit);
+  const float limited = in_float::limitedRise(rise, inverseLimit);
   if (limited == rise) return;
   const float share = limited / rise;
   surface.positions[index] = patch + share * way;

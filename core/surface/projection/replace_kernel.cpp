@@ -48,7 +48,7 @@ class TileReplacer : TileField {
         inputs_(inputs),
         toAnchors_(inputs.wraps && !inputs.settings.alongNormals),
         tolerance_(static_cast<float>(inputs.settings.tolerance)),
-        skin_{false, zero(), zero(), zero(), zero(), zero(), zero()},
+        skin_{{zero(), zero(), zero(), zero(), zero()}, false, zero()},
         asked_(none()),
         open_(none()),
         fallback_(none()) {}
@@ -172,7 +172,7 @@ class TileReplacer : TileField {
       shape.sense = sense;
     }
     const float iso = inputs_.settings.iso;
-    skin_ = {false, all(sense), zero(), zero(), zero(), zero(), all(-sense * iso)};
+    skin_ = {{all(sense), zero(), zero(), zero(), zero()}, false, all(-sense * iso)};
     return RayLanes(lanes, cliques_, skin_, first_);
   }
 
@@ -235,11 +235,6 @@ class TileReplacer : TileField {
     }
   }
 
-  static V eased(V t) {
-    const V x = hn::Min(hn::Max(t, zero()), all(1.0f));
-    return x * x * (all(3.0f) - all(2.0f) * x);
-  }
-
   struct RootLanes {
     V prominence;
     V residual;
@@ -250,7 +245,7 @@ class TileReplacer : TileField {
     if (!any(mask)) return;
     const V far = (hn::Abs(t) / all(inputs_.settings.searchLength) - all(kFadeBegin)) / all(1.0f - kFadeBegin);
     const V share = root.prominence / all(kFullProminence * inputs_.settings.iso);
-    const V own = eased(share) * (all(1.0f) - eased(far));
+    const V own = smoothstep(zero(), all(1.0f), share) * (all(1.0f) - smoothstep(zero(), all(1.0f), far));
     const M whole = hn::Ge(own, all(1.0f));
     const V weight = select(whole, composite.left(), own * composite.left());
     composite.found = hn::Or(composite.found, mask);

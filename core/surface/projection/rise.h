@@ -30,23 +30,4 @@ inline constexpr float kRise = 0.1f;  ///< Height that skin should be able to ri
 [[nodiscard]] std::vector<float> inverseRiseLimits(const ControlMesh& mesh, std::span<const glm::vec3> directions,
                                                    float most);
 
-/// A height s under the limit L: s up to L/2, then L - (L/2)^2 / s, which never reaches L. C1.
-[[nodiscard]] inline float limitedRise(float s, float inverseLimit) {
-  if (!(s * inverseLimit > 0.5f)) return s;
-  const float limit = 1.0f / inverseLimit;
-  return limit - 0.25f * limit * limit / s;
-}
-
-/// 1/L over muscles and carves that only touch the skin: L is twice the height, or depth, at which the root would lie
-/// if F stayed as on the skin. Over muscles the limit fades from F = T/2 to none at T, where the skin is inside. So a
-/// vertex just reached by an influence starts to move from 0, whatever lies further out or in.
-/// @param onSkin  F on the skin, not 0.  @param width  W of the skin's field.
-[[nodiscard]] inline float inverseTouchLimit(float onSkin, float iso, float width) {
-  if (!(onSkin < iso)) return 0.0f;
-  const float left = std::sqrt(std::min(1.0f, iso - onSkin));
-  // |r - r_T| at g(r) = T - F, without cancelling.
-  const float further = std::abs(onSkin) / ((isoRoot(iso) + left) * (std::sqrt(1.0f - left) + isoRadius(iso)));
-  return (1.0f - smoothstep(0.5f * iso, iso, onSkin)) / (2.0f * width * further);
-}
-
 }  // namespace sinew

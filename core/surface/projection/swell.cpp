@@ -14,10 +14,11 @@ namespace {
 /// f_skin(s) = g(max(0, s/W + r_T)), s along the rise direction: T on the skin, 0 for s >= h, 1 for s <= -r_T W.
 struct SkinField {
   double isoRadius;   ///< r_T
+  double isoRoot;     ///< w of T
   double width;       ///< W = h / (1 - r_T)
   double blendWidth;  ///< h
 
-  SkinField(double rT, double h) : isoRadius(rT), width(h / (1.0 - rT)), blendWidth(h) {}
+  SkinField(double rT, double root, double h) : isoRadius(rT), isoRoot(root), width(h / (1.0 - rT)), blendWidth(h) {}
 
   double plateau() const { return isoRadius * width; }
 
@@ -33,10 +34,11 @@ struct SkinField {
     return skin;
   }
 
-  double slope(double s) const {
-    const double r = std::max(0.0, s / width + isoRadius);
-    return 2.0 * r * potentialSlope(r * r) / width;
+  in_double::SkinRay ray(bool outward) const {
+    return {outward ? 1.0 : -1.0, 1.0 / width, isoRadius, isoRoot, outward ? isoRoot : 1e30};
   }
+  /// Of f_skin by s.
+  double slope(double s) const { return -4.0 * in_double::skinSlope(ray(s >= 0.0), std::abs(s)); }
 };
 
 /// Signed along the direction.
@@ -60,7 +62,8 @@ class Sweller {
         rise_(rise),
         surface_(surface),
         scratch_(scratch),
-        isoRadius_(isoRadius(static_cast<double>(settings.iso))) {}
+        isoRadius_(isoRadius(static_cast<double>(settings.iso))),
+        isoRoot_(in_double::potentialInverse(static_cast<double>(settings.iso))) {}
 
   void move(const CarriedVertex& vertex, std::span<const CarrierCandidate> near) {
     gatherCandidates(vertex, near, scratch_);
@@ -72,7 +75,7 @@ class Sweller {
     if (onSkin == 0.0f) return;
     ++scratch_.counts.projected;
     const MeanSizes sizes = meanSizesAt(p);
-    const SkinField skin(isoRadius_, sizes.blendWidth);
+    const SkinField skin(isoRadius_, isoRoot_, sizes.blendWidth);
     const double s = findRoot(skin, p, rise_.directions[index], onSkin > 0.0f, cliques);
     if (s == 0.0) return;
     place(skin, onSkin, index, {static_cast<float>(s), belowOverhangs(skin, s, sizes.radius)}, cliques);
@@ -128,18 +131,20 @@ class Sweller {
     const double sign = s > 0.0 ? 1.0 : -1.0;
     const auto psi = [&](double t) {
       const ValueAndSlope sample = scratch_.ray.sample(t, scratch_.roots);
-      return ValueAndSlope{sign * sample.value, sign * sample.slope};
+      return in_double::Sample{sign * sample.value, sign * sample.slope};
     };
-    const double t = std::abs(s);
-    const double sigma = -static_cast<double>(Overhang::kSlope) * skin.slope(0.0) * skin.blendWidth / radius;
-    return static_cast<float>(
-        sign * heightBelowOverhangs(t, sigma, static_cast<double>(Overhang::kPart) * skin.blendWidth, psi));
+    using Overhangs = in_double::Overhangs<decltype(psi)>;
+    const double sigma = Overhangs::overhangSlope(skin.ray(s > 0.0), skin.blendWidth, radius);
+    return static_cast<float>(sign * Overhangs::heightBelowOverhangs(psi, std::abs(s), sigma, skin.blendWidth, true));
   }
 
   /// A height within the limits of other skin and of muscles that are only touched.
   float limitedHeight(const SkinField& skin, float onSkin, std::size_t index, float s) const {
-    const float touch = inverseTouchLimit(onSkin, settings_.iso, static_cast<float>(skin.width));
-    return s > 0.0f ? limitedRise(s, std::max(rise_.inverseLimits[index], touch)) : -limitedRise(-s, touch);
+    const float touch =
+        in_float::inverseTouchLimit(onSkin, settings_.iso, static_cast<float>(isoRoot_), static_cast<float>(isoRadius_),
+                                    static_cast<float>(1.0 / skin.width));
+    return s > 0.0f ? in_float::limitedRise(s, std::max(rise_.inverseLimits[index], touch))
+                    : -in_float::limitedRise(-s, touch);
   }
 
   void place(const SkinField& skin, float onSkin, std::size_t index, const Root& root, const CliqueLists& cliques) {
@@ -165,6 +170,7 @@ class Sweller {
   Surface& surface_;
   VertexScratch& scratch_;
   double isoRadius_;  ///< r_T
+  double isoRoot_;
 };
 
 }  // namespace

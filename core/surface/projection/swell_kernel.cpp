@@ -16,63 +16,12 @@
 HWY_BEFORE_NAMESPACE();
 namespace sinew::HWY_NAMESPACE {
 
-// heightBelowOverhangs() in lanes.
-
-using LaneEnd = PartEnd<V>;
-
-/// s + psi(s) / sigma along the rays.
-struct SlowFall {
-  const RayLanes& rays;
-  V inverseSigma;
-
-  HWY_INLINE LaneEnd endAt(V s) const {
-    const LaneSample here = rays.sample(s);
-    return {s, s + here.value * inverseSigma, all(1.0f) + here.slope * inverseSigma};
-  }
-};
-
-HWY_INLINE V lowestBetween(const LaneEnd& low, const LaneEnd& high, int step) {
-  const V length = high.at - low.at;
-  if (step % 2 != 0 && step + 1 < Overhang::kNarrowings) return low.at + all(0.5f) * length;
-  const V turns = high.slope - low.slope;
-  const V to =
-      step % 2 == 0 ? (high.slope * length + (low.sum - high.sum)) / turns : zero() - low.slope * length / turns;
-  return low.at + hn::Min(hn::Max(zero(), to), length);
-}
-
-HWY_INLINE LaneEnd select(M mask, const LaneEnd& yes, const LaneEnd& no) {
-  return {select(mask, yes.at, no.at), select(mask, yes.sum, no.sum), select(mask, yes.slope, no.slope)};
-}
-
-/// The least of s + psi(s) / sigma inside a part at whose ends it falls and rises. @param height  in and out
-HWY_INLINE void lowerInside(const SlowFall& fall, LaneEnd low, LaneEnd high, M asked, V& height) {
-  const auto dips = [&]() HWY_ATTR { return both(asked, both(hn::Lt(low.slope, zero()), hn::Gt(high.slope, zero()))); };
-  asked = dips();
-  for (int k = 0; k < Overhang::kNarrowings && any(asked); ++k) {
-    const LaneEnd inside = fall.endAt(lowestBetween(low, high, k));
-    height = select(asked, hn::Min(height, inside.sum), height);
-    const M fallsOn = hn::Lt(inside.slope, zero());
-    low = select(fallsOn, inside, low);
-    high = select(fallsOn, high, inside);
-    asked = dips();
-  }
-}
-
-/// heightBelowOverhangs(). @param t  roots.  @param asked  lanes; others keep t.
-HWY_NOINLINE inline V heightBelowOverhangs(const RayLanes& rays, V t, V sigma, V part, M asked) {
-  const SlowFall fall{rays, all(1.0f) / sigma};
-  LaneEnd from = fall.endAt(zero());
-  V height = select(asked, hn::Min(t, from.sum), t);
-  for (int i = 0; i < Overhang::kMostParts; ++i) {
-    asked = both(asked, hn::Lt(all(static_cast<float>(i)) * part, t));
-    if (!any(asked)) break;
-    const LaneEnd to = fall.endAt(hn::Min(all(static_cast<float>(i + 1)) * part, t));
-    height = select(both(asked, hn::Lt(to.at, t)), hn::Min(height, to.sum), height);
-    lowerInside(fall, from, to, asked, height);
-    from = to;
-  }
-  return hn::Max(height, zero());
-}
+#define formula HWY_INLINE
+#include "core/geometry/formulas/rise.h"
+using Rays = const RayLanes&;
+HWY_INLINE Sample psiAt(const RayLanes& rays, V s) { return rays.sample(s); }
+#include "core/geometry/formulas/overhang.h"
+#undef formula
 
 /// F on the skin, the blend width and the muscles' mean radius there.
 struct OnSkin {
@@ -135,7 +84,7 @@ class TileSweller : TileField {
     directions_.gather(inputs_.rise.directions, tile_->vertices, first_);
     const V3 d = directions_.load(first_);
     const LaneSkin skin = skinOf(onSkin);
-    fillTerms(p, skin.sign * d, skin, active);
+    fillTerms(p, skin.sense * d, skin, active);
     const RayLanes rays(scratch_.lanes, cliques_, skin, first_);
     const LaneRise rise = riseOf(rays, onSkin);
     const LaneSearch search = rays.bracketFromSkin(rise, active);
@@ -143,7 +92,8 @@ class TileSweller : TileField {
     const M known = both(active, hn::Or(roots.solved, search.rootless));
     scratch_.counts.projected += static_cast<int>(hn::CountTrue(kTag, known));
     giveUp(andNot(active, known));
-    const V inverseLimit = touchLimit(onSkin, skin);
+    const V inverseLimit =
+        inverseTouchLimit(onSkin.field, all(inputs_.settings.iso), skin.isoRoot, skin.isoRadius, skin.inverseWidth);
     if (any(known)) {
       place(p, d, rays, inverseLimit,
             {select(search.rootless, rise.end, roots.t), search.rootless, known, rise.from, onSkin.radius});
@@ -168,7 +118,7 @@ class TileSweller : TileField {
       if (ball.boundingRadius == 0.0f) continue;
       const V here = hn::Max(zero(), all(1.0f) - rSquared(ball, p - all(ball.center)));
       if (!any(hn::Gt(here, zero()))) continue;
-      const V value = weightedStrength(i, muscle) * here * here;
+      const V value = potential(weightedStrength(i, muscle), here);
       shares = shares + hn::Abs(value);
       radii = radii + hn::Abs(value) * all(muscle.meanRadius);
       widths = widths + hn::Abs(value) * all(std::min(inputs_.settings.blendWidth, muscle.meanRadius));
@@ -181,7 +131,7 @@ class TileSweller : TileField {
         hn::Store(hn::Load(kTag, sum.at(first_)) + value, kTag, sum.at(first_));
       }
     }
-    const LaneSkin none{false, zero(), zero(), zero(), zero(), zero(), zero()};
+    const LaneSkin none{{zero(), zero(), zero(), zero(), zero()}, false, zero()};
     const RayLanes sums(lanes, cliques_, none, first_);
     for (std::size_t k = 0; k < cliques_.count(); ++k) together = hn::Max(together, sums.sumOf(k, 0));
     const M seen = hn::Gt(shares, zero());
@@ -198,7 +148,7 @@ class TileSweller : TileField {
       const std::size_t i = static_cast<std::size_t>(scratch_.near[n]);
       const PosedPrimitive& muscle = primitive(candidate(i).primitive);
       if (muscle.influence.boundingRadius == 0.0f) continue;
-      const V factor = skin.sign * weightedStrength(i, muscle);
+      const V factor = skin.sense * weightedStrength(i, muscle);
       const M seen = both(active, hn::Ne(factor, zero()));
       if (addTerm(i, p, along, factor, seen, true, lanes.terms[lanes.termCount])) ++lanes.termCount;
     }
@@ -206,19 +156,16 @@ class TileSweller : TileField {
 
   LaneSkin skinOf(const OnSkin& onSkin) const {
     const M outward = hn::Gt(onSkin.field, zero());
-    return {true,
-            select(outward, all(1.0f), all(-1.0f)),
-            all(1.0f - isoRadius_) / onSkin.blendWidth,
-            all(isoRadius_),
-            all(isoRoot_),
-            select(outward, all(isoRoot_), all(1e30f)),
+    return {{select(outward, all(1.0f), all(-1.0f)), all(1.0f - isoRadius_) / onSkin.blendWidth, all(isoRadius_),
+             all(isoRoot_), select(outward, all(isoRoot_), all(1e30f))},
+            true,
             zero()};
   }
 
   /// Where terms may rise: a positive one before its middle, a negative one after it; a shape anywhere in its box.
   LaneRise riseOf(const RayLanes& rays, const OnSkin& onSkin) const {
     const LaneSkin& skin = rays.skin();
-    const M outward = hn::Gt(skin.sign, zero());
+    const M outward = hn::Gt(skin.sense, zero());
     LaneRise rise{all(1e30f), zero(), select(outward, onSkin.blendWidth, all(isoRadius_) / skin.inverseWidth)};
     const auto include = [&](M met, const Range& rising, V leave) HWY_ATTR {
       rise.end = select(both(met, outward), hn::Max(rise.end, leave), rise.end);
@@ -242,28 +189,18 @@ class TileSweller : TileField {
     return rise;
   }
 
-  /// inverseTouchLimit() of rise.h.
-  V touchLimit(const OnSkin& onSkin, const LaneSkin& skin) const {
-    const float iso = inputs_.settings.iso;
-    const V left = hn::Sqrt(hn::Min(hn::Max(zero(), all(iso) - onSkin.field), all(1.0f)));
-    const V roots = (all(isoRoot_) + left) * (hn::Sqrt(all(1.0f) - left) + all(isoRadius_));
-    const V t = hn::Min(hn::Max(zero(), onSkin.field - all(0.5f * iso)) * all(2.0f / iso), all(1.0f));
-    const V share = all(1.0f) - t * t * (all(3.0f) - all(2.0f) * t);
-    return share * roots * skin.inverseWidth / (all(2.0f) * hn::Abs(onSkin.field));
-  }
-
   /// The root, or less if psi falls slowly before it. Outwards, the skin's own field is steep enough up to h/2 while F
   /// does not rise; bounds of the derivative usually prove the rest.
   V belowOverhangs(const RayLanes& rays, const Found& found, M moved) const {
     const LaneSkin& skin = rays.skin();
     const V blendWidth = all(1.0f - isoRadius_) / skin.inverseWidth;
-    const V sigma = all(-Overhang::kSlope) * skin.slope(zero()) * blendWidth / found.radius;
-    const V steep = select(hn::Gt(skin.sign, zero()), hn::Min(all(0.5f) * blendWidth, found.risesFrom), zero());
+    const V sigma = overhangSlope(skin, blendWidth, found.radius);
+    const V steep = select(hn::Gt(skin.sense, zero()), hn::Min(all(0.5f) * blendWidth, found.risesFrom), zero());
     M asked = both(moved, hn::Lt(steep, found.t));
     if (!any(asked)) return found.t;
     asked = both(asked, hn::Gt(rays.bounds(steep, found.t).maxSlope, zero() - sigma));
     if (!any(asked)) return found.t;
-    return heightBelowOverhangs(rays, found.t, sigma, all(Overhang::kPart) * blendWidth, asked);
+    return heightBelowOverhangs(rays, found.t, sigma, blendWidth, asked);
   }
 
   /// @param inverseLimit  1/L, in addition to that of other skin.
@@ -272,7 +209,7 @@ class TileSweller : TileField {
     const V t = found.t;
     const M moved = both(found.known, hn::Ne(t, zero()));
     if (!any(moved)) return;
-    const V s = skin.sign * t;
+    const V s = skin.sense * t;
     normals_.gather(inputs_.surface->normals, tile_->vertices, first_);
     const V3 n = normals_.load(first_);
     V field;
@@ -287,11 +224,9 @@ class TileSweller : TileField {
     }
     const V ofSkin = select(hn::Gt(s, zero()), hn::Load(kTag, limits.at(first_)), zero());
     const V inverse = hn::Max(inverseLimit, ofSkin);
-    const V limit = all(1.0f) / inverse;
-    const M limited = hn::Gt(below * inverse, all(0.5f));
-    const V size = select(limited, limit - all(0.25f) * limit * limit / below, below);
+    const V size = limitedRise(below, inverse);
     const M lowered = hn::Lt(size, t);
-    const V height = skin.sign * size;
+    const V height = skin.sense * size;
     const V3 ofField = unitOr(V3{zero(), zero(), zero()} - (slope * n + gradient), n);
     const V3 normal = select(lowered, unitOr(n + (height / s) * (ofField - n), n), ofField);
     write(p + height * d, normal, height, moved);

@@ -75,7 +75,7 @@ class TileField {
   /// r^2 at v from the center.
   V rSquared(const UnitBallMap& ball, const V3& v) const {
     const V3 y = inBall(ball, v);
-    return ball.isPlain() ? scaleOf(ball) * dot(y, y) : ShapePoint(ball.shape, y).rSquared();
+    return ball.isPlain() ? scaleOf(ball) * dot(y, y) : shapeRSquared(shapePoint(numbersOf(ball.shape), y));
   }
 
   void clearTerms() { scratch_.lanes.termCount = scratch_.lanes.shapeCount = 0; }
@@ -127,17 +127,18 @@ class TileField {
 
   /// F's gradient at x, t along the rays, and in `value` sign * F.
   V3 gradientAt(const V3& x, const RayLanes& rays, V t, V& value) const {
-    const V sign = rays.skin().sign;
+    const V sign = rays.skin().sense;
     V3 gradient{zero(), zero(), zero()};
     value = zero();
     rays.clearSums();
-    const auto addPart = [&](int slot, V fw, V w, const V3& halfSlope) HWY_ATTR {
-      const V3 part = (all(-4.0f) * sign * fw) * halfSlope;
+    const auto addPart = [&](int slot, V factor, V w, const V3& halfSlope) HWY_ATTR {
+      const V ofPart = potential(factor, w);
+      const V3 part = (all(-4.0f) * sign * (factor * potentialRate(w))) * halfSlope;
       if (rays.isEverywhere(slot)) {
-        value = value + fw * w;
+        value = value + ofPart;
         gradient = gradient + part;
       } else {
-        rays.add(slot, 0, fw * w);
+        rays.add(slot, 0, ofPart);
         rays.add(slot, 1, part.x);
         rays.add(slot, 2, part.y);
         rays.add(slot, 3, part.z);
@@ -151,13 +152,14 @@ class TileField {
       const V3 y = x - all(ball.center);
       const V3 halfSlope = ball.inverseRadius > 0.0f ? all(ball.inverseRadius * ball.inverseRadius) * y
                                                      : transposedTimes(ball.toUnit, times(ball.toUnit, y));
-      addPart(term.slot, rays.load(term.factor) * w, w, halfSlope);
+      addPart(term.slot, rays.load(term.factor), w, halfSlope);
     }
     for (const LaneShape& shape : rays.shapes()) {
       const ShapeOnRays ray = rays.onRays(shape);
       const ShapePoint at = ray.at(t);
-      const V w = hn::Max(zero(), all(1.0f) - at.rSquared());
-      addPart(shape.slot, ray.factor() * w, w, transposedTimes(influence(shape.primitive).toUnit, at.halfSlope()));
+      const UnitBallMap& ball = influence(shape.primitive);
+      addPart(shape.slot, ray.factor(), hn::Max(zero(), all(1.0f) - shapeRSquared(at)),
+              transposedTimes(ball.toUnit, shapeHalfSlope(numbersOf(ball.shape), at)));
     }
     V best = zero();
     V3 bestGradient{zero(), zero(), zero()};

@@ -6,6 +6,7 @@
 #include <type_traits>
 
 #include "core/geometry/at.h"
+#include "core/geometry/formulas.h"
 
 namespace sinew {
 namespace {
@@ -75,14 +76,16 @@ ValueAndSlope RayField::sampleShaped(const RayTerm& term, double t) const {
   const glm::dvec3 p = ray.at(t);
   const double w = 1.0 - ray.shape.rSquared(p);
   if (w <= 0.0 || t < term.enter || t > term.leave || (term.goesOn && t == term.leave)) return {};
-  return {term.factor * w * w, -2.0 * term.factor * w * glm::dot(ray.shape.rSquaredSlope(p), ray.along)};
+  return {in_double::potential(term.factor, w),
+          -2.0 * term.factor * in_double::potentialRate(w) * glm::dot(ray.shape.rSquaredSlope(p), ray.along)};
 }
 
 inline ValueAndSlope RayField::sampleTerm(const RayTerm& term, double t) const {
   if (term.shaped >= 0) return sampleShaped(term, t);
   const double w = 1.0 - term.rSquared(t);
   if (w <= 0.0 || t < term.enter || t > term.leave || (t == term.leave && term.goesOn)) return {};
-  return {term.factor * w * w, -4.0 * term.factor * w * (term.a * t + term.b)};
+  return {in_double::potential(term.factor, w),
+          -4.0 * term.factor * in_double::potentialRate(w) * (term.a * t + term.b)};
 }
 
 ValueAndSlope RayField::sample(double t, RayScratch& scratch) const {

@@ -19,34 +19,12 @@ HWY_BEFORE_NAMESPACE();
 namespace sinew::HWY_NAMESPACE {
 
 /// The skin's own field minus T, times the direction's sign: falls from 0 at t = 0.
-struct LaneSkin {
-  bool falls;      ///< False: the skin has no field; only `sign` and `offset` count.
-  V sign;          ///< 1: outwards, -1: inwards.
-  V inverseWidth;  ///< 1 / W
-  V isoRadius;     ///< r_T
-  V isoRoot;       ///< sqrt T
-  V maxFall;       ///< Upper bound of fall(): the skin's own field ends outwards.
-  V offset;        ///< Added everywhere.
+struct LaneSkin : SkinRay {
+  bool falls;  ///< False: the skin has no field; only `sense` and `offset` count.
+  V offset;    ///< Added everywhere.
 
-  // w^2 - T = (w - sqrt T)(w + sqrt T) is exact to the last place for tiny t, and so for tiny rises.
-  HWY_INLINE V fall(V t) const {
-    const V u = t * inverseWidth;
-    return hn::Min(u * (isoRadius + isoRadius + sign * u), maxFall);
-  }
-  HWY_INLINE V value(V t) const {
-    if (!falls) return offset;
-    const V e = fall(t);
-    return offset - e * (isoRoot + isoRoot - sign * e);
-  }
-  HWY_INLINE V radius(V t) const { return hn::Max(zero(), isoRadius + sign * (t * inverseWidth)); }
-  HWY_INLINE V root(V t) const { return isoRoot - sign * fall(t); }
-  HWY_INLINE V slope(V t) const { return falls ? all(-4.0f) * inverseWidth * (radius(t) * root(t)) : zero(); }
-};
-
-/// psi(t) = sign (skin(t) + F(t) - T) and its derivative.
-struct LaneSample {
-  V value;
-  V slope;
+  HWY_INLINE V value(V t) const { return falls ? offset + skinValue(*this, t) : offset; }
+  HWY_INLINE V slope(V t) const { return falls ? all(-4.0f) * skinSlope(*this, t) : zero(); }
 };
 
 /// Bounds on a whole interval of every ray.
@@ -91,14 +69,13 @@ class RayLanes {
   HWY_INLINE ShapeOnRays onRays(const LaneShape& shape) const { return {shape, first_}; }
   HWY_INLINE const LaneSkin& skin() const { return skin_; }
 
-  LaneSample sample(V t) const {
-    LaneSample sum{zero(), zero()};  // The derivative is divided by -4.
+  Sample sample(V t) const {
+    Sample sum{zero(), zero()};  // The derivative is divided by -4.
     clearSums();
     for (const LaneTerm& term : terms()) {
       const V d = t - load(term.middle);
       const V ad = load(term.a) * d;
-      const V w = hn::Max(zero(), load(term.peak) - ad * d);
-      addSample(term.slot, load(term.factor) * w, w, ad, sum);
+      addSample(term.slot, load(term.factor), {hn::Max(zero(), load(term.peak) - ad * d), ad}, sum);
     }
     // Passed by value: a sum with an address would be kept in memory by the loop above.
     if (HWY_UNLIKELY(!shapes().empty())) sum = withShapes(sum, t);
@@ -111,7 +88,9 @@ class RayLanes {
     LaneBounds sum{zero(), zero(), zero(), zero(), zero(), zero()};
     clearSums();
     for (const LaneTerm& term : terms()) {
-      addBounds(term.slot, load(term.factor), ellipsoidBounds(term, t0, t1), sum);
+      const V middle = load(term.middle);
+      addBounds(term.slot, load(term.factor), ellipsoidBounds(load(term.a), load(term.peak), t0 - middle, t1 - middle),
+                sum);
     }
     if (HWY_UNLIKELY(!shapes().empty())) sum = withShapes(sum, t0, t1);
     if (!cliques_.empty()) sum = withWinners(sum);
@@ -120,10 +99,10 @@ class RayLanes {
                    sum.values + hn::Abs(skin), sum.slopes,   skin + sum.atEnd};
     if (skin_.falls) {
       // The factors of the skin's derivative are monotone: their least and largest values are at the ends.
-      const Range radius = rangeOf(skin_.radius(t0), skin_.radius(t1));
-      const Range root = rangeOf(skin_.root(t0), skin_.root(t1));
-      const V fall = skin_.inverseWidth * radius.high * root.high;
-      psi.maxSlope = psi.maxSlope - skin_.inverseWidth * radius.low * root.low;
+      const Range radius = rangeOf(skinRadius(skin_, t0), skinRadius(skin_, t1));
+      const Range rate = rangeOf(skinRate(skin_, t0), skinRate(skin_, t1));
+      const V fall = skin_.inverseWidth * radius.high * rate.high;
+      psi.maxSlope = psi.maxSlope - skin_.inverseWidth * radius.low * rate.low;
       psi.minSlope = psi.minSlope - fall;
       psi.slopes = psi.slopes + fall;
     }
@@ -137,7 +116,7 @@ class RayLanes {
   /// Brackets the first change of sign of the active lanes' rays, which start on the skin with psi > 0. Lanes that end
   /// up neither bracketed nor rootless have no certificate. No lane depends on its neighbors.
   LaneSearch bracketFromSkin(const LaneRise& rise, M active) const {
-    const M outward = hn::Gt(skin_.sign, zero());
+    const M outward = hn::Gt(skin_.sense, zero());
     const M falls = hn::Ge(rise.from, rise.end);
     const V from = hn::Min(rise.from, rise.end);
     LaneSearch search{zero(), from, both(both(active, falls), outward), none()};
@@ -207,21 +186,23 @@ class RayLanes {
 
   HWY_INLINE void store(V value, LaneFloats& floats) const { hn::Store(value, kTag, floats.at(first_)); }
 
-  HWY_INLINE void addSample(int slot, V fw, V w, V halfSlope, LaneSample& sum) const {
+  /// @param of  w and half the derivative of r^2.
+  HWY_INLINE void addSample(int slot, V factor, const Sample& of, Sample& sum) const {
+    const V value = potential(factor, of.value);
+    const V slope = factor * potentialRate(of.value) * of.slope;
     if (isEverywhere(slot)) {
-      sum.value = sum.value + fw * w;
-      sum.slope = sum.slope + fw * halfSlope;
+      sum.value = sum.value + value;
+      sum.slope = sum.slope + slope;
     } else {
-      add(slot, 0, fw * w);
-      add(slot, 1, fw * halfSlope);
+      add(slot, 0, value);
+      add(slot, 1, slope);
     }
   }
 
-  HWY_NOINLINE LaneSample withShapes(LaneSample sum, V t) const {
+  HWY_NOINLINE Sample withShapes(Sample sum, V t) const {
     for (const LaneShape& shape : shapes()) {
       const ShapeOnRays ray = onRays(shape);
-      const ShapeOnRays::Sample seen = ray.sample(t);
-      addSample(shape.slot, ray.factor() * seen.w, seen.w, seen.halfSlope, sum);
+      addSample(shape.slot, ray.factor(), ray.sample(t), sum);
     }
     return sum;
   }
@@ -235,42 +216,21 @@ class RayLanes {
   }
 
   HWY_INLINE void addBounds(int slot, V factor, const PotentialBounds& of, LaneBounds& sum) const {
-    const M adds = hn::Ge(factor, zero());
-    const V atLow = factor * of.w.low * of.w.low;
-    const V atHigh = factor * of.w.high * of.w.high;
-    const V rate = factor * of.rate;  // The derivative is -4 factor rate slope w.
-    const V minDw = rate * (hn::Min(of.slope.low, zero()) * of.w.high + hn::Max(of.slope.low, zero()) * of.w.low);
-    const V maxDw = rate * (hn::Max(of.slope.high, zero()) * of.w.high + hn::Min(of.slope.high, zero()) * of.w.low);
-    const V min = select(adds, atLow, atHigh);
-    const V maxSlope = zero() - select(adds, minDw, maxDw);
-    const V minSlope = zero() - select(adds, maxDw, minDw);
-    const V end = factor * of.atEnd * of.atEnd;
-    sum.values = sum.values + hn::Abs(atHigh);
-    sum.slopes = sum.slopes + hn::Max(hn::Abs(maxSlope), hn::Abs(minSlope));
+    const TermBounds term = termBounds(factor, of);
+    sum.values = sum.values + term.most;
+    sum.slopes = sum.slopes + hn::Max(hn::Abs(term.slope.high), hn::Abs(term.slope.low));
     if (isEverywhere(slot)) {
-      sum.value = sum.value + min;
-      sum.atEnd = sum.atEnd + end;
-      sum.maxSlope = sum.maxSlope + maxSlope;
-      sum.minSlope = sum.minSlope + minSlope;
+      sum.value = sum.value + term.value.low;
+      sum.atEnd = sum.atEnd + term.atEnd;
+      sum.maxSlope = sum.maxSlope + term.slope.high;
+      sum.minSlope = sum.minSlope + term.slope.low;
     } else {
-      add(slot, kMin, min);
-      add(slot, kAtEnd, end);
-      add(slot, kMaxSlope, maxSlope);
-      add(slot, kMinSlope, minSlope);
-      add(slot, kMax, select(adds, atHigh, atLow));
+      add(slot, kMin, term.value.low);
+      add(slot, kAtEnd, term.atEnd);
+      add(slot, kMaxSlope, term.slope.high);
+      add(slot, kMinSlope, term.slope.low);
+      add(slot, kMax, term.value.high);
     }
-  }
-
-  /// The w of an ellipsoid is concave: least at an end, largest at an end or at its peak.
-  HWY_INLINE PotentialBounds ellipsoidBounds(const LaneTerm& term, V t0, V t1) const {
-    const V a = load(term.a);
-    const V peak = load(term.peak);
-    const V d0 = t0 - load(term.middle);
-    const V d1 = t1 - load(term.middle);
-    const V w0 = hn::Max(zero(), peak - a * d0 * d0);
-    const V w1 = hn::Max(zero(), peak - a * d1 * d1);
-    const M peaks = both(hn::Lt(d0, zero()), hn::Gt(d1, zero()));
-    return {{hn::Min(w0, w1), select(peaks, hn::Max(zero(), peak), hn::Max(w0, w1))}, {d0, d1}, a, w1};
   }
 
   /// Goes interval by interval from search.low to `end`; the first ends at search.high. It passes an interval if bounds
@@ -307,12 +267,12 @@ class RayLanes {
   }
 
   /// Sum of the clique with the largest F; where psi's sign is negative, with the least psi.
-  HWY_INLINE LaneSample withWinner(const LaneSample& sum) const {
+  HWY_INLINE Sample withWinner(const Sample& sum) const {
     V best = zero();
     V bestSlope = zero();
     for (std::size_t k = 0; k < cliques_.count(); ++k) {
       const V value = sumOf(k, 0);
-      const M wins = hn::Gt(skin_.sign * value, skin_.sign * best);
+      const M wins = hn::Gt(skin_.sense * value, skin_.sense * best);
       best = select(wins, value, best);
       bestSlope = select(wins, sumOf(k, 1), bestSlope);
     }
@@ -322,7 +282,7 @@ class RayLanes {
   /// F is the largest of the cliques' sums: only those that may be the largest somewhere bound the derivative.
   HWY_INLINE LaneBounds withWinners(LaneBounds sum) const {
     constexpr float kInfinity = std::numeric_limits<float>::infinity();
-    const V sign = skin_.sign;
+    const V sign = skin_.sense;
     const M outward = hn::Gt(sign, zero());
     V surely = all(-kInfinity);  // F is nowhere less.
     V min = surely;              // Times the sign, like atEnd.
@@ -368,7 +328,7 @@ inline LaneRoots rootsIn(const RayLanes& rays, const LaneSearch& search, float t
   LaneRoots roots{search.low, none()};
   M open = search.bracketed;
   for (int step = 0; step < kMaxSteps && any(open); ++step) {
-    const LaneSample at = rays.sample(roots.t);
+    const Sample at = rays.sample(roots.t);
     const M above = hn::Gt(at.value, zero());
     low = select(above, roots.t, low);
     high = select(above, high, roots.t);

@@ -10,12 +10,14 @@
 namespace sinew::test {
 namespace {
 
-struct Psi {
-  double value = 0.0;
-  double slope = 0.0;
-};
+using Psi = in_double::Sample;
 
-constexpr double kPart = 0.1;
+constexpr double kBlendWidth = 0.4;
+
+template <class Along>
+double heightBelowOverhangs(double root, double sigma, const Along& psi) {
+  return in_double::Overhangs<Along>::heightBelowOverhangs(psi, root, sigma, kBlendWidth, true);
+}
 
 /// (t - dip)^2 + least, times a factor that falls to 0 at 1.
 struct Dipped {
@@ -28,13 +30,13 @@ struct Dipped {
   }
   /// The first root.
   [[nodiscard]] double root() const { return least < 0.0 ? dip - std::sqrt(-least) : 1.0; }
-  [[nodiscard]] double height(double sigma) const { return heightBelowOverhangs(root(), sigma, kPart, *this); }
+  [[nodiscard]] double height(double sigma) const { return heightBelowOverhangs(root(), sigma, *this); }
 };
 
 TEST(Overhang, SteepPsiKeepsTheRoot) {
   for (const double root : {1e-6, 0.05, 0.3, 2.0}) {
     const auto falls = [&](double t) { return Psi{root * root - t * t + root - t, -2.0 * t - 1.0}; };
-    EXPECT_EQ(heightBelowOverhangs(root, 1.0, kPart, falls), root);
+    EXPECT_EQ(heightBelowOverhangs(root, 1.0, falls), root);
   }
 }
 
@@ -87,7 +89,7 @@ struct Kinked {
     while (t < 2.0 && (*this)(t).value > 0.0) t += 1e-5;
     return t;
   }
-  [[nodiscard]] double height(double sigma) const { return heightBelowOverhangs(root(), sigma, kPart, *this); }
+  [[nodiscard]] double height(double sigma) const { return heightBelowOverhangs(root(), sigma, *this); }
 };
 
 // For unlinked muscles psi has kinks, and the derivatives on both sides may differ a hundredfold.
@@ -133,8 +135,7 @@ TEST(Overhang, MinimumIsFoundAtAKinkBelowAPeak) {
       for (const double peak : {0.09, 0.12, 0.3}) {
         const Peaked psi{kink, steep, peak};
         const double root = kink + 2.0 * peak;  // Approximate; only what lies before it matters.
-        EXPECT_NEAR(heightBelowOverhangs(root, 1.0, kPart, psi), kink + 0.02, 5e-3)
-            << steep << ' ' << kink << ' ' << peak;
+        EXPECT_NEAR(heightBelowOverhangs(root, 1.0, psi), kink + 0.02, 5e-3) << steep << ' ' << kink << ' ' << peak;
       }
     }
   }

@@ -77,7 +77,7 @@ TEST(RiseLimits, KeepLiftedWallsApart) {
   const std::vector<float> inverse = inverseRiseLimits(mesh, mesh.normals, 0.3f);
   int limited = 0;
   for (std::size_t v = 0; v < inverse.size(); ++v) {
-    const glm::vec3 lifted = mesh.positions[v] + limitedRise(0.15f, inverse[v]) * mesh.normals[v];
+    const glm::vec3 lifted = mesh.positions[v] + in_float::limitedRise(0.15f, inverse[v]) * mesh.normals[v];
     limited += inverse[v] > 0.0f ? 1 : 0;
     // The other side of the groove is beyond x = 0.
     EXPECT_GE(lifted.x * mesh.positions[v].x, -1e-6f) << v;
@@ -109,7 +109,7 @@ TEST(RiseLimits, CompressHeightsSmoothlyBelowTheLimit) {
   float slopeBefore = 1.0f;
   for (int i = 1; i <= 2000; ++i) {
     const float s = kStep * static_cast<float>(i);
-    const float height = limitedRise(s, 1.0f / kLimit);
+    const float height = in_float::limitedRise(s, 1.0f / kLimit);
     const float slope = (height - before) / kStep;
     if (s <= 0.5f * kLimit) {
       EXPECT_EQ(height, s);
@@ -120,8 +120,8 @@ TEST(RiseLimits, CompressHeightsSmoothlyBelowTheLimit) {
     before = height;
     slopeBefore = slope;
   }
-  EXPECT_EQ(limitedRise(0.7f, 0.0f), 0.7f) << "no limit";
-  EXPECT_EQ(limitedRise(-0.7f, 9.0f), -0.7f) << "inwards";
+  EXPECT_EQ(in_float::limitedRise(0.7f, 0.0f), 0.7f) << "no limit";
+  EXPECT_EQ(in_float::limitedRise(-0.7f, 9.0f), -0.7f) << "inwards";
 }
 
 }  // namespace

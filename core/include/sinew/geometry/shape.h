@@ -60,29 +60,11 @@ struct UnitShape {
   float meanRadius = 1.0f;  ///< Radius of the ball with the visible body's volume, over that of the ellipsoid's.
 
   /// r^2 at a point: < 1 inside the influence.
-  template <class Vec>
-  [[nodiscard]] typename Vec::value_type rSquared(const Vec& p) const {
-    using Real = typename Vec::value_type;
-    const Real end = std::max(std::abs(p.y) - Real(core), Real(0)) * Real(inverseEnd);
-    if (end >= Real(1)) return end * end;  // S may be negative there.
-    const Real x = p.x - Real(bend.x) - Real(curve.x) * p.y * p.y;
-    const Real z = p.z - Real(bend.y) - Real(curve.y) * p.y * p.y;
-    return (Real(lateral) + Real(taper) * p.y) * (x * x + z * z) + end * end;
-  }
-
+  [[nodiscard]] float rSquared(const glm::vec3& p) const;
+  [[nodiscard]] double rSquared(const glm::dvec3& p) const;
   /// d(r^2)/dp inside the influence.
-  template <class Vec>
-  [[nodiscard]] Vec rSquaredSlope(const Vec& p) const {
-    using Real = typename Vec::value_type;
-    const Real end = std::max(std::abs(p.y) - Real(core), Real(0)) * Real(inverseEnd);
-    const Real x = p.x - Real(bend.x) - Real(curve.x) * p.y * p.y;
-    const Real z = p.z - Real(bend.y) - Real(curve.y) * p.y * p.y;
-    const Real twice = Real(2) * (Real(lateral) + Real(taper) * p.y);
-    const Real alongAxis = Real(taper) * (x * x + z * z) -
-                           twice * Real(2) * p.y * (Real(curve.x) * x + Real(curve.y) * z) +
-                           Real(2) * end * Real(inverseEnd) * (p.y < Real(0) ? Real(-1) : Real(1));
-    return {twice * x, alongAxis, twice * z};
-  }
+  [[nodiscard]] glm::vec3 rSquaredSlope(const glm::vec3& p) const;
+  [[nodiscard]] glm::dvec3 rSquaredSlope(const glm::dvec3& p) const;
 };
 
 [[nodiscard]] UnitShape unitShape(const Shape& shape, float reach);  ///< @param shape  legal for the reach.
