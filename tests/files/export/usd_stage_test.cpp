@@ -1,4 +1,4 @@
-// tests/files/export/usd_stage_test.cpp: time samples of points, names, and invalid stages.
+// tests/files/export/usd_stage_test.cpp: time samples of points, faces of mirrored meshes, names, and invalid stages.
 
 #include "core/files/usd/stage.h"
 
@@ -11,6 +11,7 @@
 #include "core/files/usd/text.h"
 #include "sinew/surface/smoother.h"
 #include "tests/files/export/export_scenes.h"
+#include "tests/support/characters/gltf_builder.h"
 #include "tests/support/temporary_folder.h"
 
 namespace sinew::test {
@@ -141,6 +142,54 @@ TEST_F(UsdStage, SamplesWithMissingPointsAreRefused) {
   refuses([](auto& meshes) { meshes.pop_back(); });
   refuses([](auto& meshes) { meshes.front().points.pop_back(); });
   refuses([](auto& meshes) { meshes.front().normals.pop_back(); });
+}
+
+/// The numbers of the first attribute of that name.
+std::vector<float> valuesOf(const std::string& text, const std::string& name) {
+  const std::size_t at = text.find(name + " = ");
+  EXPECT_NE(at, std::string::npos) << name;
+  if (at == std::string::npos) return {};
+  const std::size_t begin = at + name.size();
+  return numbersIn(std::string_view(text).substr(begin, text.find('\n', begin) - begin));
+}
+
+std::string skinnedText(const Post& post) {
+  const std::string glb = post.file.glb();
+  const std::vector<std::uint8_t> bytes(glb.begin(), glb.end());
+  gltf::File file(bytes, ".");
+  return usd::skinnedStage(file, Json::parse(gltf::openContainer(bytes).json).value(), "post").text;
+}
+
+/// Negative if the faces look inwards.
+float volumeInBindPose(const std::string& text) {
+  const std::vector<float> points = valuesOf(text, "point3f[] points");
+  const std::vector<float> corners = valuesOf(text, "int[] faceVertexIndices");
+  const std::vector<float> rows = valuesOf(text, "matrix4d primvars:skel:geomBindTransform");
+  EXPECT_EQ(rows.size(), 16U);
+  glm::mat4 meshToBind(0.0f);  // USD's rows are glm's columns.
+  for (std::size_t i = 0; i < rows.size(); ++i) meshToBind[static_cast<int>(i / 4)][static_cast<int>(i % 4)] = rows[i];
+  const auto place = [&](std::size_t corner) {
+    const std::size_t v = 3 * static_cast<std::size_t>(corners.at(corner));
+    return glm::vec3(meshToBind * glm::vec4(points.at(v), points.at(v + 1), points.at(v + 2), 1.0f));
+  };
+  float volume = 0.0f;
+  for (std::size_t c = 0; c + 2 < corners.size(); c += 3) {
+    volume += glm::dot(place(c), glm::cross(place(c + 1), place(c + 2))) / 6.0f;
+  }
+  return volume;
+}
+
+TEST(UsdMesh, MirroredFacesLookOutwards) {
+  for (const float side : {1.0f, -1.0f}) {
+    Post post = makePost();
+    std::vector<float> inverseBinds;
+    for (const float below : {0.0f, -1.0f}) {  // The joints are at y = 0 and 1.
+      const std::vector<float> one{side, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, below, 0, 1};
+      inverseBinds.insert(inverseBinds.end(), one.begin(), one.end());
+    }
+    post.file.json["skins"][0]["inverseBindMatrices"] = post.file.accessor(inverseBinds, "MAT4");
+    EXPECT_FLOAT_EQ(volumeInBindPose(skinnedText(post)), 2.0f) << side;  // 1 x 2 x 1
+  }
 }
 
 TEST(UsdText, NumbersRoundTrip) {
