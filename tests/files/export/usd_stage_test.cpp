@@ -1,4 +1,5 @@
-// tests/files/export/usd_stage_test.cpp: time samples of points, faces of mirrored meshes, names, and invalid stages.
+// tests/files/export/usd_stage_test.cpp: time samples of points, faces of mirrored meshes, colors, names, and invalid
+// stages.
 
 #include "core/files/usd/stage.h"
 
@@ -190,6 +191,25 @@ TEST(UsdMesh, MirroredFacesLookOutwards) {
     post.file.json["skins"][0]["inverseBindMatrices"] = post.file.accessor(inverseBinds, "MAT4");
     EXPECT_FLOAT_EQ(volumeInBindPose(skinnedText(post)), 2.0f) << side;  // 1 x 2 x 1
   }
+}
+
+TEST(UsdMesh, VertexColorsAndOpacityIncludeTheMaterials) {
+  Post post = makePost();
+  std::vector<float> colors;
+  std::vector<float> shown;
+  std::vector<float> opacities;
+  for (int v = 0; v < 12; ++v) {
+    const float alpha = static_cast<float>(v + 4) / 16.0f;
+    colors.insert(colors.end(), {0.5f, 0.25f, 1.0f, alpha});
+    shown.insert(shown.end(), {0.25f, 0.25f, 0.125f});
+    opacities.push_back(0.5f * alpha);
+  }
+  post.attributes()["COLOR_0"] = post.file.accessor(colors, "VEC4");
+  post.primitive()["material"] = 0;
+  post.file.json["materials"].push_back({{"pbrMetallicRoughness", {{"baseColorFactor", {0.5, 1.0, 0.125, 0.5}}}}});
+  const std::string text = skinnedText(post);
+  EXPECT_EQ(valuesOf(text, "color3f[] primvars:displayColor"), shown);
+  EXPECT_EQ(valuesOf(text, "float[] primvars:displayOpacity"), opacities);
 }
 
 TEST(UsdText, NumbersRoundTrip) {
