@@ -13,7 +13,10 @@
 #include "sinew/geometry/threads.h"
 #include "sinew/surface/smoother.h"
 #include "tests/support/allocations.h"
+#include "tests/support/characters/character_parts.h"
 #include "tests/support/characters/dressed_humanoid.h"
+#include "tests/support/rigs/random_rigs.h"
+#include "tests/support/surface/sheets.h"
 
 namespace sinew {
 namespace {
@@ -101,6 +104,54 @@ TEST(Cloth, MovesWithTheSkinAndRigidPartsAreUnchanged) {
       EXPECT_NEAR(glm::length(lifted.normals[v]), 1.0f, 1e-4f);
     });
     EXPECT_GT(moved, 500);
+  }
+}
+
+/// A square of skin that faces +z, over a muscle, and the same of cloth `deep` below it.
+Character skinOverCloth(float deep) {
+  test::Sheet sheets = test::sheetOf(8, [](float, float) { return 0.0f; });
+  const std::size_t half = sheets.triangles.size();
+  const auto first = static_cast<int>(sheets.positions.size());
+  for (const glm::vec3& p : std::vector(sheets.positions)) sheets.positions.emplace_back(p.x, p.y, -deep);
+  for (const auto& [a, b, c] : std::vector(sheets.triangles)) {
+    sheets.triangles.push_back({first + a, first + b, first + c});
+  }
+  Character character;
+  character.mesh = test::meshOf(sheets.positions, sheets.triangles);
+  for (std::size_t t = half; t < 2 * half; ++t) character.mesh.triangles[t].part = 1;
+  character.parts = {{"Body", 0}, {"Lining", 0}};
+  character.materials.emplace_back();
+  test::addBone(character.skeleton, "bone", -1, glm::vec3(0.0f));
+  finishBones(character.skeleton);
+  character.height = 2.0f;
+  return character;
+}
+
+TEST(Cloth, BelowTheSkinInTheFileKeepsItsDepth) {
+  for (const float deep : {0.005f, 0.02f}) {
+    const auto character = std::make_shared<const Character>(skinOverCloth(deep));
+    Rig rig;
+    rig.smoothing.depth = 2;
+    rig.groups.push_back({"a", {}});
+    rig.primitives.push_back(
+        test::ellipsoidAt(*character, "muscle", "bone", "a", {0.0f, 0.0f, -0.2f}, {0.5f, 0.5f, 0.3f}));
+    rig.layers = {{"Body", SkinLayer::kSkin}, {"Lining", SkinLayer::kCloth}};
+    Smoother smoother(character);
+    ASSERT_TRUE(smoother.prepare(rig).ok());
+    Surface surface;
+    smoother.smooth(bindPose(character->skeleton), surface);
+    const auto& triangles = surface.refinement->triangles;
+    const std::size_t half = triangles.size() / 2;
+    float risen = 0.0f;
+    for (std::size_t t = 0; t < half; ++t) {
+      for (std::size_t c = 0; c < 3; ++c) {
+        const glm::vec3& skin = at(surface.positions, triangles[t][c]);
+        const glm::vec3& cloth = at(surface.positions, triangles[half + t][c]);
+        EXPECT_LT(glm::distance(cloth, skin - glm::vec3(0.0f, 0.0f, deep)), 1e-5f) << skin.x << ' ' << skin.y;
+        risen = std::max(risen, skin.z);
+      }
+    }
+    EXPECT_GT(risen, 0.05f) << deep;
   }
 }
 
