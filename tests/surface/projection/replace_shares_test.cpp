@@ -1,4 +1,4 @@
-// tests/surface/projection/replace_shares_test.cpp: `replace` over a single ball, for which weights and roots have
+// tests/surface/projection/replace_shares_test.cpp: `replace` over one or two muscles, for which weights and roots have
 // closed forms.
 
 #include <algorithm>
@@ -12,6 +12,7 @@
 
 #include "core/rig/attachment.h"
 #include "core/surface/projection/replace.h"
+#include "core/surface/projection/tile_projection.h"
 #include "sinew/surface/smoother.h"
 #include "tests/support/characters/synthetic_characters.h"
 #include "tests/support/rigs/random_rigs.h"
@@ -45,44 +46,56 @@ double prominence(double depth, double beside, double from, double to) {
   return most;
 }
 
-/// A flat strip over a ball `depth` below it: every ray is its normal.
-struct OverBall {
+/// A flat strip over muscles; its normals lead to them.
+struct OverMuscles {
   std::shared_ptr<const Character> strip = makeStrip();
   glm::vec3 normal = strip->mesh.normals[0];
-  glm::vec3 center;
+  Rig rig;
   Surface patch;
-  Surface surface;
 
-  explicit OverBall(double depth) : center(glm::vec3(0.05f, 1.02f, 0.0f) - static_cast<float>(depth) * normal) {
-    Rig rig;
-    rig.smoothing.depth = 6;
-    rig.smoothing.patch = PatchKind::kFlat;
+  OverMuscles() {
+    Rig bare;
+    bare.smoothing.depth = 6;
+    bare.smoothing.patch = PatchKind::kFlat;
     Smoother smoother(strip);
-    EXPECT_TRUE(smoother.prepare(rig).ok());
-    const Pose bind = bindPose(strip->skeleton);
-    smoother.smooth(bind, patch);
-
+    EXPECT_TRUE(smoother.prepare(bare).ok());
+    smoother.smooth(bindPose(strip->skeleton), patch);
     rig.groups.push_back({"a", {}});
-    rig.primitives.push_back(ellipsoidAt(*strip, "ball", "root", "a", center, glm::vec3(static_cast<float>(kRadius))));
-    rig.primitives[0].reach = static_cast<float>(kReach);
-    rig.primitives[0].territory = std::vector<std::string>{"root", "end"};
+  }
+
+  [[nodiscard]] glm::vec3 below(double depth) const {
+    return glm::vec3(0.05f, 1.02f, 0.0f) - static_cast<float>(depth) * normal;
+  }
+
+  void add(double depth, const glm::vec3& radii, double reach) {
+    Primitive muscle = ellipsoidAt(*strip, std::to_string(depth), "root", "a", below(depth), radii);
+    muscle.reach = static_cast<float>(reach);
+    muscle.territory = std::vector<std::string>{"root", "end"};
+    rig.primitives.push_back(muscle);
+  }
+
+  [[nodiscard]] Surface replaced(const std::vector<glm::vec3>& anchors, ProjectionKind projection, bool inTiles) const {
     const Attachment attachment = attach(rig, *strip).value();
     const CandidateLists lists = makeCandidateLists(strip->mesh, attachment);
     std::vector<PosedPrimitive> posed;
-    poseField(attachment.primitives, bind.boneInWorld, posed);
-    surface = patch;
-    const std::vector<glm::vec3> anchors(patch.positions.size(), center);
+    poseField(attachment.primitives, bindPose(strip->skeleton).boneInWorld, posed);
+    Surface surface = patch;
+    const FlatVertices flat{patch.positions, patch.normals, anchors};
     const ImplicitWeights weights{std::vector<float>(strip->mesh.positions.size(), 1.0f), true, 0};
-    const ReplaceSettings settings{static_cast<float>(kIso), static_cast<float>(kSearchLength),
-                                   ProjectionKind::kAnalytic, 1e-7};
+    const ReplaceSettings settings{static_cast<float>(kIso), static_cast<float>(kSearchLength), projection, 1e-6};
     ProjectionScratch scratch;
-    replace(strip->mesh, {posed, &lists, {}}, settings, {patch.positions, patch.normals, anchors}, weights, surface,
-            scratch);
+    if (inTiles) {
+      const VertexTiles tiles = makeVertexTiles(strip->mesh, *patch.refinement, lists);
+      replaceInTiles(strip->mesh, {posed, &lists, {}}, settings, flat, weights, tiles, surface, scratch);
+    } else {
+      replace(strip->mesh, {posed, &lists, {}}, settings, flat, weights, surface, scratch);
+    }
+    return surface;
   }
 
-  /// Distance of a vertex's ray from the ball's center.
+  /// Distance of a vertex's normal from the muscles' middle.
   [[nodiscard]] double besideCenter(std::size_t v) const {
-    const glm::vec3 away = patch.positions[v] - center;
+    const glm::vec3 away = patch.positions[v] - below(0.0);
     return static_cast<double>(glm::length(away - glm::dot(away, normal) * normal));
   }
 };
@@ -90,7 +103,10 @@ struct OverBall {
 // From outside. The interval is the chord up to the search length, and its weight fades towards L.
 TEST(ReplaceWeight, ChordWeightFollowsProminenceAndDistance) {
   for (const double depth : {0.35, 0.45, 0.55, 0.65}) {
-    const OverBall scene(depth);
+    OverMuscles scene;
+    scene.add(depth, glm::vec3(static_cast<float>(kRadius)), kReach);
+    const std::vector<glm::vec3> anchors(scene.patch.positions.size(), scene.below(depth));
+    const Surface surface = scene.replaced(anchors, ProjectionKind::kAnalytic, false);
     int partly = 0;
     for (std::size_t v = 0; v < scene.patch.positions.size(); ++v) {
       const double beside = scene.besideCenter(v);
@@ -104,9 +120,40 @@ TEST(ReplaceWeight, ChordWeightFollowsProminenceAndDistance) {
         partly += share > 0.05 && share < 0.95 ? 1 : 0;
       }
       const glm::vec3 expected = scene.patch.positions[v] - static_cast<float>(moved) * scene.normal;
-      EXPECT_LT(glm::distance(scene.surface.positions[v], expected), 1e-4f) << "depth " << depth << ", vertex " << v;
+      EXPECT_LT(glm::distance(surface.positions[v], expected), 1e-4f) << "depth " << depth << ", vertex " << v;
     }
     EXPECT_GT(partly, 5) << depth;
+  }
+}
+
+// On the way to the anchor an interval that begins within the search length goes on into a muscle beyond it, whose
+// prominence counts.
+TEST(ReplaceWeight, CountsMusclesBeyondTheSearchLengthOnTheWayToTheAnchor) {
+  constexpr double kDepth = 0.6;
+  constexpr double kHalfLength = 0.6;
+  constexpr double kDeepRadius = 0.5;
+  constexpr double kDeepReach = 1.2;
+  constexpr double kDeepDepth = kSearchLength + kDeepReach * kDeepRadius + 0.05;
+  OverMuscles scene;
+  const float across = static_cast<float>(kRadius);
+  scene.add(kDepth, {across, across, static_cast<float>(kHalfLength)}, kReach);
+  scene.add(kDeepDepth, glm::vec3(static_cast<float>(kDeepRadius)), kDeepReach);
+  std::vector<glm::vec3> anchors;
+  for (const glm::vec3& p : scene.patch.positions) anchors.push_back(p - 2.0f * scene.normal);
+  for (const bool inTiles : {false, true}) {
+    const Surface surface = scene.replaced(anchors, ProjectionKind::kNewton, inTiles);
+    EXPECT_LT(surface.report.uncertified, surface.report.projected / 10);  // The rest go to the scalar code.
+    int faint = 0;
+    for (std::size_t v = 0; v < scene.patch.positions.size(); ++v) {
+      const double beside = scene.besideCenter(v);
+      if (beside > kRadius) continue;
+      const double root = kDepth - kHalfLength * std::sqrt(1.0 - beside * beside / (kRadius * kRadius));
+      if (root < 0.01 || root > 0.79 * kSearchLength) continue;  // Full weight.
+      const glm::vec3 expected = scene.patch.positions[v] - static_cast<float>(root) * scene.normal;
+      EXPECT_LT(glm::distance(surface.positions[v], expected), 1e-4f) << inTiles << ", vertex " << v;
+      faint += fieldAt(beside) - kIso < 0.9 * kIso / 4.0 ? 1 : 0;  // But for the muscle beyond.
+    }
+    EXPECT_GT(faint, 5);
   }
 }
 
