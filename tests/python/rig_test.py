@@ -124,6 +124,15 @@ class Rigs(Case):
         by_call = plain(shapes={name: 0.5})
         self.assertFalse(numpy.array_equal(plain().positions, by_call.positions))
 
+    def test_expressions_that_share_a_target_add_up(self):
+        from face_gltf import write_face
+        write_face(self.folder / "face.glb", {"joy": {"smile": 0.5, "brow_up": 1}, "grin": {"smile": 0.25}})
+        character = sinew.load(self.folder / "face.glb")
+        smoother = sinew.Smoother(character, sinew.Rig(character))
+        together = smoother(shapes={"joy": 1, "grin": 1}).positions
+        self.same_bits(together, smoother(shapes={"smile": 0.75, "brow_up": 1}).positions)
+        self.assertFalse(numpy.array_equal(together, smoother(shapes={"joy": 1}).positions))
+
     @needs_program
     def test_saved_rig_opens_in_the_program(self):
         self.new.add_muscle("a", bone="chest", center=(0.1, 0, 0), radii=(0.1, 0.1, 0.1))

@@ -94,8 +94,8 @@ def _clip(data):
                          {"sampler": 1, "target": {"node": 3, "path": "weights"}}]}
 
 
-def write_face(path):
-    """Nodes: the joints in order, then the mesh."""
+def write_face(path, expressions=None):
+    """Nodes: the joints in order, then the mesh. expressions: {name: {shape: weight}}, of VRM 1.0."""
     data = _Data()
     world, binds = [0.0, 0.0, 0.0], []
     for offset in JOINTS.values():
@@ -110,6 +110,12 @@ def write_face(path):
                 "baseColorFactor": [0.8, 0.6, 0.5, 1.0], "metallicFactor": 0.0, "roughnessFactor": 0.7}}],
             "skins": [{"joints": [0, 1, 2], "inverseBindMatrices": data.add(binds, "MAT4")}],
             "animations": [_clip(data)]}
+    if expressions:
+        shapes = list(SHAPES)
+        root["extensionsUsed"] = ["VRMC_vrm"]
+        root["extensions"] = {"VRMC_vrm": {"specVersion": "1.0", "expressions": {"custom": {
+            name: {"morphTargetBinds": [{"node": 3, "index": shapes.index(shape), "weight": weight}
+                                        for shape, weight in binds.items()]} for name, binds in expressions.items()}}}}
     root.update(accessors=data.accessors, bufferViews=data.views, buffers=[{"byteLength": len(data.bytes)}])
     text = json.dumps(root).encode()
     text += b" " * (-len(text) % 4)
