@@ -178,7 +178,7 @@ PictureKey keyToSave(const EditorState& state) {
   key.display.skeleton = state.view.display.skeleton;
   key.display.primitives = state.view.display.primitives;
   if (!key.display.primitives && !key.display.influence && !key.display.anatomy) key.shapes.clear();
-  for (PrimitiveShape& shape : key.shapes) shape.selected = shape.hovered = false;
+  for (PrimitiveShape& shape : key.shapes) shape.selected = shape.active = shape.hovered = shape.twin = false;
   key.territory.clear();
   key.territoryBones.clear();
   key.references.clear();
