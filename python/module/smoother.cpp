@@ -91,7 +91,8 @@ void setPoseShapes(Pose& pose, const Character& character, const py::object& sha
   if (shapes.is_none()) return;
   const std::vector<std::string> names = morphNames(character);
   std::vector<float> weights = morphWeightsOr(character, pose.morphWeights);
-  for (const auto& [name, weight] : numbersByName(shapes, "shapes")) {
+  const auto given = numbersByName(shapes, "shapes");
+  for (const auto& [name, weight] : given) {
     if (std::ranges::find(names, name) == names.end()) {
       refuse("shapes[\"" + name + "\"]", names.empty()
                                              ? "the character has no shapes"
@@ -100,6 +101,9 @@ void setPoseShapes(Pose& pose, const Character& character, const py::object& sha
     for (std::size_t i = 0; i < weights.size(); ++i) {
       if (character.morphTargets[i].name == name) weights[i] = weight;
     }
+  }
+  // After all targets, so that the order of the dict does not matter.
+  for (const auto& [name, weight] : given) {
     for (const MorphSet& set : character.morphSets) {
       if (set.name != name) continue;
       for (const MorphSet::Share& share : set.shares) at(weights, share.target) += weight * share.share;

@@ -124,7 +124,7 @@ class Rigs(Case):
         by_call = plain(shapes={name: 0.5})
         self.assertFalse(numpy.array_equal(plain().positions, by_call.positions))
 
-    def test_expressions_that_share_a_target_add_up(self):
+    def test_expressions_add_to_their_targets_in_any_order(self):
         from face_gltf import write_face
         write_face(self.folder / "face.glb", {"joy": {"smile": 0.5, "brow_up": 1}, "grin": {"smile": 0.25}})
         character = sinew.load(self.folder / "face.glb")
@@ -132,6 +132,8 @@ class Rigs(Case):
         together = smoother(shapes={"joy": 1, "grin": 1}).positions
         self.same_bits(together, smoother(shapes={"smile": 0.75, "brow_up": 1}).positions)
         self.assertFalse(numpy.array_equal(together, smoother(shapes={"joy": 1}).positions))
+        for shapes in ({"joy": 1, "smile": 0.25}, {"smile": 0.25, "joy": 1}):
+            self.same_bits(together, smoother(shapes=shapes).positions)
 
     @needs_program
     def test_saved_rig_opens_in_the_program(self):
