@@ -125,7 +125,7 @@ class Drawing {
   RenderSeconds seconds;
 
  private:
-  const Surface& makeSurface(const Pose& pose, const View& view);
+  const Surface& makeSurface(const Pose& pose);
 
   const OpenedInput& input_;
   const RenderPlan& plan_;
@@ -140,7 +140,7 @@ class Drawing {
 
 void tellLeft(const std::string& reason) { message("the surface is computed by the processor: " + reason); }
 
-const Surface& Drawing::makeSurface(const Pose& pose, const View& view) {
+const Surface& Drawing::makeSurface(const Pose& pose) {
   if (card_) {
     if (const auto reason = card_->make(pose); !reason) {
       viewport_.setCardVertices(card_->vertices());
@@ -151,7 +151,7 @@ const Surface& Drawing::makeSurface(const Pose& pose, const View& view) {
       viewport_.setCardVertices(std::nullopt);
     }
   }
-  smoother_.smooth(pose, surface_, plan_.display.cullBackFaces ? std::optional(view.facingPoint()) : std::nullopt);
+  smoother_.smooth(pose, surface_);
   return surface_;
 }
 
@@ -164,7 +164,7 @@ Image Drawing::draw(const Moment& moment) {
     pose = bindPose(character.skeleton);
   }
   Stopwatch watch;
-  const Surface& surface = makeSurface(pose, view);
+  const Surface& surface = makeSurface(pose);
   seconds.smooth += watch.lap();
   Scene scene;
   scene.character = &character;
@@ -213,7 +213,6 @@ void addLook(CLI::App& verb, RenderOptions& options) {
   verb.add_option("--glass", options.glass, "With --show muscles: how clear the skin is, 0 to 1 (0.8)")->type_name("X");
   verb.add_flag("--surface,!--no-surface", options.surface, "The smoothed surface (on)");
   verb.add_flag("--ground,!--no-ground", options.ground, "Grid and shadow (on)");
-  verb.add_flag("--cull", options.cull, "Neither compute nor draw faces that point away from the camera: faster");
   verb.add_option("--on", options.on,
                   "Compute the surface on the processor or, with gpu, on the graphics card (processor)")
       ->type_name("WHERE")

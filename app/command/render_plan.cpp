@@ -159,7 +159,6 @@ Result<void> readDisplay(const RenderOptions& options, RenderPlan& plan) {
   display.look = {*light, *backdrop, options.occlusion};
   if (!(options.glass >= 0.0f && options.glass <= 1.0f)) return errorAt("--glass", "expected a number from 0 to 1");
   display.glass = options.glass;
-  display.cullBackFaces = options.cull;
   display.surface = options.surface;
   display.ground = options.ground;
   display.background = !options.transparent;
@@ -169,7 +168,6 @@ Result<void> readDisplay(const RenderOptions& options, RenderPlan& plan) {
 Result<void> readPlace(const RenderOptions& options, RenderPlan& plan) {
   plan.onCard = options.on == "gpu";
   if (!plan.onCard) return {};
-  if (options.cull) return errorAt("--on", "gpu cannot be combined with --cull: only the processor leaves faces out");
   if (plan.anchors) return errorAt("--on", "gpu cannot be combined with --show anchors: they need the surface itself");
   return {};
 }

@@ -45,7 +45,6 @@ struct RenderOptions {
   std::string shading = "textured";
   std::vector<std::string> show;
   float glass = DisplaySettings{}.glass;
-  bool cull = false;
   std::string on = "processor";  ///< Where the surface is computed: "processor" or "gpu".
   bool surface = true;           ///< Off: only muscles, bones and control mesh.
   bool ground = true;

@@ -193,7 +193,7 @@ Result<bool> LiveSurface::prepareIfChanged(const Document& document, const Detai
 }
 
 void LiveSurface::smooth(const PosedRig& rig, double posingSeconds) const {
-  sinew::smooth(preparation_, rig, pose_, eye_, made_.memory, made_.surface, posingSeconds);
+  sinew::smooth(preparation_, rig, pose_, std::nullopt, made_.memory, made_.surface, posingSeconds);
   made_.waits = false;
 }
 
@@ -218,10 +218,9 @@ Result<bool> LiveSurface::update(const Document& document, const SurfaceView& vi
   followed_ = settings.autoDepth && (followed_ || view.heightPixels > 0.0f);
   const Result<bool> prepared = prepareIfChanged(document, detail, view.hidden);
   if (!prepared && revision_ == 0) return prepared;
-  const bool stale = moved_ || eye_ != view.eye || (prepared.ok() && prepared.value());
+  const bool stale = moved_ || (prepared.ok() && prepared.value());
   if (stale) {
     moved_ = false;
-    eye_ = view.eye;
     ++revision_;
     made_.waits = true;
   }

@@ -78,13 +78,12 @@ void togglePlaying(Transport& transport, const Character& character);
 
 /// How the view affects the surface. View state.
 struct SurfaceView {
-  std::optional<glm::vec3> eye;  ///< World: skip what cannot be seen from here (Smoother::smooth).
-  float heightPixels = 0.0f;     ///< The character's height H on screen, for automatic detail; 0: unknown.
-  std::vector<int> hidden{};     ///< Rig indices of muscles left out of the surface, ascending.
-  bool onCard = false;           ///< The graphics card computes the surface; this one waits until it is needed.
+  float heightPixels = 0.0f;  ///< The character's height H on screen, for automatic detail; 0: unknown.
+  std::vector<int> hidden{};  ///< Rig indices of muscles left out of the surface, ascending.
+  bool onCard = false;        ///< The graphics card computes the surface; this one waits until it is needed.
 };
 
-/// The document's surface: prepared after an edit, smoothed after an edit or when time or eye change.
+/// The document's surface: prepared after an edit, smoothed after an edit or when the time changes.
 class LiveSurface {
  public:
   /// Error: the rig cannot be prepared for its character.
@@ -135,7 +134,7 @@ class LiveSurface {
     SmoothingMemory memory;
     PosedRig rig;  ///< The accepted rig in pose_, where the document has not posed it.
     Surface surface;
-    bool waits = false;  ///< For rig, pose and eye of the last update().
+    bool waits = false;  ///< For rig and pose of the last update().
   };
   mutable Made made_;
   std::size_t revision_ = 0;
@@ -145,7 +144,6 @@ class LiveSurface {
   bool keptLevels_ = false;              ///< Levels of adaptive detail are from before the drag.
   std::optional<std::size_t> triedRig_;  ///< CommandStack::revision() last given to prepare().
   std::vector<int> hidden_;              ///< Last given to prepare().
-  std::optional<glm::vec3> eye_;         ///< Of the surface.
   std::optional<Transport> posed_;       ///< Of pose_.
   bool moved_ = false;                   ///< pose_ is newer than the last update().
   double prepareSeconds_ = 0.0;

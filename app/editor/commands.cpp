@@ -251,7 +251,6 @@ void frameSelection(EditorState& state, bool animated) {
 SurfaceView surfaceView(const EditorState& state) {
   const View& view = state.frame.route.view;
   SurfaceView wanted;
-  if (state.view.display.cullBackFaces) wanted.eye = view.facingPoint();
   wanted.onCard = state.session.surfaceMaker.onCard;
   wanted.hidden = hiddenPrimitives(state.document.visibility, state.document.rig(), state.character().skeleton);
   wanted.heightPixels = state.character().height / view.unitsPerPixelAt(state.view.tools.camera.stand.target);

@@ -26,9 +26,8 @@ struct Flag {
 constexpr std::array kFlags{
     Flag{"wire", &DisplaySettings::wire},           Flag{"control_mesh", &DisplaySettings::controlMesh},
     Flag{"skeleton", &DisplaySettings::skeleton},   Flag{"primitives", &DisplaySettings::primitives},
-    Flag{"influence", &DisplaySettings::influence}, Flag{"cull", &DisplaySettings::cullBackFaces},
-    Flag{"ground", &DisplaySettings::ground},       Flag{"anatomy", &DisplaySettings::anatomy},
-    Flag{"relief", &DisplaySettings::relief}};
+    Flag{"influence", &DisplaySettings::influence}, Flag{"ground", &DisplaySettings::ground},
+    Flag{"anatomy", &DisplaySettings::anatomy},     Flag{"relief", &DisplaySettings::relief}};
 
 /// Takes a number within the range.
 template <class Number>

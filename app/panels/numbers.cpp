@@ -147,7 +147,7 @@ struct Count {
 };
 
 /// @param onCard  leaves out the counts that only the processor makes
-std::vector<Count> counts(const SmoothingReport& report, bool culling, bool onCard) {
+std::vector<Count> counts(const SmoothingReport& report, bool onCard) {
   std::vector<Count> rows{
       {"triangles", grouped(report.refinedTriangles)},
       {"vertices", grouped(report.refinedVertices)},
@@ -159,11 +159,6 @@ std::vector<Count> counts(const SmoothingReport& report, bool culling, bool onCa
       {"on muscles", grouped(report.implicitTriangles), "The file's triangles that muscles shape (implicit)"});
   rows.push_back({"at edges", grouped(report.straddlingTriangles), "... that muscles shape in part (straddling)"});
   rows.push_back({"plain skin", grouped(report.normalTriangles), "... that no muscle reaches (normal)"});
-  const int all = report.implicitTriangles + report.straddlingTriangles + report.normalTriangles;
-  if (culling) {
-    rows.push_back({"skipped", grouped(report.culledTriangles) + " of " + grouped(all),
-                    "Triangles that face away and are not computed (culled)"});
-  }
   if (report.unresolved > 0) {
     rows.push_back({"not found", grouped(report.unresolved),
                     "Vertices whose place on the muscles was not found "
@@ -242,7 +237,7 @@ float numbersWidth(const PanelUi& ui) {
 void drawNumbers(PanelUi& ui) {
   if (!ui.state.view.layout.overlay) return;
   const bool onCard = ui.state.session.surfaceMaker.onCard;
-  const std::vector<Count> lines = counts(ui.state.live->report(), ui.state.view.display.cullBackFaces, onCard);
+  const std::vector<Count> lines = counts(ui.state.live->report(), onCard);
   const std::vector<Stage> stages = allStages(ui.state);
   ImGui::PushFont(ui.fonts.mono);
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ui.px(6), ui.px(3)});

@@ -270,7 +270,6 @@ Json display(const DisplaySettings& shown, const PictureLook& look) {
       .set("anatomy", shown.anatomy)
       .set("glass", shown.glass)
       .set("ground", shown.ground)
-      .set("cull", shown.cullBackFaces)
       .set("light", nameOf(look.light))
       .set("background", nameOf(look.backdrop))
       .set("ao", look.occlusion);
@@ -339,7 +338,6 @@ std::string stateText(const EditorState& state, const WidgetLog& widgets, const 
       .set("mode", nameOf(state.document.rig().surface.mode))
       .set("surface_on", state.session.surfaceMaker.onCard ? "card" : "processor")
       .set("triangles", report.refinedTriangles)
-      .set("culled", report.culledTriangles)
       .set("tool", nameOf(state.view.tools.tool))
       .set("status", state.frame.route.status)
       .set("display", display(state.view.display, state.session.preferences.look))

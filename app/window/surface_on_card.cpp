@@ -22,7 +22,7 @@ std::string millisecondsText(double seconds) {
 }
 
 /// The card cannot draw the current view.
-bool needsProcessor(const EditorState& state) { return state.view.display.cullBackFaces || showsExportError(state); }
+bool needsProcessor(const EditorState& state) { return showsExportError(state); }
 
 }  // namespace
 

@@ -34,21 +34,6 @@ void startReport(const Preparation& p, const PosedField& posed, SmoothingReport&
   report.unwrapped = posed.bind->weights.unwrapped;
 }
 
-/// Marks triangles that the eye cannot see; without an eye the marks are empty.
-void cull(const Preparation& p, const PosedField& posed, const FieldView& field, const std::optional<glm::vec3>& eye,
-          FaceCulling& culling, Surface& out) {
-  culling.clear();
-  if (eye) {
-    const bool replaces = !p.swells() && p.shownPrimitives > 0;
-    const auto classes =
-        replaces ? std::span<const TriangleClass>(posed.bind->classes) : std::span<const TriangleClass>();
-    const auto layers = p.layers() ? triangleLayers(p.refinement(), *p.layers()) : std::span<const SkinLayer>();
-    cullFaces({p.character(), p.refinement(), field, classes, out.positions, layers}, *eye, culling);
-  }
-  out.culled = culling.triangles;
-  out.report.culledTriangles = culling.culled;
-}
-
 /// Updates vertices whose heights were lowered: lower skin is flatter.  @param raw [V'] heights before.
 void placeLowered(std::span<const int> lifted, std::span<const float> raw, const Workspace& w, Surface& out) {
   constexpr std::size_t kFew = 2048;  // For one thread.
@@ -106,9 +91,12 @@ void layPatch(const Preparation& preparation, const PosedField& posed, Workspace
 void project(const Preparation& preparation, const PosedField& posed, const Pose& pose,
              const std::optional<glm::vec3>& eye, Workspace& workspace, Surface& out) {
   FieldView field{posed.primitives, preparation.seen.get(), {}};
-  cull(preparation, posed, field, eye, workspace.culling, out);
+  if (eye) {
+    cullFaces(preparation.mesh(), preparation.refinement(), posed.control, *eye, workspace.culling);
+    out.report.culledTriangles = workspace.culling.culled;
+    field.skipped = workspace.culling.carriers;
+  }
   if (preparation.shownPrimitives == 0) return;
-  field.skipped = workspace.culling.carriers;
   chosenProjector(preparation).project({preparation, posed, field}, pose, workspace, out);
 }
 

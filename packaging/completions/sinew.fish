@@ -162,7 +162,6 @@ complete -c sinew -n '__sinew_in "render"' -l show -x -a 'muscles skeleton primi
 complete -c sinew -n '__sinew_in "render"' -l glass -x -d 'With --show muscles: how clear the skin is, 0 to 1 (0.8)'
 complete -c sinew -n '__sinew_in "render"' -l surface -l no-surface -d 'The smoothed surface (on)'
 complete -c sinew -n '__sinew_in "render"' -l ground -l no-ground -d 'Grid and shadow (on)'
-complete -c sinew -n '__sinew_in "render"' -l cull -d 'Neither compute nor draw faces that point away from the camera: faster'
 complete -c sinew -n '__sinew_in "render"' -l on -x -a 'processor gpu' -d 'Compute the surface on the processor or, with gpu, on the graphics card (processor)'
 complete -c sinew -n '__sinew_in "render"' -l transparent -d 'No background: an alpha channel instead'
 complete -c sinew -n '__sinew_in "render"' -l light -x -d 'studio, outdoor, rim or white (studio)'

@@ -73,19 +73,6 @@ TEST_F(RenderVerb, SameCommandWritesTheSameBytes) {
   EXPECT_EQ(picture("a.png").bytes, first.bytes);
 }
 
-TEST_F(RenderVerb, CullingWritesTheSameBytes) {
-  for (const bool orthographic : {false, true}) {
-    std::vector<std::string> command{
-        "render", demo("demo.rig.json"), "--view", "-30,12", "--size", "96x96", "--depth", "2", "-o", "a.png"};
-    if (orthographic) command.emplace_back("--orthographic");
-    ASSERT_EQ(run(command).status, 0);
-    const Picture whole = picture("a.png");
-    command.emplace_back("--cull");
-    ASSERT_EQ(run(command).status, 0);
-    EXPECT_EQ(picture("a.png").bytes, whole.bytes) << orthographic;
-  }
-}
-
 TEST_F(RenderVerb, LightBackgroundAndOcclusionChangeThePicture) {
   const auto bytes = [&](const std::vector<std::string>& more) {
     std::vector<std::string> command{"render", demo("demo.rig.json"), "--size", "96x96", "--depth", "2", "-o", "a.png"};

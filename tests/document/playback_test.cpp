@@ -221,21 +221,6 @@ TEST_F(LiveSurfaceUpdate, RefusedRigKeepsTheSurfaceAndIsReportedOnce) {
   EXPECT_TRUE(live.value().update(document).ok());
 }
 
-TEST_F(LiveSurfaceUpdate, CulledSurfaceFollowsTheEye) {
-  const Transport transport{0, 0.0, false, true, 1.0f};
-  auto live = LiveSurface::create(document, transport);
-  ASSERT_TRUE(live.ok());
-  const auto update = [&](const std::optional<glm::vec3>& eye) {
-    return live.value().update(document, {eye, 0.0f}).value();
-  };
-  EXPECT_TRUE(update(glm::vec3(0.0f, 0.5f, 5.0f)));
-  EXPECT_GT(live.value().surface().report.culledTriangles, 0);
-  EXPECT_FALSE(update(glm::vec3(0.0f, 0.5f, 5.0f)));
-  EXPECT_TRUE(update(glm::vec3(5.0f, 0.5f, 0.0f)));
-  EXPECT_TRUE(update(std::nullopt));
-  EXPECT_EQ(live.value().surface().report.culledTriangles, 0);
-}
-
 TEST_F(LiveSurfaceUpdate, AutoDepthFollowsTheSizeWithoutChangingTheDocument) {
   const Transport transport{0, 0.0, false, true, 1.0f};
   SmoothingSettings uniform = document.rig().smoothing;
@@ -244,7 +229,7 @@ TEST_F(LiveSurfaceUpdate, AutoDepthFollowsTheSizeWithoutChangingTheDocument) {
   auto live = LiveSurface::create(document, transport);
   ASSERT_TRUE(live.ok());
   const auto depthAt = [&](float pixels) {
-    EXPECT_TRUE(live.value().update(document, {std::nullopt, pixels}).ok());
+    EXPECT_TRUE(live.value().update(document, {pixels}).ok());
     EXPECT_EQ(live.value().surface().report.depth, live.value().depth());
     return live.value().depth();
   };
@@ -274,7 +259,7 @@ TEST_F(LiveSurfaceUpdate, AutoToleranceFollowsTheSize) {
   auto live = LiveSurface::create(document, {});
   ASSERT_TRUE(live.ok());
   const auto verticesAt = [&](float pixels) {
-    EXPECT_TRUE(live.value().update(document, {std::nullopt, pixels}).ok());
+    EXPECT_TRUE(live.value().update(document, {pixels}).ok());
     return live.value().surface().positions.size();
   };
   const std::size_t small = verticesAt(100.0f);

@@ -192,15 +192,6 @@ TEST_F(Panels, CreaseSliderIsOneStep) {
   EXPECT_EQ(state.document.rig().smoothing.creaseAngle, kDefaultCreaseAngle);
 }
 
-TEST_F(Panels, CullingIsToggledWithoutAStep) {
-  for (const bool culls : {true, false}) {
-    click("menu/view");
-    click("view/cull");
-    EXPECT_EQ(state.live->report().culledTriangles > 0, culls);
-  }
-  EXPECT_EQ(steps(), 0u);
-}
-
 TEST_F(Panels, KeysEditAndUndo) {
   addOne();
   const std::string name = muscle().name;

@@ -28,7 +28,6 @@ void expectSameSurface(const Surface& a, const Surface& b) {
   EXPECT_EQ(a.shadingNormals, b.shadingNormals);
   EXPECT_EQ(a.displacement, b.displacement);
   EXPECT_EQ(a.classes, b.classes);
-  EXPECT_EQ(a.culled, b.culled);
   EXPECT_EQ(a.report.primitives, b.report.primitives);
   EXPECT_EQ(a.report.cliques, b.report.cliques);
   EXPECT_EQ(a.report.projected, b.report.projected);

@@ -37,7 +37,6 @@ struct DisplaySettings {
   bool primitives = false;     ///< Visible ellipsoids, translucent.
   bool influence = false;      ///< Their regions of influence, fainter.
   bool anatomy = false;        ///< Muscles as flesh and tendons, the skin as glass over them.
-  bool cullBackFaces = false;  ///< Handled when the surface is made, not by the drawers.
   bool ground = true;          ///< Grid and shadow.
   bool background = true;      ///< Off: transparent.
   bool relief = false;         ///< Shading::kClay uses normal maps.

@@ -129,7 +129,6 @@ SurfaceDrawer::SurfaceDrawer()
       skinValues_(makeBuffer()),
       colors_(makeBuffer()),
       indices_(makeBuffer()),
-      keptIndices_(makeBuffer()),
       seenIndices_(makeBuffer()),
       shadowIndices_(makeBuffer()),
       controlOf_(makeBuffer()),
@@ -250,13 +249,8 @@ void SurfaceDrawer::upload(const Scene& scene, bool showsClasses) {
     rebuildSkinValues(mesh);
   }
   drawsSeen_ = false;
-  const bool reordered = culled_ != surface.culled;
-  if (reordered) {
-    culled_ = surface.culled;
-    rebuildOrder(mesh, culled_.empty() ? indices_ : keptIndices_, culled_.empty() ? GL_STATIC_DRAW : GL_STREAM_DRAW);
-  }
   const bool known = scene.surfaceRevision != 0 && scene.surfaceRevision == revision_;
-  if (refined || reordered || !known) {
+  if (refined || !known) {
     revision_ = scene.surfaceRevision;
     hasClasses_ = false;
     if (cardVertices_) takeCardVertices();
@@ -375,8 +369,7 @@ void SurfaceDrawer::drawOpaque(const GlProgram& program, const Frame& frame) con
 
 template <class Draw>
 void SurfaceDrawer::drawOpaqueRanges(const Frame& frame, const Draw& draw) const {
-  const GLuint all = culled_.empty() ? indices_.id() : keptIndices_.id();
-  glVertexArrayElementBuffer(array_.id(), drawsSeen_ ? seenIndices_.id() : all);
+  glVertexArrayElementBuffer(array_.id(), drawsSeen_ ? seenIndices_.id() : indices_.id());
   glCullFace(GL_BACK);
   for (const Range& range : drawsSeen_ ? seen_.ranges() : std::span<const Range>(ranges_)) {
     const Material& material = materialOf(range);
@@ -386,7 +379,7 @@ void SurfaceDrawer::drawOpaqueRanges(const Frame& frame, const Draw& draw) const
     draw(range);
   }
   glDisable(GL_CULL_FACE);
-  glVertexArrayElementBuffer(array_.id(), all);
+  glVertexArrayElementBuffer(array_.id(), indices_.id());
 }
 
 void SurfaceDrawer::drawBlended(const Frame& frame) const {
@@ -435,7 +428,7 @@ void SurfaceDrawer::drawForShadow(const Frame& frame, const GlProgram& solid, co
     }
     drawTriangles(range.firstTriangle, range.triangles);
   }
-  glVertexArrayElementBuffer(array_.id(), culled_.empty() ? indices_.id() : keptIndices_.id());
+  glVertexArrayElementBuffer(array_.id(), indices_.id());
 }
 
 void SurfaceDrawer::drawPart(const Frame& frame, const LitPart& lit, float strength) const {
@@ -492,11 +485,10 @@ std::vector<int> refinedOf(const Refinement& refinement, std::span<const int> co
 
 }  // namespace
 
-void SurfaceDrawer::rebuildOrder(const ControlMesh& mesh, const GlBuffer& indices, GLenum usage) {
+void SurfaceDrawer::rebuildOrder(const ControlMesh& mesh) {
   const auto materialIndex = [&](int t) { return mesh.triangles[static_cast<std::size_t>(t)].material; };
   controlOrder_.resize(mesh.triangles.size());
   std::iota(controlOrder_.begin(), controlOrder_.end(), 0);
-  if (!culled_.empty()) std::erase_if(controlOrder_, [&](int t) { return culled_[static_cast<std::size_t>(t)] != 0; });
   std::ranges::stable_sort(controlOrder_, {}, materialIndex);
   refinedOrder_ = refinedOf(*refinement_, controlOrder_);
   std::vector<std::array<std::uint32_t, 3>> ordered;
@@ -515,15 +507,14 @@ void SurfaceDrawer::rebuildOrder(const ControlMesh& mesh, const GlBuffer& indice
   }
   showsBacks_.clear();
   for (const Range& range : ranges_) showsBacks_.push_back(materialOf(range).doubleSided ? 1 : 0);
-  uploadBuffer(indices, std::span<const std::array<std::uint32_t, 3>>(ordered), usage);
-  uploadBuffer(controlOf_, std::span<const int>(controlOf), usage);
-  glVertexArrayElementBuffer(array_.id(), indices.id());
+  uploadBuffer(indices_, std::span<const std::array<std::uint32_t, 3>>(ordered), GL_STATIC_DRAW);
+  uploadBuffer(controlOf_, std::span<const int>(controlOf), GL_STATIC_DRAW);
+  glVertexArrayElementBuffer(array_.id(), indices_.id());
 }
 
 void SurfaceDrawer::rebuildTopology(const Character& character) {
   const Refinement& refinement = *refinement_;
-  culled_.clear();
-  rebuildOrder(character.mesh, indices_, GL_STATIC_DRAW);
+  rebuildOrder(character.mesh);
   uploadBuffer(uvs_, std::span<const glm::vec2>(refinement.drawUv), GL_STATIC_DRAW);
   uploadBuffer(colors_, std::span<const glm::vec4>(refinement.drawColor), GL_STATIC_DRAW);
   if (refinement.drawColor.empty()) glDisableVertexArrayAttrib(array_.id(), 5);

@@ -47,7 +47,7 @@ class SurfaceDrawer {
   void setCharacter(const Character& character);  ///< Textures with mipmaps, and materials.
   /// As Viewport::setCardVertices.
   void setCardVertices(const std::optional<CardVertices>& vertices) { cardVertices_ = vertices; }
-  /// Uploads what has changed: vertices by surfaceRevision, index buffers by refinement and culling, skin values by
+  /// Uploads what has changed: vertices by surfaceRevision, index buffers by refinement, skin values by
   /// refinement and territory. The scene has a surface. @param showsClasses  with the colors of Shading::kClasses
   void upload(const Scene& scene, bool showsClasses);
   /// Until the next upload: where the processor draws, leaves out opaque triangles that cover no pixel. Pictures with
@@ -60,7 +60,7 @@ class SurfaceDrawer {
   void drawBlended(const Frame& frame) const;  ///< Materials with alpha blending: back sides, then front sides.
   /// Tints Scene::litParts on the drawn surface. A part that is wholly hidden, such as teeth, shines through, fainter.
   void drawLitParts(const Frame& frame) const;
-  /// All triangles including culled ones: with `withAlpha` where the picture shows a material's alpha, else with
+  /// All triangles: with `withAlpha` where the picture shows a material's alpha, else with
   /// `solid`. Where the processor draws: a ShadowMesh.
   void drawForShadow(const Frame& frame, const GlProgram& solid, const GlProgram& withAlpha) const;
   [[nodiscard]] const Bounds& bounds() const { return bounds_; }
@@ -86,8 +86,8 @@ class SurfaceDrawer {
   void takeCardVertices();
   void fillClasses(const Scene& scene);
   void rebuildTopology(const Character& character);
-  /// Sorts control triangles by material, without culled ones: controlOrder_, ranges_ and the indices.
-  void rebuildOrder(const ControlMesh& mesh, const GlBuffer& indices, GLenum usage);
+  /// Sorts control triangles by material: controlOrder_, ranges_ and the indices.
+  void rebuildOrder(const ControlMesh& mesh);
   class OwnProgram;
   const GlProgram& prepareProgram(const Frame& frame, MapSet maps) const;
   const Material& materialOf(const Range& range) const;
@@ -101,15 +101,14 @@ class SurfaceDrawer {
   GlProgram partProgram_;
   GlQuery partSeen_;  ///< Whether a part is visible.
   GlVertexArray array_;
-  GlBuffer vertices_, besideVertices_, uvs_, skinValues_, colors_, indices_, keptIndices_, seenIndices_, shadowIndices_,
-      controlOf_, classes_, parts_;
+  GlBuffer vertices_, besideVertices_, uvs_, skinValues_, colors_, indices_, seenIndices_, shadowIndices_, controlOf_,
+      classes_, parts_;
   MaterialTextures textures_;
   std::vector<Material> materials_;
   std::vector<int> materialOfPart_;  ///< [parts]
   std::shared_ptr<const Refinement> refinement_;
-  std::vector<std::uint8_t> culled_;  ///< Surface::culled of keptIndices_; empty: indices_ are drawn.
-  std::vector<int> controlOrder_;     ///< Control triangles by material.
-  std::vector<int> refinedOrder_;     ///< Their refined triangles.
+  std::vector<int> controlOrder_;  ///< Control triangles by material.
+  std::vector<int> refinedOrder_;  ///< Their refined triangles.
   std::vector<Range> ranges_;
   std::vector<std::uint8_t> showsBacks_;  ///< [ranges_] 1: the material is double-sided.
   SeenTriangles seen_;                    ///< In seenIndices_.

@@ -46,15 +46,6 @@ const std::vector<TrialScene>& trialScenes() {
   return scenes;
 }
 
-TrialScene oneSided(TrialScene scene) {
-  auto character = std::make_shared<Character>(*scene.character);
-  for (Material& material : character->materials) material.doubleSided = false;
-  scene.character = character;
-  return scene;
-}
-
-double leastCulled(const TrialScene& scene) { return scene.name == "wrapped" || scene.name == "tangle" ? 0.02 : 0.2; }
-
 const TrialScene& trialScene(const std::string& name) {
   for (const TrialScene& scene : trialScenes()) {
     if (scene.name == name) return scene;

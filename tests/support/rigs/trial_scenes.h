@@ -21,11 +21,6 @@ struct TrialScene {
 /// at hand, each with 12 muscles set by rule (core/rig/trial_rig.h). Prints which are left out, once.
 [[nodiscard]] const std::vector<TrialScene>& trialScenes();
 
-/// The same with one-sided materials, which can be culled.
-[[nodiscard]] TrialScene oneSided(TrialScene scene);
-/// Least share of its triangles that culling should find, all around: on wrapped and tangle muscles move almost all.
-[[nodiscard]] double leastCulled(const TrialScene& scene);
-
 /// One of assets, with its rig as it is.
 [[nodiscard]] TrialScene bundledTrialScene(const std::string& name);
 

@@ -80,10 +80,6 @@ TEST_F(GpuVerbs, RenderUsesTheGpuOrGivesTheReason) {
   EXPECT_EQ(left.status, 0) << left.error;
   EXPECT_NE(left.error.find("the surface is computed by the processor: the surface has creases"), std::string::npos)
       << left.error;
-
-  const Outcome culled = run({"render", rig, "--on", "gpu", "--cull", "-o", "c.png"});
-  EXPECT_EQ(culled.status, 2);
-  EXPECT_TRUE(culled.oneErrorLine()) << culled.error;
 }
 
 TEST_F(GpuVerbs, BenchReportsBothAndTheDifference) {

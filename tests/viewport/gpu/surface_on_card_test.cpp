@@ -106,17 +106,6 @@ TEST_F(GpuSurfaceInEditor, FallsBackToTheProcessorWithOneMessage) {
   EXPECT_NE(onCard_.drawn(), nullptr) << "the card goes on";
 }
 
-TEST_F(GpuSurfaceInEditor, CullingUsesTheProcessor) {
-  frame();
-  state_.view.display.cullBackFaces = true;
-  frame();
-  EXPECT_EQ(onCard_.drawn(), nullptr);
-  EXPECT_TRUE(state_.session.messages.empty()) << "it was asked for";
-  state_.view.display.cullBackFaces = false;
-  frame();
-  EXPECT_NE(onCard_.drawn(), nullptr);
-}
-
 TEST_F(GpuSurfaceInEditor, FollowsThePreferences) {
   state_.session.preferences.surfaceBy = SurfaceBy::kProcessor;
   frame();
@@ -169,11 +158,7 @@ TEST_F(GpuSurfaceInEditor, AutomaticKeepsTheFasterOne) {
   if (card != processor) {
     EXPECT_EQ(onCard_.drawn() != nullptr, card < processor) << first;
   }
-  // Timed once for each document, whatever is shown.
-  state_.view.display.cullBackFaces = true;
-  frame();
-  EXPECT_NE(maker().why, first);
-  state_.view.display.cullBackFaces = false;
+  // Timed once for each document.
   state_.open.transport.time = 0.3;
   frame();
   EXPECT_EQ(maker().why, first);

@@ -122,24 +122,19 @@ TEST_F(Drawing, HighlightShowsThroughOnlyForFullyHiddenParts) {
   EXPECT_EQ(pixelAt(half, 45, 32), pixelAt(out, 45, 32));
 }
 
-TEST_F(Drawing, PartTintFollowsCullingAndRefinement) {
+TEST_F(Drawing, PartTintFollowsRefinement) {
   const auto quad = quadOfTwoParts();
   const auto viewport = viewportFor(*quad);
   for (const int depth : {1, 3}) {
-    Moment moment = bindMoment(quad, depth, PatchKind::kFlat);
+    const Moment moment = bindMoment(quad, depth, PatchKind::kFlat);
     app::Scene scene = sceneOf(*quad, moment);
-    for (const bool culls : {false, true}) {
-      moment.surface.culled.assign(culls ? 2 : 0, 0);
-      if (culls) moment.surface.culled[0] = 1;
-      scene.litParts.clear();
-      viewport->draw(scene, viewOfQuad(0.0f, kPictureSize), bareColors());
-      const Image plain = viewport->readPixels();
-      scene.litParts = {{1, SkinLayer::kCloth, true}};
-      viewport->draw(scene, viewOfQuad(0.0f, kPictureSize), bareColors());
-      const Image lit = viewport->readPixels();
-      EXPECT_NE(pixelAt(lit, 22, 24), pixelAt(plain, 22, 24));
-      EXPECT_EQ(pixelAt(lit, 42, 40), pixelAt(plain, 42, 40));
-    }
+    viewport->draw(scene, viewOfQuad(0.0f, kPictureSize), bareColors());
+    const Image plain = viewport->readPixels();
+    scene.litParts = {{1, SkinLayer::kCloth, true}};
+    viewport->draw(scene, viewOfQuad(0.0f, kPictureSize), bareColors());
+    const Image lit = viewport->readPixels();
+    EXPECT_NE(pixelAt(lit, 22, 24), pixelAt(plain, 22, 24));
+    EXPECT_EQ(pixelAt(lit, 42, 40), pixelAt(plain, 42, 40));
   }
 }
 

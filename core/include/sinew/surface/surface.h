@@ -58,7 +58,6 @@ struct Surface {
   std::vector<float> displacement;     ///< [V'] signed distance from the patch, character units: in `swell` along the
                                        ///< rise direction, in `replace` along the patch normal.
   std::vector<TriangleClass> classes;  ///< [T] of the control triangles.
-  std::vector<std::uint8_t> culled;    ///< [T] 1: not projected, not to be drawn; empty if nothing was culled.
   SmoothingReport report;
 };
 
