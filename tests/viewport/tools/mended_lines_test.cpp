@@ -76,8 +76,7 @@ struct Count {
     flexing += other.flexing;
   }
   void print(const std::string& name) const {
-    std::printf("  %-16s lines %d, found before %d, after %d, on one bone %d, flexed %d, still %d\n", name.c_str(),
-                lines, before, after, rigid, flexed, flexing);
+    std::printf("  %-16s %5d %7d %6d %12d %7d %6d\n", name.c_str(), lines, before, after, rigid, flexed, flexing);
   }
 };
 
@@ -108,6 +107,7 @@ TEST(MendedLines, StayInsideTheBodyAndMostlyStillFlex) {
   std::mt19937 random(5);
   const auto pick = [&](const std::vector<int>& of) { return of[random() % of.size()]; };
   Count all;
+  std::puts("  character        lines  before  after  on one bone  flexed  still");
   for (const auto& character : characters()) {
     const Surface skin = bindSkin(*character);
     const Motions motions(character);

@@ -60,6 +60,15 @@ struct Limits {
   double leastDefinition = 0.0;
 };
 
+class SkinQuality : public testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    std::puts(
+        "  in %; exact: of the field's own normals; any: teeth also beside the patch's own\n"
+        "  character    muscles  detail   vertices    off  exact  teeth  exact    any  definition  turned in folds");
+  }
+};
+
 /// @param mostTeeth        limit under uniform detail
 /// @param leastDefinition  at depth 5; 8 less at depth 3
 void expectGoodSkin(const CharacterPtr& character, const Rig& rig, double mostTeeth = 4.0,
@@ -75,12 +84,10 @@ void expectGoodSkin(const CharacterPtr& character, const Rig& rig, double mostTe
     const double swinging = percent(m.swinging, m.edges);
     const double turned = percent(m.turned, m.triangles);
     const double definition = 100.0 * m.definition / m.exactDefinition;
-    std::printf(
-        "  %-14s %3zu muscles, %-8s %6d vertices: off %5.2f %% (exact normals %5.2f %%), teeth %5.2f %% (%5.2f %%), "
-        "also beside the patch's own %5.2f %%, definition %3.0f %%, turned over %.4f %% (in folds %.4f %%)\n",
-        character->name.c_str(), rig.primitives.size(), detail.c_str(), m.refined, off, percent(m.exactOff, m.vertices),
-        swinging, percent(m.exactSwinging, m.edges), percent(m.swingingAtAll, m.edges), definition, turned,
-        percent(m.turnedInFolds, m.triangles));
+    std::printf("  %-12s %7zu  %-8s %8d  %5.2f %6.2f  %5.2f %6.2f %6.2f  %10.0f  %6.4f %8.4f\n",
+                character->name.c_str(), rig.primitives.size(), detail.c_str(), m.refined, off,
+                percent(m.exactOff, m.vertices), swinging, percent(m.exactSwinging, m.edges),
+                percent(m.swingingAtAll, m.edges), definition, turned, percent(m.turnedInFolds, m.triangles));
     EXPECT_GT(m.vertices, 500) << "the muscles move hardly any skin";
     EXPECT_LE(off, limits.mostOff);
     EXPECT_LE(swinging, limits.mostTeeth);
@@ -95,7 +102,7 @@ void expectGoodSkin(const CharacterPtr& character, const Rig& rig, double mostTe
 }
 
 // Features of real characters that the bundled ones lack.
-TEST(SkinQuality, IsGoodOnABodyWithAnOpenNeckAndAFin) {
+TEST_F(SkinQuality, IsGoodOnABodyWithAnOpenNeckAndAFin) {
   const CharacterPtr body = makeBodyWithArms();
   const auto edgesWith = [&](int triangles) {
     return std::ranges::count(body->mesh.edges, triangles, &Edge::triangleCount);
@@ -111,13 +118,13 @@ TEST(SkinQuality, IsGoodOnABodyWithAnOpenNeckAndAFin) {
 
 // Drawn muscles lift the skin by 1 % of the height: less than what a long triangle of the horse shows under uniform
 // detail.
-TEST(SkinQuality, IsGoodOnBundledCharacters) {
+TEST_F(SkinQuality, IsGoodOnBundledCharacters) {
   for (const char* name : {"humanoid", "horse"})
     expectGoodSkin(bundledNamed(name), layMuscles(bundledNamed(name)), 5.0, 80.0);
 }
 
 // Many small muscles, finer than the mesh at depth 3: their definition must survive.
-TEST(SkinQuality, IsGoodOnBundledRigs) {
+TEST_F(SkinQuality, IsGoodOnBundledRigs) {
   for (const char* name : {"humanoid", "humanoid-flex", "horse", "horse-flex"}) {
     SCOPED_TRACE(name);
     const auto rig = loadRig(std::filesystem::path(SINEW_SOURCE_DIR) / "assets" / (std::string(name) + ".rig.json"));
@@ -126,7 +133,7 @@ TEST(SkinQuality, IsGoodOnBundledRigs) {
   }
 }
 
-TEST(SkinQuality, IsGoodOnRealCharacters) {
+TEST_F(SkinQuality, IsGoodOnRealCharacters) {
   int found = 0;
   for (const char* file : {"Fox.glb", "greenman.glb", "cesium_man.gltf", "robot.glb"}) {
     if (const CharacterPtr character = realCharacter(file)) {
