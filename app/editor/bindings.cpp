@@ -135,14 +135,6 @@ void giveKey(Preferences& preferences, const Action& action, std::size_t slot, c
   setKeys(preferences, action, keys);
 }
 
-void resetKeys(Preferences& preferences, const Action& action) {
-  const Keys keys = shortcutsOf(action, preferences.keymap);
-  for (const Shortcut& shortcut : keys) {
-    if (shortcut.key != 0) takeAway(preferences, shortcut, action);
-  }
-  setKeys(preferences, action, keys);
-}
-
 void resetAllKeys(Preferences& preferences) { preferences.keyChanges().clear(); }
 
 std::vector<std::string> dropUnusableKeys(Preferences& preferences) {
@@ -161,6 +153,15 @@ namespace {
 void clearKey(Preferences& preferences, const Action& action, std::size_t slot) {
   Keys keys = shortcutsOf(action, preferences);
   keys[slot] = {};
+  setKeys(preferences, action, keys);
+}
+
+/// Back to the keymap's keys.
+void resetKeys(Preferences& preferences, const Action& action) {
+  const Keys keys = shortcutsOf(action, preferences.keymap);
+  for (const Shortcut& shortcut : keys) {
+    if (shortcut.key != 0) takeAway(preferences, shortcut, action);
+  }
   setKeys(preferences, action, keys);
 }
 

@@ -21,7 +21,6 @@ namespace sinew::app {
 
 /// In the chosen keymap; a former action of the key loses it. @param slot  0 or 1; without a first key: the first
 void giveKey(Preferences& preferences, const Action& action, std::size_t slot, const Shortcut& shortcut);
-void resetKeys(Preferences& preferences, const Action& action);  ///< Back to the keymap's keys.
 void resetAllKeys(Preferences& preferences);
 
 /// Removes unusable entries of a preferences file from both keymaps: unknown actions, unknown or reserved keys,

@@ -167,7 +167,7 @@ struct MuscleSetState {
   std::vector<std::string> muscles;  ///< Without sides.
   std::vector<FittedPreset::LeftOut> leftOut;
   std::vector<std::string> mended;
-  std::shared_ptr<const Motions> motions;  ///< motionsOf()
+  std::shared_ptr<const Motions> motions;  ///< The character's; made when first needed.
 };
 
 /// Muscles > Parts of the body.

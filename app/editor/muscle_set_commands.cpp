@@ -43,6 +43,27 @@ std::optional<MarkOnSkin> markUnder(EditorState& state, const glm::vec2& pointer
   return markOnSkin(*state.open.library.body, boneAt(character, *hover.skin), point);
 }
 
+/// Sets for this character's body; messages name unreadable files. Error: there are none.
+Result<std::vector<Preset>> setsForBody(EditorState& state) {
+  const Document& document = state.document;
+  if (!document.mirror) return errorAt("", "This character has no left and right bones");
+  const BodyKind kind = bodySlots(*document.character, *document.mirror, document.rig().slots).kind;
+  if (kind == BodyKind::kUnknown)
+    return errorAt("", "No arms or legs were found: choose their bones in Muscles > Parts of the body");
+  MuscleSets all = muscleSets();
+  for (const Error& error : all.refused) addQuietly(state.session, MessageKind::kError, error.text());
+  std::erase_if(all.sets, [&](const Preset& set) { return set.body != kind; });
+  if (all.sets.empty()) return errorAt("", "There is no set of muscles for this kind of body");
+  return std::move(all.sets);
+}
+
+/// The character's motions, computed once.
+const Motions& motionsOf(EditorState& state) {
+  auto& motions = state.open.muscleSet.motions;
+  if (!motions) motions = std::make_shared<const Motions>(state.document.character);
+  return *motions;
+}
+
 /// One undo step. Selects the muscle on that side.
 void lay(EditorState& state, Preset set, PresetMuscle muscle, BodySide side) {
   const std::string name = muscle.name;
@@ -294,19 +315,6 @@ void remember(EditorState& state, AddedSet added) {
 
 }  // namespace
 
-Result<std::vector<Preset>> setsForBody(EditorState& state) {
-  const Document& document = state.document;
-  if (!document.mirror) return errorAt("", "This character has no left and right bones");
-  const BodyKind kind = bodySlots(*document.character, *document.mirror, document.rig().slots).kind;
-  if (kind == BodyKind::kUnknown)
-    return errorAt("", "No arms or legs were found: choose their bones in Muscles > Parts of the body");
-  MuscleSets all = muscleSets();
-  for (const Error& error : all.refused) addQuietly(state.session, MessageKind::kError, error.text());
-  std::erase_if(all.sets, [&](const Preset& set) { return set.body != kind; });
-  if (all.sets.empty()) return errorAt("", "There is no set of muscles for this kind of body");
-  return std::move(all.sets);
-}
-
 std::vector<SetEntry> setEntries(EditorState& state) {
   if (!state.hasCharacter()) return {};
   const auto sets = setsForBody(state);
@@ -317,12 +325,6 @@ std::vector<SetEntry> setEntries(EditorState& state) {
     for (const PresetMuscle& muscle : set.muscles) entries.push_back({set.name, muscle.name});
   }
   return entries;
-}
-
-const Motions& motionsOf(EditorState& state) {
-  auto& motions = state.open.muscleSet.motions;
-  if (!motions) motions = std::make_shared<const Motions>(state.document.character);
-  return *motions;
 }
 
 void addMuscleSet(EditorState& state) { addMuscleSetNamed(state, ""); }

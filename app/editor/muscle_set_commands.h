@@ -43,11 +43,9 @@ void forgetBodyPart(EditorState& state, BodySlot slot);  ///< One undo step: rem
 
 // Muscles > Add muscle set: a set with two sliders, as one undo step.
 
-/// Sets for this character's body; messages name unreadable files. Error: there are none.
-[[nodiscard]] Result<std::vector<Preset>> setsForBody(EditorState& state);
-[[nodiscard]] std::vector<SetEntry> setEntries(EditorState& state);  ///< Names of those sets and their muscles.
-const Motions& motionsOf(EditorState& state);                        ///< The character's motions, computed once.
-void addMuscleSet(EditorState& state);                               ///< Adds the first set and shows its sliders.
+/// Names of the sets for this character's body and their muscles; messages name unreadable files.
+[[nodiscard]] std::vector<SetEntry> setEntries(EditorState& state);
+void addMuscleSet(EditorState& state);  ///< Adds the first set and shows its sliders.
 void addMuscleSetNamed(EditorState& state, const std::string& name);
 /// The set is still the last step, which its sliders change. Any other edit or undo ends this.
 [[nodiscard]] bool setIsTunable(const EditorState& state);

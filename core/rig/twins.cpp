@@ -41,6 +41,15 @@ bool mirrorBone(const MirrorPlan& plan, std::string& bone) {
   return true;
 }
 
+/// Error: see twinBone.
+Result<LineAnchor> mirroredAnchor(const MirrorPlan& plan, const LineAnchor& anchor) {
+  Result<std::string> bone = twinBone(plan, anchor.bone);
+  if (!bone) return bone.error();
+  const AffineMap& map = *at(plan.mirrors, *plan.skeleton.findBone(anchor.bone));
+  return LineAnchor{std::move(bone).value(), glm::vec3(map.linear * glm::dvec3(anchor.point) + map.offset),
+                    anchor.unknownKeys};
+}
+
 bool mirrorAnchor(const MirrorPlan& plan, LineAnchor& anchor) {
   Result<LineAnchor> image = mirroredAnchor(plan, anchor);
   if (!image) return false;
@@ -188,14 +197,6 @@ std::vector<AnimatedNumber> mirroredAnimation(const MirrorPlan& plan, const Musc
   return images;
 }
 
-void readTwinLines(const Rig& rig, std::vector<AnimatedNumber>& animated) {
-  for (AnimatedNumber& number : animated) {
-    for (Driver& driver : number.drivers) {
-      if (driver.input.kind == DriverInputKind::kLength) driver.input.line = twinLineName(rig, driver.input.line);
-    }
-  }
-}
-
 namespace {
 
 constexpr float kOwnImage = 1e-4f;  // Fraction of H.
@@ -226,6 +227,21 @@ const MuscleLine* named(const Rig& rig, const std::string& name) {
   return index < 0 ? nullptr : &at(rig.lines, index);
 }
 
+/// The name of a line's twin, or of the line itself if it has none.
+std::string twinLineName(const Rig& rig, const std::string& line) {
+  const MuscleLine* own = line.empty() ? nullptr : named(rig, line);
+  return own && !own->mirror.empty() ? own->mirror : line;
+}
+
+/// Makes drivers read the lengths of twin lines.
+void readTwinLines(const Rig& rig, std::vector<AnimatedNumber>& animated) {
+  for (AnimatedNumber& number : animated) {
+    for (Driver& driver : number.drivers) {
+      if (driver.input.kind == DriverInputKind::kLength) driver.input.line = twinLineName(rig, driver.input.line);
+    }
+  }
+}
+
 void follow(const Rig& rig, const MuscleLine& leader, MuscleLine& follower, const MirrorPlan& plan) {
   const Result<MuscleLine> image = mirroredLine(plan, leader);
   follower.settings = leader.settings;
@@ -247,15 +263,36 @@ bool secondLeads(const Rig& atStart, const Rig& shown, const MuscleLine& first, 
   return changed(shown, first) && !changed(atStart, first) && changed(atStart, second);
 }
 
-}  // namespace
+struct TwinLine {
+  Rig rig;
+  std::string name;  ///< Empty: none.
+};
 
-Result<LineAnchor> mirroredAnchor(const MirrorPlan& plan, const LineAnchor& anchor) {
-  Result<std::string> bone = twinBone(plan, anchor.bone);
-  if (!bone) return bone.error();
-  const AffineMap& map = *at(plan.mirrors, *plan.skeleton.findBone(anchor.bone));
-  return LineAnchor{std::move(bone).value(), glm::vec3(map.linear * glm::dvec3(anchor.point) + map.offset),
-                    anchor.unknownKeys};
+/// Finds the twin of a line, or makes and links it; the line itself if it lies in the plane. If the name has no side,
+/// both get one. Error: see mirroredLine.
+Result<TwinLine> withTwinLine(Rig rig, std::string name, const MirrorPlan& plan) {
+  const int index = name.empty() ? -1 : findLine(rig, name);
+  if (index < 0) return TwinLine{std::move(rig), {}};
+  const MuscleLine& line = at(rig.lines, index);
+  if (!line.mirror.empty()) name = line.mirror;
+  if (!line.mirror.empty() || liesInPlane(plan, line, kOwnImage)) return TwinLine{std::move(rig), std::move(name)};
+  Result<MuscleLine> image = mirroredLine(plan, line);
+  if (!image) return about("muscle line \"" + name + '"', image.error());
+  if (image->name == name) {
+    const std::string own = freeLineName(rig, name + (isLeft(plan, line) ? " L" : " R"));
+    Result<Rig> renamed = renameLine(std::move(rig), index, own);
+    if (!renamed) return renamed.error();
+    rig = std::move(renamed).value();
+    image.value().name = mirroredName(own).value_or(own);
+  }
+  image.value().mirror = at(rig.lines, index).name;
+  readTwinLines(rig, image.value().animated);
+  if (const auto added = append(rig, std::move(image).value()); !added) return added.error();
+  std::string twin = rig.lines.back().name;
+  return TwinLine{std::move(rig), std::move(twin)};
 }
+
+}  // namespace
 
 Result<MuscleLine> mirroredLine(const MirrorPlan& plan, const MuscleLine& line) {
   Result<LineAnchor> origin = mirroredAnchor(plan, line.origin);
@@ -282,28 +319,6 @@ bool liesInPlane(const MirrorPlan& plan, const MuscleLine& line, float tolerance
          (!line.via || anchorInPlane(plan, *line.via, tolerance));
 }
 
-Result<TwinLine> withTwinLine(Rig rig, std::string name, const MirrorPlan& plan) {
-  const int index = name.empty() ? -1 : findLine(rig, name);
-  if (index < 0) return TwinLine{std::move(rig), {}};
-  const MuscleLine& line = at(rig.lines, index);
-  if (!line.mirror.empty()) name = line.mirror;
-  if (!line.mirror.empty() || liesInPlane(plan, line, kOwnImage)) return TwinLine{std::move(rig), std::move(name)};
-  Result<MuscleLine> image = mirroredLine(plan, line);
-  if (!image) return about("muscle line \"" + name + '"', image.error());
-  if (image->name == name) {
-    const std::string own = freeLineName(rig, name + (isLeft(plan, line) ? " L" : " R"));
-    Result<Rig> renamed = renameLine(std::move(rig), index, own);
-    if (!renamed) return renamed.error();
-    rig = std::move(renamed).value();
-    image.value().name = mirroredName(own).value_or(own);
-  }
-  image.value().mirror = at(rig.lines, index).name;
-  readTwinLines(rig, image.value().animated);
-  if (const auto added = append(rig, std::move(image).value()); !added) return added.error();
-  std::string twin = rig.lines.back().name;
-  return TwinLine{std::move(rig), std::move(twin)};
-}
-
 Rig withTwinOnLine(Rig rig, int primitive, const MirrorPlan& plan) {
   const int twin = twinOf(rig, primitive);
   const std::string& line = at(rig.primitives, primitive).line;
@@ -315,11 +330,9 @@ Rig withTwinOnLine(Rig rig, int primitive, const MirrorPlan& plan) {
   return setLineOfSeveral(std::move(lined), std::array{twin}, twinLine);
 }
 
-std::string twinLineName(const Rig& rig, const std::string& line) {
-  const MuscleLine* own = line.empty() ? nullptr : named(rig, line);
-  return own && !own->mirror.empty() ? own->mirror : line;
-}
+namespace {
 
+/// keepTwins() for lines: copies mirrored anchors and settings of the edited one to the other.
 void keepLineTwins(const Rig& atStart, const Rig& shown, Rig& edited, const MirrorPlan& plan) {
   for (std::size_t i = 0; i < edited.lines.size(); ++i) {
     MuscleLine& first = edited.lines[i];
@@ -335,8 +348,6 @@ void keepLineTwins(const Rig& atStart, const Rig& shown, Rig& edited, const Mirr
     follow(edited, swapped ? second : first, swapped ? first : second, plan);
   }
 }
-
-namespace {
 
 using Index = std::unordered_map<std::string_view, const Primitive*>;
 

@@ -25,36 +25,17 @@ namespace sinew {
 /// Keys and drivers of a line's image.
 [[nodiscard]] std::vector<AnimatedNumber> mirroredAnimation(const MirrorPlan& plan, const MuscleLine& line);
 
-/// Makes drivers read the lengths of twin lines.
-void readTwinLines(const Rig& rig, std::vector<AnimatedNumber>& animated);
-
 // Mirror images of muscle lines.
 
-/// Error: see twinBone.
-[[nodiscard]] Result<LineAnchor> mirroredAnchor(const MirrorPlan& plan, const LineAnchor& anchor);
 /// The mirror image of a line, named by imageName(), with the same settings and `mirror` empty. Error: see twinBone.
 [[nodiscard]] Result<MuscleLine> mirroredLine(const MirrorPlan& plan, const MuscleLine& line);
 
 /// The line is its own image: every anchor is on a center bone and within `tolerance` (fraction of H) of the plane.
 [[nodiscard]] bool liesInPlane(const MirrorPlan& plan, const MuscleLine& line, float tolerance);
 
-struct TwinLine {
-  Rig rig;
-  std::string name;  ///< Empty: none.
-};
-
-/// Finds the twin of a line, or makes and links it; the line itself if it lies in the plane. If the name has no side,
-/// both get one. Error: see mirroredLine.
-[[nodiscard]] Result<TwinLine> withTwinLine(Rig rig, std::string line, const MirrorPlan& plan);
-
-/// Puts a primitive's twin on its line's twin (withTwinLine). Unchanged without twin, line or image of the line.
+/// Puts a primitive's twin on its line's twin, which is made if there is none. Unchanged without twin, line or image of
+/// the line.
 [[nodiscard]] Rig withTwinOnLine(Rig rig, int primitive, const MirrorPlan& plan);
-
-/// The name of a line's twin, or of the line itself if it has none.
-[[nodiscard]] std::string twinLineName(const Rig& rig, const std::string& line);
-
-/// keepTwins() for lines: copies mirrored anchors and settings of the edited one to the other.
-void keepLineTwins(const Rig& atStart, const Rig& shown, Rig& edited, const MirrorPlan& plan);
 
 /// Makes linked twins in `edited` follow changes of one of them since `shown`: of bone, placement, reach, sign, group,
 /// line and territory, each by itself, so that an edit of the reach does not change an inexact pair otherwise. Within
