@@ -149,6 +149,30 @@ void drawDrivenKeyField(PanelUi& ui, const std::string& id, const AnimatedField&
   }
 }
 
+void drawSharedField(PanelUi& ui, const std::string& id, const AnimatedField& field, const AnimatedLook& animation,
+                     const SharedNumber& number, NumberLook look,
+                     const std::function<void(const SharedEdit&)>& change) {
+  const std::string label = "##" + id;
+  const ImGuiID item = ImGui::GetID(label.c_str());
+  const bool typed = ImGui::TempInputIsActive(item);
+  const bool mixed = number.differ && ImGui::GetActiveID() != item;
+  const bool muted = mixed && !animation.driven && !animation.keyedHere;  // Unreadable on amber and violet.
+  Typing typing;
+  if (mixed) look.format = "mixed";
+  look.clampTyped = false;
+  look.typing = &typing;
+  float value = number.shown;
+  if (muted) ImGui::PushStyleColor(ImGuiCol_Text, palette::kMuted);
+  pushAnimatedColors(animation);
+  const bool edited = numberField(label.c_str(), value, look);
+  popAnimatedColors(ui, animation);
+  if (muted) ImGui::PopStyleColor();
+  notePointed(ui, field);
+  beginFieldEdit(ui, id, number.step);
+  if (edited) change({typed && !typing.relative, typing.relative, value});
+  if (!typing.refusal.empty()) refuse(ui.state, errorAt({}, typing.refusal));
+}
+
 void beginFieldEdit(PanelUi& ui, const std::string& id, const char* label) {
   ui.widgets.note(id);
   if (!ImGui::IsItemActivated()) return;

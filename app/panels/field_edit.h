@@ -1,6 +1,7 @@
 // app/panels/field_edit.h: fields whose edits are one undo step, and the keys and drivers of their numbers.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -46,6 +47,25 @@ void animationMenu(PanelUi& ui, const AnimatedField& field);  ///< Rows of an op
 /// width. Notes itself as `id`.
 /// @param look  without `typing`
 void drawDrivenKeyField(PanelUi& ui, const std::string& id, const AnimatedField& field, NumberLook look);
+
+/// An edit of numbers that share a field: a typed number is assigned to all, a drag makes the same change to all.
+struct SharedEdit {
+  bool same = false;
+  bool fromStart = false;  ///< "+=0.1": relative to the values before the edit.
+  float to = 0.0f;         ///< The shown one's; shown units.
+};
+
+/// A number of several muscles or lines.
+struct SharedNumber {
+  float shown = 0.0f;     ///< The active one's.
+  bool differ = false;    ///< "mixed" is shown.
+  const char* step = "";  ///< Label of the undo step.
+};
+
+/// The field of a number that is not being set by driven keys. The caller ends the edit (endFieldEdit).
+/// @param change  called if the number is edited; a number out of range is refused there, with the reason
+void drawSharedField(PanelUi& ui, const std::string& id, const AnimatedField& field, const AnimatedLook& animation,
+                     const SharedNumber& number, NumberLook look, const std::function<void(const SharedEdit&)>& change);
 
 void beginFieldEdit(PanelUi& ui, const std::string& id, const char* label);  ///< The first and last part of editField.
 /// @param label  of the step, with its values; "": as it began

@@ -1,7 +1,5 @@
 // app/panels/inspector_fields.cpp: number fields that change one muscle or many.
 
-#include <imgui_internal.h>  // TempInputIsActive: whether a number is typed or dragged.
-
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -26,25 +24,6 @@ float shownValue(const NumberField& field, const Primitive& primitive) {
   return field.get(primitive) * scaleOf(field, primitive);
 }
 
-float clamped(const NumberField& field, float shown) { return std::clamp(shown, field.least, field.most); }
-
-/// The same number for all muscles.
-void assign(PanelUi& ui, const Subjects& subjects, const NumberField& field, float shown) {
-  editSubjects(ui, subjects, field.undoLabel,
-               [&](Primitive& primitive) { field.set(primitive, clamped(field, shown) / scaleOf(field, primitive)); });
-}
-
-/// One step of a drag: the active muscle gets the number, the others the same change.
-void follow(PanelUi& ui, const Subjects& subjects, const NumberField& field, float from, float to) {
-  const std::string active = subjects.shown().name;
-  editSubjects(ui, subjects, field.undoLabel, [&](Primitive& primitive) {
-    const float own = shownValue(field, primitive);
-    const float factor = from != 0.0f ? to / from : 1.0f;
-    const float moved = field.together == Together::kMultiply ? own * factor : own + (to - from);
-    field.set(primitive, clamped(field, primitive.name == active ? to : moved) / scaleOf(field, primitive));
-  });
-}
-
 /// The muscle as it was before the current gesture.
 const Primitive& atStart(const PanelUi& ui, const Primitive& primitive) {
   const Rig& rig = ui.state.document.commands.rigOfStep();
@@ -52,14 +31,18 @@ const Primitive& atStart(const PanelUi& ui, const Primitive& primitive) {
   return index < 0 ? primitive : at(rig.primitives, index);
 }
 
-/// The same change for all, from their values before the gesture: the active one's `from` becomes `to`.
-void followFromStart(PanelUi& ui, const Subjects& subjects, const NumberField& field, float from, float to) {
+/// The active muscle gets the number, the others the same one or the same change.
+void applyEdit(PanelUi& ui, const Subjects& subjects, const NumberField& field, const SharedEdit& change) {
   const PrimitiveId active = subjects.shown().id();
+  const auto own = [&](const Primitive& p) { return shownValue(field, change.fromStart ? atStart(ui, p) : p); };
+  const float from = own(subjects.shown());
+  const float factor = from != 0.0f ? change.to / from : 1.0f;
   editSubjects(ui, subjects, field.undoLabel, [&](Primitive& primitive) {
-    const float own = shownValue(field, atStart(ui, primitive));
-    const float factor = from != 0.0f ? to / from : 1.0f;
-    const float moved = field.together == Together::kMultiply ? own * factor : own + (to - from);
-    field.set(primitive, clamped(field, primitive.id() == active ? to : moved) / scaleOf(field, primitive));
+    const bool exact = change.same || primitive.id() == active;
+    const float moved =
+        field.together == Together::kMultiply ? own(primitive) * factor : own(primitive) + (change.to - from);
+    const float shown = std::clamp(exact ? change.to : moved, field.least, field.most);
+    field.set(primitive, shown / scaleOf(field, primitive));
   });
 }
 
@@ -112,7 +95,7 @@ void fieldMenu(PanelUi& ui, const Subjects& subjects, const NumberField& field, 
                float shown) {
   if (!ImGui::BeginPopupContextItem(field.id.c_str())) return;
   const std::optional<float> chosen = numberMenu(ui, field.format, shown, field.initial);
-  if (chosen) assign(ui, subjects, field, *chosen);
+  if (chosen) applyEdit(ui, subjects, field, {true, false, *chosen});
   if (!animated.refs.empty()) ImGui::Separator();
   animationMenu(ui, animated);
   ImGui::EndPopup();
@@ -143,47 +126,26 @@ void editSubjects(PanelUi& ui, const Subjects& subjects, const char* label,
 void drawNumberField(PanelUi& ui, const Subjects& subjects, const NumberField& field) {
   const AnimatedField animated = animatedOf(subjects, field);
   const AnimatedLook animation = lookOf(ui, animated);
+  const float shown = shownValue(field, subjects.shown());
+  const NumberLook look{field.format, field.speed, field.least, field.most, field.step};
   if (animation.beingSet) {
-    drawDrivenKeyField(ui, field.id, animated, {field.format, field.speed, field.least, field.most, field.step});
-    fieldMenu(ui, subjects, field, animated, shownValue(field, subjects.shown()));
+    drawDrivenKeyField(ui, field.id, animated, look);
+    fieldMenu(ui, subjects, field, animated, shown);
     return;
   }
-  const std::string label = "##" + field.id;
-  const ImGuiID id = ImGui::GetID(label.c_str());
-  const bool typing = ImGui::TempInputIsActive(id);
   const bool differ = subjects.differ([&](const Primitive& p) { return shownValue(field, p); });
-  const bool mixed = differ && ImGui::GetActiveID() != id;
-  const float before = shownValue(field, subjects.shown());
-  float value = before;
-  const bool muted = mixed && !animation.driven && !animation.keyedHere;  // Unreadable on amber and violet.
-  if (muted) ImGui::PushStyleColor(ImGuiCol_Text, palette::kMuted);
-  NumberLook look{mixed ? "mixed" : field.format, field.speed, field.least, field.most, field.step};
-  look.clampTyped = false;  // A number out of range is refused with the reason.
-  Typing typed;
-  look.typing = &typed;
-  pushAnimatedColors(animation);
-  const bool edited = numberField(label.c_str(), value, look);
-  popAnimatedColors(ui, animation);
-  if (muted) ImGui::PopStyleColor();
-  notePointed(ui, animated);
   const std::string step = std::string(field.undoLabel) + " " + namedMuscles(*subjects.rig, subjects.indices);
-  beginFieldEdit(ui, field.id, step.c_str());
-  if (edited && typing && !typed.relative) assign(ui, subjects, field, value);
-  if (edited && typed.relative) {
-    followFromStart(ui, subjects, field, shownValue(field, atStart(ui, subjects.shown())), value);
-  }
-  if (edited && !typing) follow(ui, subjects, field, before, value);
-  if (!typed.refusal.empty()) refuse(ui.state, errorAt({}, typed.refusal));
+  drawSharedField(ui, field.id, animated, animation, {shown, differ, step.c_str()}, look,
+                  [&](const SharedEdit& change) { applyEdit(ui, subjects, field, change); });
   if (ImGui::IsItemDeactivated()) endFieldEdit(ui, stepName(ui, subjects, field, step));
-  const bool quiet = ImGui::IsItemActive();
-  if (!quiet) {
+  if (!ImGui::IsItemActive()) {
     std::string hint = field.hint + (field.hint.empty() ? "" : "\n") + animation.words +
                        "Drag (Shift: precise, Ctrl: steps), or double-click to type: 0.3, 12/5, +=0.1";
     if (differ) hint += "; a drag keeps the differences, a typed number is for all";
     tooltip(ui, hint + (animated.refs.empty() ? ". Right click: reset, copy, paste."
                                               : ". Right click: reset, copy, key, drive."));
   }
-  fieldMenu(ui, subjects, field, animated, before);
+  fieldMenu(ui, subjects, field, animated, shown);
 }
 
 bool section(PanelUi& ui, const Control& control, const char* title, float room) {

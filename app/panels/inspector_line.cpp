@@ -7,8 +7,6 @@
 #include <string>
 #include <vector>
 
-#include <imgui_internal.h>  // TempInputIsActive: whether a number is typed or dragged.
-
 #include "app/document/shown_names.h"
 #include "app/editor/line_commands.h"
 #include "app/panels/field_edit.h"
@@ -348,22 +346,17 @@ AnimatedField animatedOf(const SelectedLines& lines, const LineNumber& number) {
   return animated;
 }
 
-/// An edit of the lines' numbers: a typed number is assigned to all, a drag makes the same change to all.
-struct LineEdit {
-  bool same = false;
-  bool fromStart = false;  ///< "+=0.1": relative to the values before the edit.
-  float from = 0.0f;       ///< The active line's; shown units.
-  float to = 0.0f;
-};
-
 Result<Rig> edited(const EditorState& state, const SelectedLines& lines, const LineNumber& number,
-                   const LineEdit& change) {
-  const LineId active = at(state.document.rig().lines, lines.active).id();
+                   const SharedEdit& change) {
+  const MuscleLine active = at(state.document.rig().lines, lines.active);
+  const auto own = [&](const MuscleLine& line) {
+    return shownNumber(number, change.fromStart ? atStart(state, line) : line);
+  };
+  const float from = own(active);
   return editLines(state.document.rig(), lines.indices, [&](MuscleLine& line) {
-    const float own = shownNumber(number, change.fromStart ? atStart(state, line) : line);
-    const bool exact = change.same || line.id() == active;
+    const bool exact = change.same || line.id() == active.id();
     // The others stop at the ends of the range; a typed number out of range is refused with the reason.
-    const float shown = exact ? change.to : std::clamp(own + (change.to - change.from), number.least, number.most);
+    const float shown = exact ? change.to : std::clamp(own(line) + (change.to - from), number.least, number.most);
     number.of(line.settings) = shown / number.scale;
   });
 }
@@ -391,7 +384,7 @@ void lineMenu(PanelUi& ui, const std::string& id, const SelectedLines& lines, co
   const std::optional<float> chosen = numberMenu(ui, number.format, shown, shownNumber(number, MuscleLine{}));
   if (chosen) {
     edit(state, std::string(number.control.label) + " of " + namedLines(rig, lines.indices),
-         edited(state, lines, number, {true, false, shown, *chosen}));
+         edited(state, lines, number, {true, false, *chosen}));
   }
   if (!animated.refs.empty()) ImGui::Separator();
   animationMenu(ui, animated);
@@ -414,42 +407,24 @@ std::string labelled(const LineNumber& number, float value, float width) {
 
 void numberField(PanelUi& ui, const SelectedLines& lines, const LineNumber& number, float width) {
   const std::string id = number.control.id;
-  const std::string label = "##" + id;
   const AnimatedField animated = animatedOf(lines, number);
   const AnimatedLook animation = lookOf(ui, animated);
   ImGui::SetNextItemWidth(width);
+  NumberLook look{number.format, number.speed, number.least, number.most};
   if (animation.beingSet) {
-    drawDrivenKeyField(ui, id, animated, {number.format, number.speed, number.least, number.most});
+    drawDrivenKeyField(ui, id, animated, look);
     return lineMenu(ui, id, lines, number, animated);
   }
   EditorState& state = ui.state;
   const Rig& rig = state.document.rig();
-  const float before = shownNumber(number, at(rig.lines, lines.active));
+  const float shown = shownNumber(number, at(rig.lines, lines.active));
   const bool differ =
-      std::ranges::any_of(lines.indices, [&](int line) { return shownNumber(number, at(rig.lines, line)) != before; });
-  const ImGuiID item = ImGui::GetID(label.c_str());
-  const bool typed = ImGui::TempInputIsActive(item);
-  const bool mixed = differ && ImGui::GetActiveID() != item;
-  const bool muted = mixed && !animation.driven && !animation.keyedHere;
+      std::ranges::any_of(lines.indices, [&](int line) { return shownNumber(number, at(rig.lines, line)) != shown; });
   const std::string step = std::string(number.control.label) + " of " + namedLines(rig, lines.indices);
-  float value = before;
-  Typing typing;
-  const std::string format = labelled(number, value, width);
-  NumberLook look{mixed ? "mixed" : format.c_str(), number.speed, number.least, number.most};
-  look.clampTyped = false;
-  look.typing = &typing;
-  if (muted) ImGui::PushStyleColor(ImGuiCol_Text, palette::kMuted);
-  pushAnimatedColors(animation);
-  const bool changed = numberField(label.c_str(), value, look);
-  popAnimatedColors(ui, animation);
-  if (muted) ImGui::PopStyleColor();
-  notePointed(ui, animated);
-  beginFieldEdit(ui, id, step.c_str());
-  if (changed) {
-    const float from = typing.relative ? shownNumber(number, atStart(state, at(rig.lines, lines.active))) : before;
-    edit(state, step, edited(state, lines, number, {typed && !typing.relative, typing.relative, from, value}));
-  }
-  if (!typing.refusal.empty()) refuse(state, errorAt({}, typing.refusal));
+  const std::string format = labelled(number, shown, width);
+  look.format = format.c_str();
+  drawSharedField(ui, id, animated, animation, {shown, differ, step.c_str()}, look,
+                  [&](const SharedEdit& change) { edit(state, step, edited(state, lines, number, change)); });
   if (ImGui::IsItemDeactivated()) {
     const std::string was = commonText(state, lines, number, true);
     const std::string is = commonText(state, lines, number, false);
