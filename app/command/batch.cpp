@@ -14,7 +14,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include "app/command/verb.h"
+#include "app/command/verbs.h"
 #include "app/document/folder_listing.h"
 #include "core/files/disk/atomic_file.h"
 #include "sinew/files/rig_json.h"

@@ -12,7 +12,7 @@
 
 #include "app/command/console.h"
 #include "app/command/measuring.h"
-#include "app/command/verb.h"
+#include "app/command/verbs.h"
 #include "app/command/whole.h"
 #include "app/document/folder_listing.h"
 #include "app/ui/data_files.h"

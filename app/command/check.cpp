@@ -8,7 +8,7 @@
 #include <CLI/CLI.hpp>
 
 #include "app/command/console.h"
-#include "app/command/verb.h"
+#include "app/command/verbs.h"
 #include "app/document/document.h"
 #include "core/bodies/check.h"
 #include "core/bodies/cloth_check.h"

@@ -12,7 +12,7 @@
 #include "app/command/batch.h"
 #include "app/command/console.h"
 #include "app/command/surface_options.h"
-#include "app/command/verb.h"
+#include "app/command/verbs.h"
 #include "app/document/document.h"
 #include "app/document/export_report.h"
 #include "app/viewport/render/color_scales.h"

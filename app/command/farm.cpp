@@ -8,7 +8,7 @@
 #include <CLI/CLI.hpp>
 
 #include "app/command/console.h"
-#include "app/command/verb.h"
+#include "app/command/verbs.h"
 #include "app/document/farm_job.h"
 #include "core/files/disk/atomic_file.h"
 #include "core/geometry/nearest_name.h"

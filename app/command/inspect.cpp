@@ -10,7 +10,7 @@
 #include "app/command/console.h"
 #include "app/command/inspect_facts.h"
 #include "app/command/surface_options.h"
-#include "app/command/verb.h"
+#include "app/command/verbs.h"
 #include "app/document/document.h"
 
 namespace sinew::app {

@@ -7,7 +7,7 @@
 #include <CLI/CLI.hpp>
 
 #include "app/command/console.h"
-#include "app/command/verb.h"
+#include "app/command/verbs.h"
 #include "app/document/document.h"
 #include "app/document/muscle_sets.h"
 #include "core/bodies/body_map.h"

@@ -7,7 +7,7 @@
 
 #include "app/command/console.h"
 #include "app/command/surface_options.h"
-#include "app/command/verb.h"
+#include "app/command/verbs.h"
 #include "app/document/document.h"
 #include "core/files/disk/atomic_file.h"
 #include "core/geometry/nearest_name.h"

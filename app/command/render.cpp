@@ -13,7 +13,7 @@
 #include "app/command/console.h"
 #include "app/command/render_plan.h"
 #include "app/command/surface_options.h"
-#include "app/command/verb.h"
+#include "app/command/verbs.h"
 #include "app/ui/offscreen.h"
 #include "app/viewport/gpu/drawn_on_card.h"
 #include "app/viewport/render/gl_objects.h"

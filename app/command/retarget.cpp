@@ -5,7 +5,7 @@
 #include <CLI/CLI.hpp>
 
 #include "app/command/console.h"
-#include "app/command/verb.h"
+#include "app/command/verbs.h"
 #include "app/document/document.h"
 #include "core/bodies/retarget.h"
 #include "core/files/disk/atomic_file.h"

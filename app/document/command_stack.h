@@ -1,19 +1,48 @@
-// app/document/command_stack.h: the history of rig, pose and play ranges: undo, redo, gestures.
+// app/document/command_stack.h: the history of rig, pose and play ranges of clips: undo, redo, gestures.
 #pragma once
 
+#include <compare>
 #include <cstddef>
 #include <functional>
+#include <map>
 #include <memory>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "app/document/play_range.h"
 #include "core/character/pose_override.h"
 #include "core/rig/references.h"
+#include "sinew/character/character.h"
 #include "sinew/rig/rig.h"
 
 namespace sinew::app {
+
+/// A part of a clip, seconds.
+struct PlayRange {
+  double from = 0.0;
+  double to = 0.0;
+
+  friend bool operator==(const PlayRange&, const PlayRange&) = default;
+};
+
+using PlayRanges = std::map<int, PlayRange>;  ///< By clip index; a clip that plays as a whole has none.
+
+/// Identity of a clip while clips of other files are added and removed.
+struct ClipId {
+  std::string file;  ///< AnimationClip::addedFrom
+  int place = 0;     ///< Among the clips of that file.
+
+  friend auto operator<=>(const ClipId&, const ClipId&) = default;
+};
+
+using KeptPlayRanges = std::map<ClipId, PlayRange>;  ///< Play ranges in the history.
+
+[[nodiscard]] std::vector<ClipId> clipIds(const Character& character);      ///< [clips]
+[[nodiscard]] int indexOf(const Character& character, const ClipId& clip);  ///< Index of the clip, or -1.
+
+/// To the history's form and back, without ranges of missing clips.
+[[nodiscard]] KeptPlayRanges keptRanges(const PlayRanges& ranges, const Character& character);
+[[nodiscard]] PlayRanges rangesOf(const KeptPlayRanges& ranges, const Character& character);
 
 /// A linear history. Each step holds a whole rig (a few kilobytes, shared), the pose made by hand and the play ranges.
 /// Only the stack writes the rig; its primitives and groups have identities that last as long as the stack.

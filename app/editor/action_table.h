@@ -15,8 +15,7 @@ namespace sinew::app::table {
 
 using State = EditorState;
 
-// The menus: Edit and Muscles in action_table_edit.cpp, View in action_table_view.cpp, Tool and Play in
-// action_table_play.cpp, the others in action_table.cpp.
+// The menus: View, Tool and Play in action_table_view.cpp, the others in action_table.cpp.
 [[nodiscard]] std::span<const Action> fileActions();
 [[nodiscard]] std::span<const Action> editActions();
 [[nodiscard]] std::span<const Action> muscleActions();

@@ -10,7 +10,7 @@
 #include "app/editor/commands.h"
 #include "app/editor/edit.h"
 #include "app/viewport/render/color_scales.h"
-#include "app/viewport/tools/territory_tool.h"
+#include "app/viewport/tools/viewport_tools.h"
 #include "core/geometry/at.h"
 #include "core/rig/attachment.h"
 #include "core/rig/rig_edit.h"

@@ -7,7 +7,7 @@
 #include <system_error>
 #include <utility>
 
-#include "app/document/play_range.h"
+#include "app/document/command_stack.h"
 #include "app/document/shown_names.h"
 #include "app/editor/commands.h"
 #include "app/editor/edit.h"

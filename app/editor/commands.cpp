@@ -5,7 +5,7 @@
 #include <array>
 #include <utility>
 
-#include "app/document/play_range.h"
+#include "app/document/command_stack.h"
 #include "app/document/shown_names.h"
 #include "app/editor/blending_edit.h"
 #include "app/editor/clip_commands.h"
@@ -14,7 +14,7 @@
 #include "app/editor/session.h"
 #include "app/editor/symmetry_commands.h"
 #include "app/editor/visibility_commands.h"
-#include "app/viewport/tools/territory_tool.h"
+#include "app/viewport/tools/viewport_tools.h"
 #include "core/geometry/at.h"
 #include "core/rig/twins.h"
 #include "sinew/rig/rig_edit.h"

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "app/document/play_range.h"
+#include "app/document/command_stack.h"
 
 namespace sinew::app {
 

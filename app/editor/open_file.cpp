@@ -11,10 +11,10 @@
 #include <system_error>
 #include <utility>
 
+#include "app/document/command_stack.h"
 #include "app/document/document.h"
 #include "app/document/file_stamp.h"
 #include "app/document/folder_listing.h"
-#include "app/document/play_range.h"
 #include "app/document/shown_names.h"
 #include "app/editor/clip_commands.h"
 #include "app/editor/commands.h"

@@ -13,7 +13,7 @@
 #include "app/editor/commands.h"
 #include "app/editor/outliner.h"
 #include "core/geometry/at.h"
-#include "core/rig/blending_graph.h"
+#include "core/rig/field.h"
 #include "core/rig/rig_edit.h"
 
 namespace sinew::app {

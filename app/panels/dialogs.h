@@ -1,4 +1,4 @@
-// app/panels/dialogs.h: dialogs, and the rows that they share.
+// app/panels/dialogs.h: dialogs, the parts of the path dialog, and the rows that dialogs share.
 #pragma once
 
 #include <string>
@@ -40,5 +40,20 @@ struct PlaceChanges {
 };
 /// Name and folder of a file to write. @param id  "export/place"  @return whether Enter was pressed in the name
 bool placeRow(PanelUi& ui, const char* id, const char* label, ExportPlace& place, PlaceChanges changes);
+
+// Parts of the path dialog.
+
+/// Filter and order of the list, from the preferences and the dialog.
+[[nodiscard]] ListingOptions listingOptions(const EditorState& state);
+
+void enterFolder(FileDialogState& dialog, const std::filesystem::path& folder);  ///< goBack() leaves it.
+void goBack(FileDialogState& dialog);
+void goForward(FileDialogState& dialog);
+void goUp(FileDialogState& dialog);
+
+void confirmPath(EditorState& state);  ///< Opens, saves or enters the path in the field; asks before it overwrites.
+
+/// Places at the left, the folder's files at the right. @param height  window coordinates
+void drawFolderBrowser(PanelUi& ui, float height);
 
 }  // namespace sinew::app

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "app/panels/file_dialog.h"
+#include "app/panels/dialogs.h"
 #include "app/ui/code_points.h"
 #include "app/ui/data_files.h"
 #include "app/ui/reading_order.h"

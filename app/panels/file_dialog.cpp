@@ -1,7 +1,5 @@
 // app/panels/file_dialog.cpp: Open and Save As: a path field under a file browser.
 
-#include "app/panels/file_dialog.h"
-
 #include <imgui_stdlib.h>
 
 #define GLFW_INCLUDE_NONE

@@ -1,5 +1,4 @@
 // app/panels/layout.cpp: the window: regions, splitters, status line, and the highlight of a revealed control.
-#include "app/panels/layout.h"
 
 #include <algorithm>
 #include <string>

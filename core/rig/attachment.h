@@ -4,7 +4,6 @@
 #include <span>
 #include <vector>
 
-#include "core/rig/blending_graph.h"
 #include "core/rig/field.h"
 #include "core/rig/rig_edit.h"
 #include "sinew/character/character.h"

@@ -1,7 +1,10 @@
-// core/rig/field.cpp: sums and maxima of potentials.
+// core/rig/field.cpp: maximal cliques of the blending graph; sums and maxima of potentials.
 #include "core/rig/field.h"
 
 #include <algorithm>
+#include <iterator>
+#include <string>
+#include <tuple>
 
 #include <glm/geometric.hpp>
 
@@ -9,6 +12,136 @@
 #include "core/geometry/potential.h"
 
 namespace sinew {
+
+// Maximal cliques by Bron & Kerbosch, "Algorithm 457", CACM 16(9), 1973, with pivoting.
+
+namespace {
+
+using Groups = std::vector<int>;  // sorted
+
+/// Lists the maximal cliques, each once. Candidates are groups linked to all members of a clique; `excluded` are those
+/// whose extensions are already listed, and a clique is maximal if both lists are empty. A maximal clique contains the
+/// pivot or a group not linked to it, so only those branch (choice of the pivot: Tomita, Tanaka and Takahashi 2006). A
+/// graph can have 3^(n/3) maximal cliques (Moon and Moser 1965), hence the limit. docs/design.md, Many muscles.
+class CliqueSearch {
+ public:
+  CliqueSearch(std::vector<Groups> neighbors, std::vector<Groups>& found)
+      : neighbors_(std::move(neighbors)), found_(found) {}
+
+  /// False: too many.
+  bool run() {
+    Groups all(neighbors_.size());
+    for (std::size_t i = 0; i < all.size(); ++i) all[i] = static_cast<int>(i);
+    Groups clique;
+    return extend(clique, all, {});
+  }
+
+ private:
+  const Groups& neighborsOf(int group) const { return at(neighbors_, group); }
+
+  /// Looks up members of the smaller set in the larger, which is fast for sparse graphs of thousands of groups.
+  static Groups intersection(const Groups& a, const Groups& b) {
+    const auto& [smaller, larger] = a.size() <= b.size() ? std::tie(a, b) : std::tie(b, a);
+    Groups both;
+    std::ranges::copy_if(smaller, std::back_inserter(both),
+                         [&larger = larger](int group) { return std::ranges::binary_search(larger, group); });
+    return both;
+  }
+
+  /// The candidate or excluded group with the most neighbors among the candidates, which need no branch.
+  int pivot(const Groups& candidates, const Groups& excluded) const {
+    int best = -1;
+    std::size_t most = 0;
+    for (const Groups* list : {&candidates, &excluded}) {
+      for (const int group : *list) {
+        const std::size_t count = intersection(neighborsOf(group), candidates).size();
+        if (best < 0 || count > most) {
+          best = group;
+          most = count;
+        }
+      }
+    }
+    return best;
+  }
+
+  bool extend(Groups& clique, Groups candidates, Groups excluded) {
+    if (candidates.empty() && excluded.empty()) {
+      if (found_.size() == static_cast<std::size_t>(kMaxCliques)) return false;
+      Groups sorted = clique;
+      std::ranges::sort(sorted);
+      found_.push_back(std::move(sorted));
+      return true;
+    }
+    if (candidates.empty()) return true;
+    Groups branches;
+    std::ranges::set_difference(candidates, neighborsOf(pivot(candidates, excluded)), std::back_inserter(branches));
+    for (const int group : branches) {
+      clique.push_back(group);
+      if (!extend(clique, intersection(candidates, neighborsOf(group)), intersection(excluded, neighborsOf(group)))) {
+        return false;
+      }
+      clique.pop_back();
+      candidates.erase(std::ranges::lower_bound(candidates, group));
+      excluded.insert(std::ranges::lower_bound(excluded, group), group);
+    }
+    return true;
+  }
+
+  std::vector<Groups> neighbors_;
+  std::vector<Groups>& found_;
+};
+
+}  // namespace
+
+Result<BlendingGraph> makeBlendingGraph(int groupCount, std::span<const std::array<int, 2>> links) {
+  std::vector<Groups> neighbors(static_cast<std::size_t>(groupCount));
+  for (const auto& [a, b] : links) {
+    if (a == b) continue;
+    at(neighbors, a).push_back(b);
+    at(neighbors, b).push_back(a);
+  }
+  for (Groups& list : neighbors) {
+    std::ranges::sort(list);
+    list.erase(std::unique(list.begin(), list.end()), list.end());
+  }
+  BlendingGraph graph;
+  graph.groupCount = groupCount;
+  if (groupCount > 0 && !CliqueSearch(std::move(neighbors), graph.cliques).run()) {
+    return errorAt("links", "the blending graph has more than " + std::to_string(kMaxCliques) +
+                                " maximal sets of mutually linked groups; merge groups or remove links");
+  }
+  std::ranges::sort(graph.cliques);
+  return graph;
+}
+
+Result<const BlendingGraph*> BlendingGraphMemo::graph(int groupCount, std::span<const std::array<int, 2>> links) {
+  if (!graph_ || graph_->groupCount != groupCount || !std::ranges::equal(links_, links)) {
+    Result<BlendingGraph> made = makeBlendingGraph(groupCount, links);
+    if (!made) return made.error();
+    graph_ = std::move(made).value();
+    links_.assign(links.begin(), links.end());
+  }
+  return &*graph_;
+}
+
+std::vector<std::vector<int>> cliquesAmong(const BlendingGraph& graph, std::span<const int> presentGroups) {
+  std::vector<Groups> cut;
+  for (const Groups& clique : graph.cliques) {
+    Groups left;
+    std::ranges::set_intersection(clique, presentGroups, std::back_inserter(left));
+    if (!left.empty()) cut.push_back(std::move(left));
+  }
+  std::ranges::sort(
+      cut, [](const Groups& a, const Groups& b) { return a.size() != b.size() ? a.size() > b.size() : a < b; });
+  std::vector<Groups> maximal;
+  for (const Groups& set : cut) {
+    const bool contained =
+        std::ranges::any_of(maximal, [&](const Groups& larger) { return std::ranges::includes(larger, set); });
+    if (!contained) maximal.push_back(set);
+  }
+  return maximal;
+}
+
 namespace {
 
 /// Value and gradient of one candidate, weight and sign included.

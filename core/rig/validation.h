@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "core/rig/blending_graph.h"
+#include "core/rig/field.h"
 #include "sinew/geometry/result.h"
 #include "sinew/rig/rig.h"
 

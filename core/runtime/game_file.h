@@ -1,13 +1,10 @@
-// core/runtime/game_file.h: the head of a game file, and the check of the character in it. docs/games.md.
+// core/runtime/game_file.h: the head of a game file. docs/games.md.
 #pragma once
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
-
-#include "sinew/character/character.h"
-#include "sinew/geometry/result.h"
 
 namespace sinew::gamefile {
 
@@ -30,8 +27,5 @@ static_assert(sizeof(Head) == 32);
   for (const std::byte byte : bytes) sum = (sum ^ static_cast<std::uint64_t>(byte)) * 0x100000001b3U;
   return sum;
 }
-
-/// Checks all indices, orders and ranges that were read (layout.h), completes the skeleton; no edges or normals yet.
-[[nodiscard]] Result<void> checkCharacter(Character& character);
 
 }  // namespace sinew::gamefile

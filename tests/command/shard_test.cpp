@@ -1,5 +1,5 @@
 // tests/command/shard_test.cpp: the fraction of a job that an array task takes from its environment.
-#include "app/command/verb.h"
+#include "app/command/verbs.h"
 
 #include <cstdlib>
 

@@ -1,5 +1,5 @@
 // tests/document/play_range_test.cpp: play ranges stay with their clips while clip files are added and removed.
-#include "app/document/play_range.h"
+#include "app/document/command_stack.h"
 
 #include <gtest/gtest.h>
 

@@ -7,7 +7,7 @@
 
 #include "app/editor/blending_edit.h"
 #include "app/panels/blending.h"
-#include "core/rig/blending_graph.h"
+#include "core/rig/field.h"
 #include "core/rig/rig_edit.h"
 #include "core/rig/validation.h"
 #include "tests/support/editor/muscles_named.h"

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "app/panels/layout.h"
+#include "app/panels/panels.h"
 #include "app/ui/style.h"
 #include "tests/support/editor/drawn_text.h"
 #include "tests/support/editor/headless_editor.h"

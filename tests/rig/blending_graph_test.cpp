@@ -1,5 +1,5 @@
 // tests/rig/blending_graph_test.cpp: cliques match brute force over all subsets.
-#include "core/rig/blending_graph.h"
+#include "core/rig/field.h"
 
 #include <algorithm>
 #include <random>

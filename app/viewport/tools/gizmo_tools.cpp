@@ -1,5 +1,4 @@
 // app/viewport/tools/gizmo_tools.cpp: the tools select, move, rotate and scale.
-#include "app/viewport/tools/gizmo_tools.h"
 
 #include <algorithm>
 #include <array>

@@ -7,7 +7,7 @@
 #include <glm/geometric.hpp>
 
 #include "app/viewport/tools/status_line.h"
-#include "app/viewport/tools/territory_tool.h"
+#include "app/viewport/tools/viewport_tools.h"
 
 namespace sinew::app {
 namespace {

@@ -1,7 +1,5 @@
 // app/viewport/tools/territory_tool.cpp: clicks on bones choose the skin that the active muscle may move.
 
-#include "app/viewport/tools/territory_tool.h"
-
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 

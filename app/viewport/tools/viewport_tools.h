@@ -7,18 +7,19 @@
 #include <string>
 #include <vector>
 
+#include "app/document/document.h"
 #include "app/ui/icons.h"
 #include "app/viewport/tools/add_muscle.h"
 #include "app/viewport/tools/axis_triad.h"
 #include "app/viewport/tools/camera.h"
 #include "app/viewport/tools/gizmo.h"
-#include "app/viewport/tools/gizmo_tools.h"
 #include "app/viewport/tools/line_handles.h"
 #include "app/viewport/tools/line_tool.h"
 #include "app/viewport/tools/pick_cycle.h"
 #include "app/viewport/tools/select.h"
 #include "app/viewport/tools/viewport_context.h"
 #include "app/viewport/tools/viewport_input.h"
+#include "sinew/character/pose.h"
 
 namespace sinew::app {
 
@@ -26,6 +27,16 @@ enum class ToolKind { kSelect, kAddMuscle, kMuscleLine, kMove, kRotate, kScale, 
 inline constexpr std::size_t kToolCount = 7;
 
 [[nodiscard]] std::string nameOf(ToolKind tool);  ///< Its label in lower case: "add muscle".
+
+enum class GizmoPivot { kActive, kCentroid };
+
+[[nodiscard]] const char* nameOf(GizmoPivot pivot);  ///< "active", "centroid"
+
+/// Another muscle dragged along with the active one.
+struct GizmoCompanion {
+  PrimitiveId primitive;
+  Placement start;
+};
 
 /// Who holds the mouse from a press to its release.
 enum class PressOwner { kNone, kOutside, kGizmo, kLine, kTool, kClick, kOrbit, kPan, kBox, kMenu };
@@ -130,5 +141,31 @@ extern const Tool kAddMuscleTool;
 extern const Tool kPoseTool;
 extern const Tool kMuscleLineTool;
 extern const Tool kTerritoryTool;  ///< A mode over the chosen tool, not in tools().
+
+// Several selected muscles on one gizmo; in gizmo_tools.cpp.
+
+/// The other selected muscles that a drag of `active` (a rig index) moves: attached, neither hidden nor locked, in the
+/// order of selection. Only the active or first selected one of linked twins, since the other follows.
+[[nodiscard]] std::vector<GizmoCompanion> companionsOf(const Document& document, int active);
+
+/// Mean of the centers of the active muscle and its companions in a pose; nullopt without companions.
+[[nodiscard]] std::optional<glm::vec3> centroidOf(const Document& document, const Pose& pose, int activeIndex,
+                                                  const Placement& active,
+                                                  const std::vector<GizmoCompanion>& companions);
+
+/// The rig after a drag of the active muscle and its companions. Error: a placement is refused.
+[[nodiscard]] Result<Rig> dragged(const Document& document, const Pose& pose, int active, const DragResult& drag,
+                                  const std::vector<GizmoCompanion>& companions);
+
+// Territory mode: clicks on bones choose the skin that the active muscle may move; in territory_tool.cpp.
+
+/// Rig index of the active muscle if this character has its bone, else -1.
+[[nodiscard]] int territorySubject(const Document& document);
+
+/// Adds or removes a bone, naming all of the territory; bones that the character lacks stay. Error: it is the last.
+[[nodiscard]] Result<Rig> withTerritoryBone(const Rig& rig, int index, int bone, const Skeleton& skeleton);
+
+/// The same for the active muscle, as one undo step. Error: nothing has changed.
+Result<void> toggleTerritoryBone(Document& document, int bone);
 
 }  // namespace sinew::app

@@ -17,7 +17,7 @@
 #include "app/editor/visibility_commands.h"
 #include "app/ui/imgui_layer.h"
 #include "app/ui/style.h"
-#include "app/viewport/tools/territory_tool.h"
+#include "app/viewport/tools/viewport_tools.h"
 #include "app/window/editor_step.h"
 #include "sinew/rig/rig_edit.h"
 

@@ -6,7 +6,7 @@
 
 #include "app/editor/commands.h"
 #include "app/editor/open_file.h"
-#include "app/viewport/gpu/card_layout.h"
+#include "app/viewport/gpu/card_tables.h"
 #include "sinew/rig/rig_edit.h"
 #include "tests/viewport/render/pictures.h"
 
