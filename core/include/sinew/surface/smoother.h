@@ -40,8 +40,8 @@ class Smoother {
 
   /// Fills `out` for a pose of this skeleton. prepare() must have succeeded once. Reuses the output's memory.
   /// False: checkPose (sinew/character/pose_check.h) refuses the pose, and `out` stays as it is.
-  /// @param eye  world; if given, control triangles whose vertex normals point away from it stay on their patches, as in
-  ///             the paper (4.3): for comparison, since muscles past the outline are missing.
+  /// @param eye  world; if given, control triangles whose vertex normals point away from it stay on their patches, as
+  ///             in the paper (4.3): for comparison, since muscles past the outline are missing.
   bool smooth(const Pose& pose, Surface& out, const std::optional<glm::vec3>& eye = std::nullopt);
 
   [[nodiscard]] const Character& character() const;
