@@ -1,10 +1,11 @@
 // app/panels/file_browser.cpp: the path dialog's places, folders and files.
 
+#include "app/panels/dialogs.h"
+
 #include <imgui_stdlib.h>
 
 #include <string>
 
-#include "app/panels/dialogs.h"
 #include "app/ui/code_points.h"
 #include "app/ui/data_files.h"
 #include "app/ui/reading_order.h"

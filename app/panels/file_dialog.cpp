@@ -1,5 +1,7 @@
 // app/panels/file_dialog.cpp: Open and Save As: a path field under a file browser.
 
+#include "app/panels/dialogs.h"
+
 #include <imgui_stdlib.h>
 
 #define GLFW_INCLUDE_NONE
@@ -16,7 +18,6 @@
 #include "app/editor/open_file.h"
 #include "app/editor/picture_commands.h"
 #include "app/editor/reference_commands.h"
-#include "app/panels/dialogs.h"
 #include "app/ui/reading_order.h"
 
 namespace sinew::app {

@@ -31,22 +31,22 @@ enum class Shading { kTextured, kClay, kClasses, kHeat };
 struct DisplaySettings {
   Shading shading = Shading::kTextured;
   bool surface = true;
-  bool wire = false;           ///< Refined mesh's edges over the shading.
-  bool controlMesh = false;    ///< Edges of the skinned control mesh.
-  bool skeleton = false;       ///< In x-ray.
-  bool primitives = false;     ///< Visible ellipsoids, translucent.
-  bool influence = false;      ///< Their regions of influence, fainter.
-  bool anatomy = false;        ///< Muscles as flesh and tendons, the skin as glass over them.
-  bool ground = true;          ///< Grid and shadow.
-  bool background = true;      ///< Off: transparent.
-  bool relief = false;         ///< Shading::kClay uses normal maps.
-  bool lighting = true;        ///< Off: Shading::kTextured shows base colors.
-  bool territory = true;       ///< Scene::territory as a tint on the skin.
-  bool segments = true;        ///< Scene::segments.
-  float lineScale = 1.0f;      ///< Factor on line, outline and dot widths, for dense displays.
-  PictureLook look;            ///< Light, background, ambient occlusion.
-  float heatRange = 0.05f;     ///< Displacement at the ends of the heat scale, fraction of the height, > 0.
-  float glass = 0.8f;          ///< With `anatomy`: how clear the skin is. 0: as without, 1: a faint rim is left.
+  bool wire = false;         ///< Refined mesh's edges over the shading.
+  bool controlMesh = false;  ///< Edges of the skinned control mesh.
+  bool skeleton = false;     ///< In x-ray.
+  bool primitives = false;   ///< Visible ellipsoids, translucent.
+  bool influence = false;    ///< Their regions of influence, fainter.
+  bool anatomy = false;      ///< Muscles as flesh and tendons, the skin as glass over them.
+  bool ground = true;        ///< Grid and shadow.
+  bool background = true;    ///< Off: transparent.
+  bool relief = false;       ///< Shading::kClay uses normal maps.
+  bool lighting = true;      ///< Off: Shading::kTextured shows base colors.
+  bool territory = true;     ///< Scene::territory as a tint on the skin.
+  bool segments = true;      ///< Scene::segments.
+  float lineScale = 1.0f;    ///< Factor on line, outline and dot widths, for dense displays.
+  PictureLook look;          ///< Light, background, ambient occlusion.
+  float heatRange = 0.05f;   ///< Displacement at the ends of the heat scale, fraction of the height, > 0.
+  float glass = 0.8f;        ///< With `anatomy`: how clear the skin is. 0: as without, 1: a faint rim is left.
 
   friend bool operator==(const DisplaySettings&, const DisplaySettings&) = default;
 };
