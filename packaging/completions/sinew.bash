@@ -152,7 +152,7 @@ _sinew() {
         export:*) _sinew_files glb gltf vrm rig.json ;;
         pack:-*) _sinew_words -h --help -o --output --depth --detail --tolerance ;;
         pack:*) _sinew_files glb gltf vrm rig.json ;;
-        render:-*) _sinew_words -h --help --clips --clip --time --frames --fps --turntable --sheet --view --orthographic --shading --show --glass --surface --no-surface --ground --no-ground --cull --on --transparent --light --background --ao --size --samples --depth --detail --tolerance --mode --patch --crease --shape -o --output --list --shard --resume --dry-run --threads --progress ;;
+        render:-*) _sinew_words -h --help --clips --clip --time --frames --fps --turntable --sheet --view --orthographic --shading --show --glass --surface --no-surface --ground --no-ground --on --transparent --light --background --ao --size --samples --depth --detail --tolerance --mode --patch --crease --shape -o --output --list --shard --resume --dry-run --threads --progress ;;
         render:*) _sinew_files glb gltf vrm rig.json ;;
         farm:-*) _sinew_words -h --help --to --tasks --program --job ;;
         bench:-*) _sinew_words -h --help --json --rounds --crowd --frames --progress ;;
