@@ -30,7 +30,7 @@ void find(int at) {
   if (root.state != kUnsure) return;
   bool outward = root.onSkin > 0.0;
   // h / (1 - r_T) and r_T as the processor has them.
-  double radius = sqrt(1.0lf - sqrt(double(iso)));
+  double radius = sqrt(1.0lf - potentialInverse(double(iso)));
   double h = double(root.blendWidth), width = h / (1.0lf - radius);
   exactCount = 0;
   exact[exactCount++] = ExactTerm(1.0lf / (width * width), (outward ? radius : -radius) / width, radius * radius, 1.0lf,
