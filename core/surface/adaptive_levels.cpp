@@ -225,6 +225,13 @@ constexpr float kWorthCosine = 0.99863f;       ///< 3 degrees.
 constexpr float kAdaptiveLevelsMargin = 0.7f;  ///< Of the tolerance, since inner points do not lie on samples.
 constexpr float kCheckMargin = 0.9f;           ///< Of the tolerance, for what lies between samples.
 
+/// Above the default tolerance normals may be off by more, as the chord of an arc that is as far off turns: by the root
+/// of the tolerance. Otherwise they would ask a dense mesh for as many vertices at any tolerance.
+float widened(float cosine, float tolerance) {
+  const float times = tolerance / kDefaultTolerance;
+  return times > 1.0f ? std::cos(std::sqrt(times) * std::acos(cosine)) : cosine;
+}
+
 /// Edges and triangles to sample, and how finely. The result for each depends on itself alone.
 struct Look {
   bool first = true;                    ///< With few samples, to find where many are worth it.
@@ -237,8 +244,9 @@ class LevelSearch {
   LevelSearch(const Preparation& next, const AdaptiveLevels& asked, RefinementLevels& needed)
       : next_(next), asked_(asked), mesh_(next.mesh()), needed_(needed) {
     const float height = next.character().height;
-    tolerance_ = {kAdaptiveLevelsMargin * asked.from.tolerance * height, kNormalCosine};
-    look_ = {kWorthALook * tolerance_.distance, kWorthCosine};
+    const float tolerance = asked.from.tolerance;
+    tolerance_ = {kAdaptiveLevelsMargin * tolerance * height, widened(kNormalCosine, tolerance)};
+    look_ = {kWorthALook * tolerance_.distance, widened(kWorthCosine, tolerance)};
     isLongEdge_.resize(mesh_.edges.size(), false);
     for (const ControlTriangle& triangle : mesh_.triangles) {
       const bool isLong = std::ranges::any_of(triangle.edges, [&](int e) {

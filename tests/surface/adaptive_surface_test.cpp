@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <limits>
 
 #include "core/geometry/at.h"
 #include "core/geometry/weld.h"
@@ -14,6 +15,7 @@
 #include "sinew/surface/crowd_smoother.h"
 #include "sinew/surface/smoother.h"
 #include "tests/support/characters/body_with_arms.h"
+#include "tests/support/characters/stand_ins.h"
 #include "tests/support/characters/synthetic_characters.h"
 #include "tests/support/euler_characteristic.h"
 #include "tests/support/rigs/random_animation.h"
@@ -216,6 +218,21 @@ TEST(AdaptiveSurface, IsWithinToleranceOfTheFineSurface) {
       EXPECT_EQ(fartherThan(1.03f * tolerance * character->height, character->mesh, fine.now(), adaptive.now()), 0);
     }
   }
+}
+
+// Nearly all triangles of a dense mesh meet a coarse tolerance as they are.
+TEST(AdaptiveSurface, CoarserTolerancesGiveFewerVerticesDownToTheMesh) {
+  const CharacterPtr character = fineHumanoid();
+  Smoother smoother(character);
+  int finer = std::numeric_limits<int>::max();
+  for (const float tolerance : {0.001f, 0.003f, 0.01f}) {
+    ASSERT_TRUE(smoother.prepare(adaptiveRig(*character, 1, tolerance)).ok());
+    Surface surface;
+    smoother.smooth(bindPose(character->skeleton), surface);
+    EXPECT_LT(surface.refinement->vertexCount, finer) << tolerance;
+    finer = surface.refinement->vertexCount;
+  }
+  EXPECT_LT(static_cast<double>(finer), 1.2 * static_cast<double>(character->mesh.positions.size()));
 }
 
 TEST(AdaptiveSurface, SidesAreSplitAtLeastHalfAsFinelyAsTheirTriangle) {
