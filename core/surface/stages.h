@@ -14,7 +14,7 @@ namespace sinew {
 /// Lays the curved patches, shades creased wedges and starts the report.
 void layPatch(const Preparation& preparation, const PosedField& posed, Workspace& workspace, Surface& out);
 
-/// Moves vertices onto the surface. @param eye  world; control triangles that it cannot see stay on their patches
+/// Moves vertices onto the surface.  @param eye  as in Smoother::smooth
 void project(const Preparation& preparation, const PosedField& posed, const Pose& pose,
              const std::optional<glm::vec3>& eye, Workspace& workspace, Surface& out);
 

@@ -2,7 +2,6 @@
 // shaders/compute/crease_front.comp: how much the skin around each control vertex still faces outwards: rho of
 // core/surface/finish/crease_lift.h.
 #include "compute/items.glsl"
-
 #include "compute/numbers.glsl"
 #define dot(a, b) dotOf(a, b)
 #define cross(a, b) crossOf(a, b)

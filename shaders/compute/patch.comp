@@ -1,7 +1,6 @@
 #version 450 core
 // shaders/compute/patch.comp: refined vertices on their patches, and the line along which each is projected.
 #include "compute/items.glsl"
-
 #include "compute/numbers.glsl"
 #define dot(a, b) dotOf(a, b)
 #include "core/geometry/formulas/patch.h"

@@ -3,7 +3,6 @@
 // core/surface/projection/swell.cpp.
 #include "compute/items.glsl"
 #include "compute/field.glsl"
-
 #include "compute/numbers.glsl"
 #include "core/geometry/formulas/potential.h"
 #include "core/geometry/formulas/shape.h"

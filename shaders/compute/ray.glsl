@@ -1,11 +1,11 @@
 // shaders/compute/ray.glsl: the field along a ray, and a bracket around its first change of sign that rounding
 // cannot have moved, in numbers of the type Real. As core/surface/roots/ray_lanes.h, one ray an invocation;
-// docs/performance.md proves it. Needs field.glsl, shape.glsl with its
-// formulas, bounds.h, and of Real: kMostTerms, kMostShapes, kValueRounding,
-// kSlopeRounding, kMostMarches, kMostSteps, kLeastStretch: what is shorter is a root or a touch.
+// docs/performance.md proves it. Needs field.glsl, shape.glsl, formulas up to bounds.h, and of Real: kMostTerms,
+// kMostShapes, kValueRounding, kSlopeRounding, kMostMarches, kMostSteps, kLeastStretch: what is shorter is a root or a
+// touch.
 const float kFar = 1e30;
 
-struct Term {  // w(t) = peak - a (t - middle)^2, f(t) = factor max(0, w)^2.
+struct Term {  // w(t) = peak - a (t - middle)^2, f(t) = factor g.
   Real a, middle, peak, factor;
   uint slot;
   int shape;  // Index of the line through the shape that is meant instead; -1: an ellipsoid.

@@ -3,7 +3,6 @@
 // core/surface/projection/replace.cpp.
 #include "compute/items.glsl"
 #include "compute/field.glsl"
-
 #include "compute/numbers.glsl"
 #include "core/geometry/formulas/potential.h"
 #include "core/geometry/formulas/shape.h"

@@ -1,5 +1,5 @@
 // core/geometry/formulas/finish.h: weights and bounds of the stages after projection: heights, folds, shading normals
-// (docs/design.md, from Creases on). Needs cross().
+// (docs/design.md, Swell and Normals).
 
 // Heights.
 
@@ -9,8 +9,8 @@ formula Real leftOfHeight(Real rho) { return num(0.4) + num(1.0 - 0.4) * smooths
 
 constant float kMostSlope = 1.5f;  ///< Of heights over the patch: flanks of muscles up to 56 degrees stay as they are.
 
-constant float kBentFrom =
-    0.15f;  ///< Difference of a height from its neighbors' mean, in edges, that the mesh can follow.
+/// Difference of a height from its neighbors' mean, in edges, that the mesh can follow.
+constant float kBentFrom = 0.15f;
 /// Weight of the filter.
 formula Real bentWeight(Real bent) { return smoothstep(num(kBentFrom), num(0.5), bent); }
 /// What a vertex passes on to its neighbors. Otherwise one that starts to move beside high ones would lower them at
@@ -45,20 +45,20 @@ formula Real foldRelaxation(Real weight) { return num(1.5) / max(num(1.0), weigh
 
 // Shading normals. A delta is the field's normal less the patch's.
 
-/// Where normals differ, the ring's mean replaces a normal in part.  @param apart  largest difference to a neighbor's
 constant float kMeanFrom = 0.2f;
+/// Where normals differ, the ring's mean replaces a normal in part.  @param apart  largest difference to a neighbor's
 formula Real meanShare(Real apart) { return smoothstep(num(kMeanFrom), num(0.45), apart); }
 constant float kSoftening = 0.8f;  ///< Largest weight of the mean.
 
-/// Weight with which the second difference is taken from deltas at rims.  @param mean  meanShare()
 constant float kRimFrom = 0.05f;
+/// Weight with which the second difference is taken from deltas at rims.  @param mean  meanShare()
 formula Real rimWeight(Real apart, Real mean) {
   return num(0.44) * (smoothstep(num(kRimFrom), num(0.2), apart) * (num(1.0) - mean));
 }
 
+constant float kTeethFrom = 0.22f;
 /// The same where normals alternate from vertex to vertex; 0 where delta is, and continuous from there.
 /// @param filtered  weight of the filter of heights.  @param turn  length of delta.
-constant float kTeethFrom = 0.22f;
 formula Real teethWeight(Real apart, Real filtered, Real turn) {
   Real cliff = (num(1.0) - filtered) * smoothstep(num(0.45), num(0.8), apart);
   return num(0.23) * smoothstep(num(kTeethFrom), num(0.45), apart) * (num(1.0) - cliff) *
