@@ -101,6 +101,7 @@ Result<void> validateMorphs(const Rig& rig) {
 RigNumbers drawnNumbers(const Rig& rig) {
   RigNumbers numbers;
   numbers.skinBlend = rig.surface.skinBlend;
+  numbers.grooves = rig.surface.grooves;
   numbers.lines.reserve(rig.lines.size());
   for (const MuscleLine& line : rig.lines) numbers.lines.push_back(line.settings);
   numbers.primitives.reserve(rig.primitives.size());

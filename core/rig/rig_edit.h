@@ -52,6 +52,7 @@ struct MuscleNumbers {
 /// A rig's numbers as drawn, or in a pose (core/rig/posed_rig.h).
 struct RigNumbers {
   float skinBlend = kDefaultSkinBlend;    ///< SurfaceSettings::skinBlend
+  float grooves = 0.0f;                   ///< SurfaceSettings::grooves
   std::vector<LineSettings> lines;        ///< [Rig::lines]
   std::vector<MuscleNumbers> primitives;  ///< [Rig::primitives]
   std::vector<float> morphs;              ///< [Rig::morphs] MorphWeight::weight

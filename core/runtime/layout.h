@@ -433,7 +433,7 @@ inline constexpr std::size_t kAnimatedBytes = 1 + 2 * kCountBytes;
 
 template <class A>
 void fields(A& a, typename A::template Ref<SurfaceSettings> value) {
-  auto& [mode, iso, skinBlend, animated, unknownKeys] = value;
+  auto& [mode, iso, skinBlend, grooves, animated, unknownKeys] = value;
   a.choice(mode, SurfaceMode::kReplace);
   a.floats(iso);
   a.floats(skinBlend);

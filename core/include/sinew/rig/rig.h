@@ -36,6 +36,7 @@ inline constexpr float kMostMorphWeight = 10.0f;
 inline constexpr float kLeastIso = 0.001f;
 inline constexpr float kMostIso = 0.999f;
 inline constexpr float kMostSkinBlend = 10.0f;
+inline constexpr float kMostGrooves = 1.0f;
 
 /// Identity of a primitive: stays the same through renaming, undo and redo while a document is open. Not in the file.
 /// 0: not assigned yet (core/rig/references.h).
@@ -57,6 +58,7 @@ struct SurfaceSettings {
   SurfaceMode mode = SurfaceMode::kSwell;
   float iso = kDefaultIso;              ///< T, kLeastIso..kMostIso.
   float skinBlend = kDefaultSkinBlend;  ///< h as a fraction of H, > 0, at most kMostSkinBlend.
+  float grooves = 0.0f;                 ///< Width of the grooves between unlinked muscles, fraction of H, 0..kMostGrooves.
   std::vector<AnimatedNumber> animated;
   std::string unknownKeys;  ///< JSON object text of keys unknown to this version; kept and written back.
 
