@@ -182,25 +182,51 @@ FieldSample highest(std::span<const FieldSample> sums) {
 
 }  // namespace
 
-PosedPrimitive posedPrimitive(const FieldPrimitive& primitive, const glm::mat4& carrier) {
+PosedPrimitive posedPrimitive(const FieldPrimitive& primitive, const glm::mat4& carrier, float grooves) {
   const UnitBallMap influence = unitBallMap(primitive.placement, primitive.reach, carrier);
-  return {influence, primitive.strength, influence.meanRadius / primitive.reach};
+  const float radius = influence.meanRadius / primitive.reach;
+  const float groove = grooves > 0.0f && radius > 0.0f ? in_float::grooveOf(grooves, radius, primitive.reach) : 0.0f;
+  return {influence, primitive.strength, radius, groove};
 }
 
-void poseField(std::span<const FieldPrimitive> primitives, std::span<const glm::mat4> boneInWorld,
+void poseField(std::span<const FieldPrimitive> primitives, std::span<const glm::mat4> boneInWorld, float grooves,
                std::vector<PosedPrimitive>& out) {
   out.resize(primitives.size());
   for (std::size_t i = 0; i < primitives.size(); ++i) {
-    out[i] = posedPrimitive(primitives[i], at(boneInWorld, primitives[i].bone));
+    out[i] = posedPrimitive(primitives[i], at(boneInWorld, primitives[i].bone), grooves);
   }
 }
+
+namespace {
+
+/// F's maximum over shares of the cliques, with its gradient.
+FieldSample softest(const CliqueLists& cliques, FieldScratch& scratch) {
+  const std::vector<FieldSample>& sums = scratch.ofSlot;
+  scratch.softness.resize(sums.size());
+  std::vector<BlendedGroup>& groups = scratch.blend.reset(cliques);
+  for (std::size_t i = 0; i < sums.size(); ++i) {
+    groups[i].sum = static_cast<double>(sums[i].value);
+    groups[i].softness = static_cast<double>(scratch.softness[i].value);
+  }
+  FieldSample out;
+  out.value = static_cast<float>(scratch.blend.settle(cliques));
+  for (std::size_t i = 0; i < sums.size(); ++i) {
+    const float m = static_cast<float>(groups[i].share);
+    out.gradient += m * (sums[i].gradient + 0.5f * (1.0f - m) * scratch.softness[i].gradient);
+  }
+  return out;
+}
+
+}  // namespace
 
 FieldSample sampleField(std::span<const PosedPrimitive> primitives, std::span<const Candidate> candidates,
                         const CliqueLists& cliques, const glm::vec3& point, FieldScratch& scratch) {
   FieldSample carved;
   FieldSample linked;
   std::vector<FieldSample>& ofSlot = scratch.ofSlot;
+  std::vector<FieldSample>& softness = scratch.softness;
   ofSlot.clear();
+  softness.clear();
   for (const Candidate& candidate : candidates) {
     const PosedPrimitive& primitive = at(primitives, candidate.primitive);
     const FieldSample part = sampleCandidate(primitive, candidate.weight, point);
@@ -212,7 +238,15 @@ FieldSample sampleField(std::span<const PosedPrimitive> primitives, std::span<co
       const auto slot = static_cast<std::size_t>(candidate.slot);
       if (ofSlot.size() <= slot) ofSlot.resize(slot + 1);
       add(ofSlot[slot], part);
+      if (!(primitive.groove > 0.0f)) continue;
+      if (softness.size() <= slot) softness.resize(slot + 1);
+      add(softness[slot], {primitive.groove * part.value, primitive.groove * part.gradient});
     }
+  }
+  if (!softness.empty()) {
+    FieldSample out = softest(cliques, scratch);
+    add(out, carved);
+    return out;
   }
   std::vector<FieldSample>& ofClique = scratch.ofClique;
   ofClique.assign(cliques.size(), {});

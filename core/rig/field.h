@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "core/rig/group_blend.h"
 #include "sinew/geometry/ellipsoid.h"
 #include "sinew/geometry/result.h"
 
@@ -57,6 +58,7 @@ struct PosedPrimitive {
   UnitBallMap influence;  ///< r < 1 exactly where f_i != 0.
   float strength = 1.0f;
   float meanRadius = 0.0f;  ///< World; radius of the ball with the visible ellipsoid's volume.
+  float groove = 0.0f;      ///< kappa, 0..2: how soft a groove it has beside muscles of other cliques.
 };
 
 /// A primitive at one place of the skin.
@@ -66,35 +68,36 @@ struct Candidate {
   int slot = 0;         ///< Its group, numbered among those present there.
 };
 
-/// Groups that add up at a place: one list of slots for each clique; empty: all groups add up.
-using CliqueLists = std::vector<std::vector<int>>;
-
 /// F and grad F at one point.
 struct FieldSample {
   float value = 0.0f;
-  glm::vec3 gradient{0.0f};  ///< Per character unit, world space; of the highest clique, or a mean of two that tie.
+  glm::vec3 gradient{0.0f};  ///< Per character unit, world space.
 };
 
-/// Difference to the highest clique below which another counts in the gradient, the more the nearer it is; if there are
-/// several, the one that changes the gradient most. Otherwise rounding would decide on the line between mirrored
-/// muscles, where the sums of both sides are equal.
+/// With crisp grooves grad F is that of the highest clique, or a mean of two that tie. kTie: difference to the highest
+/// clique below which another counts in the gradient, the more the nearer it is; if there are several, the one that
+/// changes the gradient most. Otherwise rounding would decide on the line between mirrored muscles, where the sums of
+/// both sides are equal.
 inline constexpr float kTie = 1e-4f;
 
 /// Memory that is reused from point to point. One per thread.
 struct FieldScratch {
   std::vector<FieldSample> ofSlot;
+  std::vector<FieldSample> softness;  ///< Of each slot: the same parts, each times its kappa.
   std::vector<FieldSample> ofClique;
+  GroupBlend blend;
 };
 
-/// @param carrier  bone space -> world
-[[nodiscard]] PosedPrimitive posedPrimitive(const FieldPrimitive& primitive, const glm::mat4& carrier);
+/// @param carrier  bone space -> world.  @param grooves  width of grooves, world units, 0: crisp
+[[nodiscard]] PosedPrimitive posedPrimitive(const FieldPrimitive& primitive, const glm::mat4& carrier, float grooves);
 /// All primitives on their bones. @param boneInWorld  [bones]
-void poseField(std::span<const FieldPrimitive> primitives, std::span<const glm::mat4> boneInWorld,
+void poseField(std::span<const FieldPrimitive> primitives, std::span<const glm::mat4> boneInWorld, float grooves,
                std::vector<PosedPrimitive>& out);
 
 /// F(x) = max over cliques of the sum of its positive m_i f_i, plus the sum of all carving m_i f_i (<= 0). Carves are
 /// outside the maximum, since inside any unlinked group would undo a carve by max(..., 0), and culling would change
-/// values. Without carves, or with all groups linked, it makes no difference. docs/design.md.
+/// values. Without carves, or with all groups linked, it makes no difference. With soft grooves the maximum is over
+/// shares of the cliques (core/rig/group_blend.h). docs/design.md.
 [[nodiscard]] FieldSample sampleField(std::span<const PosedPrimitive> primitives, std::span<const Candidate> candidates,
                                       const CliqueLists& cliques, const glm::vec3& point, FieldScratch& scratch);
 /// For single points.

@@ -28,9 +28,9 @@ bool samePosed(const PosedPrimitive& a, const PosedPrimitive& b) {
     return s.isPlain == t.isPlain && s.lateral == t.lateral && s.taper == t.taper && s.bend == t.bend &&
            s.curve == t.curve && s.core == t.core && s.inverseEnd == t.inverseEnd && s.low == t.low && s.high == t.high;
   };
-  return a.strength == b.strength && a.meanRadius == b.meanRadius && x.toUnit == y.toUnit && x.center == y.center &&
-         x.boundingRadius == y.boundingRadius && x.inverseRadius == y.inverseRadius && x.form == y.form &&
-         sameShape(x.shape, y.shape);
+  return a.strength == b.strength && a.meanRadius == b.meanRadius && a.groove == b.groove && x.toUnit == y.toUnit &&
+         x.center == y.center && x.boundingRadius == y.boundingRadius && x.inverseRadius == y.inverseRadius &&
+         x.form == y.form && sameShape(x.shape, y.shape);
 }
 
 /// Compares what affects all samples.

@@ -27,11 +27,12 @@ void readDriven(const std::shared_ptr<const Preparation>& preparation, const Pos
 void placePrimitives(const Preparation& preparation, std::span<const FieldPrimitive> primitives, const PosedRig& rig,
                      std::vector<PosedPrimitive>& out) {
   const std::vector<int>& rigIndex = preparation.attached->attachment.rigIndex;
+  const float grooves = rig.numbers.grooves * preparation.character().height;
   out.resize(primitives.size());
   for (std::size_t i = 0; i < primitives.size(); ++i) {
     const PosedMuscle& muscle = at(rig.muscles, rigIndex[i]);
-    out[i] = posedPrimitive(primitives[i], muscle.carrier);
-    // A muscle bent by its line keeps its blend width.
+    out[i] = posedPrimitive(primitives[i], muscle.carrier, grooves);
+    // A muscle bent by its line keeps its blend width and its groove.
     if (muscle.isBent) out[i].influence = unitBallMap(muscle.body.placement, primitives[i].reach, muscle.body.carrier);
   }
 }

@@ -306,7 +306,8 @@ std::shared_ptr<const Preparation> prepareSamples(const Preparation& next, Refin
 void readBindPose(const Preparation& preparation, std::span<const FieldPrimitive> primitives, BindScratch& scratch,
                   BindReading& out) {
   const Pose bind = bindPose(preparation.character().skeleton);
-  poseField(primitives, bind.boneInWorld, scratch.primitives);
+  const float grooves = preparation.poser->drawn().grooves * preparation.character().height;
+  poseField(primitives, bind.boneInWorld, grooves, scratch.primitives);
   const FieldView bindField{scratch.primitives, preparation.seen.get(), {}};
   if (preparation.swells()) out.weights = {influenceWeights(preparation.mesh(), bindField)};
   else out.weights = replaceWeights(preparation, bindField, bind, scratch);

@@ -39,7 +39,7 @@ std::vector<PosedPrimitive> primitivesOf(const glm::vec3& radii, const Shape& sh
     primitives[static_cast<std::size_t>(i)].placement = {spread(i), glm::quat(1.0f, 0.0f, 0.0f, 0.0f), radii, shape};
   }
   std::vector<PosedPrimitive> posed;
-  poseField(primitives, std::vector{glm::mat4(1.0f)}, posed);
+  poseField(primitives, std::vector{glm::mat4(1.0f)}, 0.0f, posed);
   return posed;
 }
 

@@ -30,7 +30,7 @@ class Outside {
  public:
   Outside(const TrialScene& scene, const Rig& rig) {
     const Attachment attachment = attach(rig, *scene.character).value();
-    poseField(attachment.primitives, bindPose(scene.character->skeleton).boneInWorld, posed_);
+    poseField(attachment.primitives, bindPose(scene.character->skeleton).boneInWorld, 0.0f, posed_);
   }
   bool operator()(const glm::vec3& point) const {
     for (const PosedPrimitive& primitive : posed_) {

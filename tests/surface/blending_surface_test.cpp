@@ -104,7 +104,7 @@ TEST(BlendingSurface, ChainIsTheMaximumOfItsPairs) {
 class PosedField {
  public:
   PosedField(const TrialScene& scene, const Pose& pose) : attachment_(attach(scene.rig, *scene.character).value()) {
-    poseField(attachment_.primitives, pose.boneInWorld, posed_);
+    poseField(attachment_.primitives, pose.boneInWorld, 0.0f, posed_);
     for (std::size_t i = 0; i < posed_.size(); ++i) {
       candidates_.push_back({static_cast<int>(i), 1.0f, attachment_.primitives[i].group});
       bounds_.add(posed_[i].influence.center - posed_[i].influence.boundingRadius);

@@ -109,7 +109,7 @@ Surface projectedAlone(const TrialScene& scene, const Rig& rig, const Pose& pose
   const Attachment attachment = attach(rig, character).value();
   const CandidateLists lists = makeCandidateLists(character.mesh, attachment);
   std::vector<PosedPrimitive> posed;
-  poseField(attachment.primitives, pose.boneInWorld, posed);
+  poseField(attachment.primitives, pose.boneInWorld, 0.0f, posed);
   Rig flatRig = rig;
   flatRig.primitives.clear();
   flatRig.smoothing.patch = PatchKind::kFlat;

@@ -1,4 +1,4 @@
-// core/geometry/formulas/potential.h: the potential g, the skin's own field along a ray, and limits of heights.
+// core/geometry/formulas/potential.h: the potential g, parts of groups in F, the skin's own field along a ray.
 
 /// A number along a ray, and its derivative.
 struct Sample {
@@ -23,6 +23,24 @@ formula Real slopeToRoot(Real onSkin, Real iso, Real root, Real radius) {
   Real left = potentialInverse(min(max(num(0.0), iso - onSkin), num(1.0)));
   return (root + left) * (sqrt(num(1.0) - left) + radius);
 }
+
+/// kappa of a muscle (docs/design.md, Grooves): two alike have a groove of `width`, however far they reach.
+/// @param radius  mean, of the visible ellipsoid; world units, like `width`.
+formula Real grooveOf(Real width, Real radius, Real reach) {
+  return min(num(2.0), (width + width) / (radius * (reach * reach - num(1.0))));
+}
+
+/// Part in F of a group with sum x, whose cliques have the share m; y is the sum of its muscles' parts, each times its
+/// kappa. Also part in a derivative of F, of the derivatives of x and y: F is largest at these shares.
+formula Real softPart(Real x, Real y, Real m) { return m * (x + num(0.5) * (num(1.0) - m) * y); }
+/// Its derivative by m.
+formula Real softRate(Real x, Real y, Real m) { return x + (num(0.5) - m) * y; }
+
+/// Two cliques: by how much F rises for a share that the second gives to the first, and how fast that falls.
+struct Exchange {
+  Real gain;
+  Real fall;
+};
 
 /// The skin's own field along a ray that starts on the skin: g at r = r_T + sense t / W.
 struct SkinRay {

@@ -166,6 +166,7 @@ class TileReplacer : TileField {
       copy(line.factor, term.factor, sense);
       term.primitive = line.primitive;
       term.slot = line.slot;
+      term.groove = line.groove;
     }
     for (LaneShape& shape : std::span(lanes.shapes).first(lanes.shapeCount)) {
       shape.way = way;

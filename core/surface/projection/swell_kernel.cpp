@@ -107,9 +107,9 @@ class TileSweller : TileField {
     V shares = zero();
     V widths = zero();
     V radii = zero();
-    for (std::size_t slot = 0; slot < cliques_.slotCount; ++slot) {
-      hn::Store(zero(), kTag, lanes.sums[slot].of[0].at(first_));
-    }
+    const LaneSkin none{{all(1.0f), zero(), zero(), zero(), zero()}, false, zero()};
+    const RayLanes sums(lanes, cliques_, none, first_);
+    sums.clearSums(2);
     for (std::size_t n = 0; n < nearCount_; ++n) {
       const std::size_t i = static_cast<std::size_t>(scratch_.near[n]);
       if (!(scratch_.spans[i].gap < 0.0f)) continue;
@@ -127,13 +127,16 @@ class TileSweller : TileField {
       } else if (cliques_.empty()) {
         together = together + value;
       } else {
-        LaneFloats& sum = lanes.sums[static_cast<std::size_t>(candidate(i).slot)].of[0];
-        hn::Store(hn::Load(kTag, sum.at(first_)) + value, kTag, sum.at(first_));
+        sums.add(candidate(i).slot, 0, value);
+        if (cliques_.soft) sums.add(candidate(i).slot, 1, all(muscle.groove) * value);
       }
     }
-    const LaneSkin none{{zero(), zero(), zero(), zero(), zero()}, false, zero()};
-    const RayLanes sums(lanes, cliques_, none, first_);
-    for (std::size_t k = 0; k < cliques_.count(); ++k) together = hn::Max(together, sums.sumOf(k, 0));
+    if (cliques_.soft && !cliques_.empty()) {
+      sums.share(0, 1);
+      together = sums.partOf(0, 1);
+    } else {
+      for (std::size_t k = 0; k < cliques_.count(); ++k) together = hn::Max(together, sums.sumOf(k, 0));
+    }
     const M seen = hn::Gt(shares, zero());
     const V most = all(inputs_.settings.blendWidth);
     return {together + carved, select(seen, widths / shares, most), select(seen, radii / shares, most)};

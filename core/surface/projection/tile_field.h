@@ -19,13 +19,15 @@ namespace sinew::HWY_NAMESPACE {
 class TileField {
  protected:
   TileField(const VertexTiles& tiles, const FieldView& field, TileScratch& scratch)
-      : tiles_(tiles), field_(field), scratch_(scratch) {}
+      : tiles_(tiles), field_(field), scratch_(scratch) {
+    soft_ = std::ranges::any_of(field.primitives, [](const PosedPrimitive& one) { return one.groove > 0.0f; });
+  }
 
   void start(const VertexTile& tile, std::span<const glm::vec3> positions) {
     tile_ = &tile;
     for (std::size_t first = 0; first < kLanes; first += width()) points_.gather(positions, tile.vertices, first);
     const std::size_t set = static_cast<std::size_t>(tile.cliqueSet);
-    cliques_ = {tiles_.cliqueBegins[set], tiles_.cliqueSlots[set], tiles_.slotCounts[set]};
+    cliques_ = {tiles_.cliqueBegins[set], tiles_.cliqueSlots[set], tiles_.slotCounts[set], soft_};
   }
 
   Bounds boundsOfTile() const {
@@ -97,6 +99,7 @@ class TileField {
       LaneShape& shape = scratch_.lanes.shapes[scratch_.lanes.shapeCount];
       shape.primitive = of.primitive;
       shape.slot = slot;
+      shape.groove = muscle.groove;
       const M met = both(both(seen, near), fillShape(ball.shape, y, yd, first_, shape));
       hn::Store(hn::IfThenElseZero(met, factor), kTag, shape.factor.at(first_));
       if (any(ahead ? both(met, hn::Gt(ShapeOnRays(shape, first_).box().high, zero())) : met)) {
@@ -116,6 +119,7 @@ class TileField {
     hn::Store(peak, kTag, term.peak.at(first_));
     term.primitive = of.primitive;
     term.slot = slot;
+    term.groove = muscle.groove;
     return true;
   }
 
@@ -130,19 +134,25 @@ class TileField {
     const V sign = rays.skin().sense;
     V3 gradient{zero(), zero(), zero()};
     value = zero();
-    rays.clearSums();
-    const auto addPart = [&](int slot, V factor, V w, const V3& halfSlope) HWY_ATTR {
+    rays.clearSums(cliques_.soft ? 8 : 4);
+    const auto addPart = [&](int slot, float groove, V factor, V w, const V3& halfSlope) HWY_ATTR {
       const V ofPart = potential(factor, w);
       const V3 part = (all(-4.0f) * sign * (factor * potentialRate(w))) * halfSlope;
       if (rays.isEverywhere(slot)) {
         value = value + ofPart;
         gradient = gradient + part;
-      } else {
-        rays.add(slot, 0, ofPart);
-        rays.add(slot, 1, part.x);
-        rays.add(slot, 2, part.y);
-        rays.add(slot, 3, part.z);
+        return;
       }
+      rays.add(slot, 0, ofPart);
+      rays.add(slot, 1, part.x);
+      rays.add(slot, 2, part.y);
+      rays.add(slot, 3, part.z);
+      if (!cliques_.soft) return;
+      const V soft = all(groove);
+      rays.add(slot, 4, soft * ofPart);
+      rays.add(slot, 5, soft * part.x);
+      rays.add(slot, 6, soft * part.y);
+      rays.add(slot, 7, soft * part.z);
     };
     for (const LaneTerm& term : rays.terms()) {
       const V along = t - rays.load(term.middle);
@@ -152,14 +162,19 @@ class TileField {
       const V3 y = x - all(ball.center);
       const V3 halfSlope = ball.inverseRadius > 0.0f ? all(ball.inverseRadius * ball.inverseRadius) * y
                                                      : transposedTimes(ball.toUnit, times(ball.toUnit, y));
-      addPart(term.slot, rays.load(term.factor), w, halfSlope);
+      addPart(term.slot, term.groove, rays.load(term.factor), w, halfSlope);
     }
     for (const LaneShape& shape : rays.shapes()) {
       const ShapeOnRays ray = rays.onRays(shape);
       const ShapePoint at = ray.at(t);
       const UnitBallMap& ball = influence(shape.primitive);
-      addPart(shape.slot, ray.factor(), hn::Max(zero(), all(1.0f) - shapeRSquared(at)),
+      addPart(shape.slot, shape.groove, ray.factor(), hn::Max(zero(), all(1.0f) - shapeRSquared(at)),
               transposedTimes(ball.toUnit, shapeHalfSlope(numbersOf(ball.shape), at)));
+    }
+    if (!cliques_.empty() && cliques_.soft) {
+      rays.share(0, 4);
+      value = value + rays.partOf(0, 4);
+      return gradient + V3{rays.partOf(1, 5), rays.partOf(2, 6), rays.partOf(3, 7)};
     }
     V best = zero();
     V3 bestGradient{zero(), zero(), zero()};
@@ -204,6 +219,7 @@ class TileField {
   const VertexTile* tile_ = nullptr;
   std::size_t nearCount_ = 0;  ///< Used part of scratch_.near: indices of the tile's candidates.
   std::size_t first_ = 0;      ///< First of the current lanes.
+  bool soft_ = false;          ///< Some muscle has a soft groove.
   LaneCliques cliques_;
   LanePoints points_;
 

@@ -127,6 +127,7 @@ void flattenCliques(const CandidateLists& lists, VertexTiles& out) {
     }
     const std::size_t count = slots.empty() ? 0 : static_cast<std::size_t>(std::ranges::max(slots)) + 1;
     out.mostSlots = std::max(out.mostSlots, count);
+    out.mostCliques = std::max(out.mostCliques, cliques.size());
     out.slotCounts.push_back(count);
     out.cliqueBegins.push_back(std::move(begins));
     out.cliqueSlots.push_back(std::move(slots));

@@ -35,6 +35,7 @@ struct VertexTiles {
   std::vector<std::size_t> slotCounts;
   std::size_t mostCandidates = 0;
   std::size_t mostSlots = 0;
+  std::size_t mostCliques = 0;
 };
 
 [[nodiscard]] VertexTiles makeVertexTiles(const ControlMesh& mesh, const Refinement& refinement,

@@ -17,7 +17,8 @@ struct LaneTerm {
   LaneFloats a;
   LaneFloats middle;
   LaneFloats peak;
-  LaneFloats factor;  ///< sign * s_i * m_i; 0 if the ray's vertex does not see the primitive.
+  LaneFloats factor;    ///< sign * s_i * m_i; 0 if the ray's vertex does not see the primitive.
+  float groove = 0.0f;  ///< PosedPrimitive::groove
   int primitive = 0;
   int slot = 0;  ///< Group slot, or kEverySum: part of every clique's sum (carves).
 
@@ -30,6 +31,7 @@ struct LaneShape {
   const UnitShape* unit = nullptr;
   int primitive = 0;
   int slot = 0;
+  float groove = 0.0f;
   float way = 1.0f;    ///< s = way t - middle. 1: rays run along the lines; -1: against them.
   float sense = 1.0f;  ///< Multiplies the factor.
   LaneFloats middle;
@@ -44,7 +46,8 @@ struct LaneShape {
 
 /// Sums of one group, a lane per ray. Their meaning is up to the caller.
 struct SlotSums {
-  std::array<LaneFloats, 5> of;
+  std::array<LaneFloats, 9> of;
+  LaneFloats share;  ///< m_j of GroupBlend.
 };
 
 /// The slots that add up in clique k: slots[begin[k] .. begin[k+1]). Empty: all slots add up.
@@ -52,6 +55,7 @@ struct LaneCliques {
   std::span<const int> begin;
   std::span<const int> slots;
   std::size_t slotCount = 0;
+  bool soft = false;  ///< Some muscle has a soft groove.
 
   [[nodiscard]] bool empty() const { return begin.size() < 2; }
   [[nodiscard]] std::size_t count() const { return empty() ? 0 : begin.size() - 1; }
@@ -64,6 +68,8 @@ struct LaneScratch {
   std::vector<LaneShape> shapes;
   std::size_t shapeCount = 0;
   std::vector<SlotSums> sums;
+  std::vector<LaneFloats> shares;  ///< Of each clique; negative: it takes no part.
+  std::vector<int> cliques;        ///< Those that may have a share in some lane.
 };
 
 }  // namespace sinew

@@ -23,13 +23,27 @@ void RayField::reset(double iso, const CliqueLists& cliques) {
   shaped_.clear();
   iso_ = iso;
   cliques_ = &cliques;
+  isSoft_ = false;
 }
+
+namespace {
+
+/// A term without its way along the ray.
+RayTerm termOf(const PosedPrimitive& primitive, float weight, int slot) {
+  RayTerm term;
+  term.factor = static_cast<double>(primitive.strength) * static_cast<double>(weight);
+  term.slot = primitive.strength < 0.0f ? RayTerm::kEverySum : slot;
+  term.groove = static_cast<double>(primitive.groove);
+  return term;
+}
+
+}  // namespace
 
 void RayField::addPrimitive(const PosedPrimitive& primitive, float weight, int slot, const glm::vec3& origin,
                             const glm::vec3& direction) {
   if (!primitive.influence.isPlain()) [[unlikely]]
     return addShaped(primitive, weight, slot, origin, direction);
-  RayTerm term;
+  RayTerm term = termOf(primitive, weight, slot);
   const auto [a, b, c] = primitive.influence.alongRay(origin, direction);
   term.a = a;
   term.b = b;
@@ -40,9 +54,7 @@ void RayField::addPrimitive(const PosedPrimitive& primitive, float weight, int s
   term.enter = (-term.b - root) / term.a;
   term.leave = (-term.b + root) / term.a;
   if (term.leave <= 0.0) return;
-  term.factor = static_cast<double>(primitive.strength) * static_cast<double>(weight);
-  term.slot = primitive.strength < 0.0f ? RayTerm::kEverySum : slot;
-  terms_.push_back(term);
+  addTerm(term);
 }
 
 void RayField::addShaped(const PosedPrimitive& primitive, float weight, int slot, const glm::vec3& origin,
@@ -52,9 +64,7 @@ void RayField::addShaped(const PosedPrimitive& primitive, float weight, int slot
   const bool isQuadratic = ray.isQuadratic();
   const ShapedStretches stretches = ray.stretches();
   for (const ShapedStretch& stretch : stretches.items()) {
-    RayTerm term;
-    term.factor = static_cast<double>(primitive.strength) * static_cast<double>(weight);
-    term.slot = primitive.strength < 0.0f ? RayTerm::kEverySum : slot;
+    RayTerm term = termOf(primitive, weight, slot);
     term.enter = stretch.enter;
     term.leave = stretch.leave;
     term.goesOn = stretch.goesOn;
@@ -66,7 +76,7 @@ void RayField::addShaped(const PosedPrimitive& primitive, float weight, int slot
     } else {
       term.shaped = static_cast<int>(shaped_.size());
     }
-    terms_.push_back(term);
+    addTerm(term);
   }
   if (!isQuadratic && !stretches.items().empty()) shaped_.push_back(ray);
 }
@@ -96,6 +106,7 @@ ValueAndSlope RayField::sample(double t, RayScratch& scratch) const {
   }
   std::vector<ValueAndSlope>& ofSlot = scratch.ofSlot;
   ofSlot.clear();
+  scratch.softness.clear();
   for (const RayTerm& term : terms_) {
     if (term.slot == RayTerm::kEverySum) {
       add(everywhere, sampleTerm(term, t));
@@ -103,7 +114,16 @@ ValueAndSlope RayField::sample(double t, RayScratch& scratch) const {
     }
     const auto slot = static_cast<std::size_t>(term.slot);
     if (ofSlot.size() <= slot) ofSlot.resize(slot + 1);
-    add(ofSlot[slot], sampleTerm(term, t));
+    const ValueAndSlope part = sampleTerm(term, t);
+    add(ofSlot[slot], part);
+    if (!isSoft_) continue;
+    scratch.softness.resize(ofSlot.size());
+    add(scratch.softness[slot], {term.groove * part.value, term.groove * part.slope});
+  }
+  if (isSoft_) {
+    ValueAndSlope out = softest(scratch);
+    add(out, everywhere);
+    return out;
   }
   ValueAndSlope best;
   for (const std::vector<int>& clique : *cliques_) {
@@ -115,6 +135,19 @@ ValueAndSlope RayField::sample(double t, RayScratch& scratch) const {
   }
   add(best, everywhere);
   return best;
+}
+
+ValueAndSlope RayField::softest(RayScratch& scratch) const {
+  std::vector<BlendedGroup>& groups = scratch.soft.blend.reset(*cliques_);
+  for (std::size_t i = 0; i < scratch.ofSlot.size(); ++i) {
+    groups[i].sum = scratch.ofSlot[i].value;
+    groups[i].softness = scratch.softness[i].value;
+  }
+  ValueAndSlope out{scratch.soft.blend.settle(*cliques_), 0.0};
+  for (std::size_t i = 0; i < scratch.ofSlot.size(); ++i) {
+    out.slope += in_double::softPart(scratch.ofSlot[i].slope, scratch.softness[i].slope, groups[i].share);
+  }
+  return out;
 }
 
 std::span<const double> RayField::breakpoints(double begin, double end, RayScratch& scratch) const {
@@ -196,10 +229,35 @@ void fillSums(const RayField& field, double begin, double end, double sign, Poly
   }
 }
 
+/// Parts of phi on one interval.
+void fillSoftSums(const RayField& field, double begin, double end, SoftFallScratch& scratch) {
+  if (scratch.halves.empty()) scratch.halves.emplace_back();
+  SoftSums& out = scratch.halves.front();
+  const std::size_t count = scratch.blend.reset(field.cliques()).size();
+  out.everywhere = {};
+  out.everywhere.addConstant(-field.iso());
+  out.ofSlot.assign(count, {});
+  out.softness.assign(count, {});
+  for (const RayTerm& term : field.terms()) {
+    if (!isActive(term, 0.5 * (begin + end))) continue;
+    const Bernstein part = polynomialOf<Bernstein>(field, term, begin, end);
+    if (term.slot == RayTerm::kEverySum) {
+      out.everywhere.addScaled(part, term.factor);
+    } else {
+      at(out.ofSlot, term.slot).addScaled(part, term.factor);
+      at(out.softness, term.slot).addScaled(part, term.groove * term.factor);
+    }
+  }
+}
+
 struct Search {
   ProjectionKind method;
   double tolerance;
 };
+
+BracketSolver solverOf(ProjectionKind method) {
+  return method == ProjectionKind::kBisection ? BracketSolver::kBisection : BracketSolver::kNewton;
+}
 
 /// Above degree 4 there is no closed form: `analytic` isolates the root and takes Newton steps.
 template <class Polynomial>
@@ -207,8 +265,7 @@ std::optional<double> firstFall(const Polynomial& q, double from, const Search& 
   if constexpr (std::is_same_v<Polynomial, Quartic>) {
     if (search.method == ProjectionKind::kAnalytic) return firstFallClosedForm(q, from, search.tolerance);
   }
-  const bool halves = search.method == ProjectionKind::kBisection;
-  return firstFallIsolated(q, from, search.tolerance, halves ? BracketSolver::kBisection : BracketSolver::kNewton);
+  return firstFallIsolated(q, from, search.tolerance, solverOf(search.method));
 }
 
 /// Where the largest of the sums falls to 0: follows one clique until it falls, then one that is still positive.
@@ -278,6 +335,13 @@ std::optional<double> firstChange(const RayField& field, double begin, double en
     const Search search{method, tolerance / length};
     const double from = breaks[i];
     const double to = breaks[i + 1];
+    if (field.isSoft()) {
+      fillSoftSums(field, from, to, scratch.soft);
+      const auto root =
+          firstSoftFall(field.cliques(), fromPositive ? 1.0 : -1.0, search.tolerance, solverOf(method), scratch.soft);
+      if (root) return from + *root * length;
+      continue;
+    }
     const auto root = isQuarticOn(field, from, to)
                           ? changeWithin(field, from, to, fromPositive, search, scratch.quartics)
                           : changeWithin(field, from, to, fromPositive, search, scratch.polynomials);

@@ -9,6 +9,7 @@
 #include "core/rig/field.h"
 #include "core/surface/roots/polynomial.h"
 #include "core/surface/roots/shaped_ray.h"
+#include "core/surface/roots/soft_fall.h"
 #include "sinew/surface/projection_kind.h"
 
 namespace sinew {
@@ -21,6 +22,7 @@ struct RayTerm {
   double factor = 0.0;  ///< sign * s_i * m_i
   double enter = 0.0;
   double leave = 0.0;
+  double groove = 0.0;   ///< PosedPrimitive::groove
   int slot = kEverySum;  ///< Group slot, or kEverySum: part of every clique's sum (the skin, carves).
   bool goesOn = false;   ///< Another term of the same primitive begins at `leave`, which belongs to it.
   int shaped = -1;       ///< Index into RayField::shaped(), whose r^2 replaces a, b, c; or -1.
@@ -40,6 +42,8 @@ struct PolynomialSums {
 /// Memory reused from ray to ray, so that nothing is allocated; carries nothing over. One per thread.
 struct RayScratch {
   std::vector<ValueAndSlope> ofSlot;
+  std::vector<ValueAndSlope> softness;
+  SoftFallScratch soft;
   std::vector<double> breakpoints;
   PolynomialSums<Quartic> quartics;
   PolynomialSums<Bernstein> polynomials;  ///< On intervals with a term of higher degree.
@@ -53,15 +57,20 @@ class RayField {
   /// world units. @param weight  m_i.  @param direction  unit.
   void addPrimitive(const PosedPrimitive& primitive, float weight, int slot, const glm::vec3& origin,
                     const glm::vec3& direction);
-  void addTerm(const RayTerm& term) { terms_.push_back(term); }
+  void addTerm(const RayTerm& term) {
+    terms_.push_back(term);
+    isSoft_ = isSoft_ || (term.groove > 0.0 && term.slot != RayTerm::kEverySum && !cliques_->empty());
+  }
 
   [[nodiscard]] bool empty() const { return terms_.empty(); }
   [[nodiscard]] std::span<const RayTerm> terms() const { return terms_; }
   [[nodiscard]] std::span<const ShapedRay> shaped() const { return shaped_; }
   [[nodiscard]] const CliqueLists& cliques() const { return *cliques_; }
   [[nodiscard]] double iso() const { return iso_; }
+  /// Groups that are not linked have soft grooves: phi is no maximum of polynomials.
+  [[nodiscard]] bool isSoft() const { return isSoft_; }
 
-  /// phi and its derivative, of the clique with the largest sum.
+  /// phi and its derivative: with crisp grooves of the clique with the largest sum.
   [[nodiscard]] ValueAndSlope sample(double t, RayScratch& scratch) const;
   /// Where phi changes its formula in (begin, end), sorted, with begin and end. Stored in scratch.breakpoints.
   [[nodiscard]] std::span<const double> breakpoints(double begin, double end, RayScratch& scratch) const;
@@ -72,11 +81,14 @@ class RayField {
                  const glm::vec3& direction);
   [[nodiscard]] ValueAndSlope sampleTerm(const RayTerm& term, double t) const;
   [[nodiscard]] ValueAndSlope sampleShaped(const RayTerm& term, double t) const;
+  /// Of the sums in scratch.ofSlot and scratch.softness.
+  [[nodiscard]] ValueAndSlope softest(RayScratch& scratch) const;
 
   std::vector<RayTerm> terms_;
   std::vector<ShapedRay> shaped_;
   const CliqueLists* cliques_ = nullptr;
   double iso_ = 0.25;
+  bool isSoft_ = false;
 };
 
 /// First t in [begin, end] where phi, positive at `begin` or not as `fromPositive` has it, changes its sign. A touch
@@ -87,6 +99,8 @@ class RayField {
 /// - analytic (paper 4.1): the first root of the same quartics in closed form (Ferrari); above degree 4 as newton;
 /// - bisection (paper 4.2): the same brackets, each around one root, then 8 halvings and one secant step.
 ///   The paper halves [anchor, vertex] itself; in a tangle that misses the first root, or a close pair of roots.
+/// Soft grooves: an interval is halved until bounds from the same polynomials prove that phi keeps its sign or only
+/// falls; then all methods take Newton steps, or `bisection` its halvings.
 /// The caller knows the sign at `begin`: where phi is nearly 0, rounding could decide it differently here.
 /// @param tolerance world units, > 0.
 [[nodiscard]] std::optional<double> firstChange(const RayField& field, double begin, double end, bool fromPositive,

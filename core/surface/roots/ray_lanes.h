@@ -60,6 +60,63 @@ HWY_INLINE M liesAhead(V a, V middle, V peak) {
 
 /// psi along the rays of the lanes from `first` on.
 class RayLanes {
+  // Exchanges of shares between cliques, for settleShares().
+  struct LaneBlending {
+    const RayLanes& rays;
+    std::size_t sums;
+    std::size_t softness;
+
+    HWY_INLINE std::size_t clique(int index) const {
+      return static_cast<std::size_t>(rays.scratch_.cliques[static_cast<std::size_t>(index)]);
+    }
+    HWY_INLINE LaneFloats& share(int index) const { return rays.scratch_.shares[clique(index)]; }
+
+    /// Calls visit(slot, 1) for slots of the first clique alone, visit(slot, -1) for those of the second.
+    template <class Visit>
+    HWY_INLINE void forEachOwn(int first, int second, Visit visit) const {
+      const LaneCliques& cliques = rays.cliques_;
+      const auto slotAt = [&](int i) { return cliques.slots[static_cast<std::size_t>(i)]; };
+      int i = cliques.begin[clique(first)];
+      int j = cliques.begin[clique(second)];
+      const int endOfFirst = cliques.begin[clique(first) + 1];
+      const int endOfSecond = cliques.begin[clique(second) + 1];
+      while (i < endOfFirst || j < endOfSecond) {
+        if (j == endOfSecond || (i < endOfFirst && slotAt(i) < slotAt(j))) {
+          visit(rays.sumsOf(slotAt(i++)), 1.0f);
+        } else if (i == endOfFirst || slotAt(j) < slotAt(i)) {
+          visit(rays.sumsOf(slotAt(j++)), -1.0f);
+        } else {
+          ++i;
+          ++j;
+        }
+      }
+    }
+  };
+  using Blending = const LaneBlending&;
+  static HWY_INLINE int cliqueCount(Blending b) { return static_cast<int>(b.rays.scratch_.cliques.size()); }
+  static HWY_INLINE V shareOf(Blending b, int clique) { return b.rays.load(b.share(clique)); }
+  static HWY_INLINE Exchange exchangeOf(Blending b, int first, int second) {
+    Exchange out{zero(), zero()};
+    const V direction = b.rays.skin_.sense;
+    b.forEachOwn(first, second, [&](SlotSums& slot, float sense) HWY_ATTR {
+      const V softness = direction * b.rays.load(slot.of[b.softness]);
+      const V rate = softRate(direction * b.rays.load(slot.of[b.sums]), softness, b.rays.load(slot.share));
+      out.gain = out.gain + all(sense) * rate;
+      out.fall = out.fall + softness;
+    });
+    return out;
+  }
+  static HWY_INLINE void exchange(Blending b, int first, int second, V given) {
+    b.rays.store(b.rays.load(b.share(first)) + given, b.share(first));
+    b.rays.store(b.rays.load(b.share(second)) - given, b.share(second));
+    b.forEachOwn(first, second, [&](SlotSums& slot, float sense) HWY_ATTR {
+      b.rays.store(b.rays.load(slot.share) + all(sense) * given, slot.share);
+    });
+  }
+#define formula static HWY_INLINE
+#include "core/geometry/formulas/blend.h"
+#undef formula
+
  public:
   RayLanes(LaneScratch& scratch, const LaneCliques& cliques, const LaneSkin& skin, std::size_t first)
       : scratch_(scratch), cliques_(cliques), skin_(skin), first_(first) {}
@@ -71,26 +128,25 @@ class RayLanes {
 
   Sample sample(V t) const {
     Sample sum{zero(), zero()};  // The derivative is divided by -4.
-    clearSums();
+    clearSums(cliques_.soft ? 4 : 2);
     for (const LaneTerm& term : terms()) {
       const V d = t - load(term.middle);
       const V ad = load(term.a) * d;
-      addSample(term.slot, load(term.factor), {hn::Max(zero(), load(term.peak) - ad * d), ad}, sum);
+      addSample(term, load(term.factor), {hn::Max(zero(), load(term.peak) - ad * d), ad}, sum);
     }
     // Passed by value: a sum with an address would be kept in memory by the loop above.
     if (HWY_UNLIKELY(!shapes().empty())) sum = withShapes(sum, t);
-    if (!cliques_.empty()) sum = withWinner(sum);
+    if (!cliques_.empty()) sum = HWY_UNLIKELY(cliques_.soft) ? withShares(sum) : withWinner(sum);
     return {skin_.value(t) + sum.value, skin_.slope(t) - all(4.0f) * sum.slope};
   }
 
   /// Bounds of psi and its derivative on [t0, t1], by lane: the sum of those of the terms and of the skin.
   LaneBounds bounds(V t0, V t1) const {
     LaneBounds sum{zero(), zero(), zero(), zero(), zero(), zero()};
-    clearSums();
+    clearSums(cliques_.soft ? 9 : 5);
     for (const LaneTerm& term : terms()) {
       const V middle = load(term.middle);
-      addBounds(term.slot, load(term.factor), ellipsoidBounds(load(term.a), load(term.peak), t0 - middle, t1 - middle),
-                sum);
+      addBounds(term, load(term.factor), ellipsoidBounds(load(term.a), load(term.peak), t0 - middle, t1 - middle), sum);
     }
     if (HWY_UNLIKELY(!shapes().empty())) sum = withShapes(sum, t0, t1);
     if (!cliques_.empty()) sum = withWinners(sum);
@@ -152,16 +208,18 @@ class RayLanes {
 
   // Sums of terms by group slot, for terms that are not in every sum.
   HWY_INLINE bool isEverywhere(int slot) const { return cliques_.empty() || slot == LaneTerm::kEverySum; }
-  void clearSums() const {
+  /// @param used  how many sums of each slot are in use.
+  void clearSums(std::size_t used) const {
     if (cliques_.empty()) return;
     for (std::size_t slot = 0; slot < cliques_.slotCount; ++slot) {
-      for (LaneFloats& sum : scratch_.sums[slot].of) store(zero(), sum);
+      for (std::size_t i = 0; i < used; ++i) store(zero(), scratch_.sums[slot].of[i]);
     }
   }
   HWY_INLINE void add(int slot, std::size_t which, V value) const {
     LaneFloats& sum = scratch_.sums[static_cast<std::size_t>(slot)].of[which];
     store(load(sum) + value, sum);
   }
+  HWY_INLINE SlotSums& sumsOf(int slot) const { return scratch_.sums[static_cast<std::size_t>(slot)]; }
   HWY_INLINE V sumOf(std::size_t clique, std::size_t which) const {
     V sum = zero();
     for (int i = cliques_.begin[clique]; i < cliques_.begin[clique + 1]; ++i) {
@@ -169,6 +227,45 @@ class RayLanes {
       sum = sum + load(scratch_.sums[static_cast<std::size_t>(slot)].of[which]);
     }
     return sum;
+  }
+
+  /// Soft grooves: finds the shares of the cliques for sums x_j and y_j of every slot, times the direction's sign.
+  void share(std::size_t sums, std::size_t softness) const {
+    const LaneBlending blending{*this, sums, softness};
+    V largest = zero();
+    V highest = all(-1.0f);
+    V surely = zero();
+    for (std::size_t k = 0; k < cliques_.count(); ++k) {
+      const V sum = skin_.sense * sumOf(k, sums);
+      const V half = all(0.5f) * skin_.sense * sumOf(k, softness);
+      highest = select(hn::Gt(sum, largest), all(static_cast<float>(k)), highest);
+      largest = hn::Max(largest, sum);
+      surely = hn::Max(surely, sum - half);
+      store(sum + half, scratch_.shares[k]);
+    }
+    for (std::size_t slot = 0; slot < cliques_.slotCount; ++slot) store(zero(), scratch_.sums[slot].share);
+    scratch_.cliques.clear();
+    for (std::size_t k = 0; k < cliques_.count(); ++k) {
+      // Taking from a clique b for k gains at most S_k + Y_k / 2 - S_b + Y_b / 2, with sums S and softness Y.
+      const M mayShare = both(hn::Ge(load(scratch_.shares[k]), surely), hn::Gt(largest, zero()));
+      const M wins = hn::Eq(highest, all(static_cast<float>(k)));
+      if (!any(hn::Or(mayShare, wins))) continue;
+      const V whole = select(wins, all(1.0f), zero());
+      store(select(hn::Or(mayShare, wins), whole, all(-1.0f)), scratch_.shares[k]);
+      scratch_.cliques.push_back(static_cast<int>(k));
+      if (any(wins)) forEachSlot(k, [&](SlotSums& slot) HWY_ATTR { store(load(slot.share) + whole, slot.share); });
+    }
+    if (scratch_.cliques.size() > 1) settleShares(blending, all(kSettled) * largest, hn::Gt(largest, zero()));
+  }
+
+  /// softPart() of all slots with the shares found.
+  V partOf(std::size_t sums, std::size_t softness) const {
+    V out = zero();
+    for (std::size_t slot = 0; slot < cliques_.slotCount; ++slot) {
+      const SlotSums& of = scratch_.sums[slot];
+      out = out + softPart(load(of.of[sums]), load(of.of[softness]), load(of.share));
+    }
+    return out;
   }
 
   /// Where an ellipsoid's influence begins and ends along the rays that meet it.
@@ -183,26 +280,35 @@ class RayLanes {
   static constexpr std::size_t kMaxSlope = 2;
   static constexpr std::size_t kMinSlope = 3;
   static constexpr std::size_t kMax = 4;
+  static constexpr std::size_t kSoftAtEnd = 5;  ///< The same for y_j,
+  static constexpr std::size_t kSoftMaxSlope = 6;
+  static constexpr std::size_t kSoftMinSlope = 7;
+  static constexpr std::size_t kSoftest = 8;  ///< and its largest magnitude.
+  static constexpr float kSettled = 1e-6f;    ///< Times the largest sum.
 
   HWY_INLINE void store(V value, LaneFloats& floats) const { hn::Store(value, kTag, floats.at(first_)); }
 
   /// @param of  w and half the derivative of r^2.
-  HWY_INLINE void addSample(int slot, V factor, const Sample& of, Sample& sum) const {
+  template <class Term>
+  HWY_INLINE void addSample(const Term& term, V factor, const Sample& of, Sample& sum) const {
     const V value = potential(factor, of.value);
     const V slope = factor * potentialRate(of.value) * of.slope;
-    if (isEverywhere(slot)) {
+    if (isEverywhere(term.slot)) {
       sum.value = sum.value + value;
       sum.slope = sum.slope + slope;
-    } else {
-      add(slot, 0, value);
-      add(slot, 1, slope);
+      return;
     }
+    add(term.slot, 0, value);
+    add(term.slot, 1, slope);
+    if (!cliques_.soft) return;
+    add(term.slot, 2, all(term.groove) * value);
+    add(term.slot, 3, all(term.groove) * slope);
   }
 
   HWY_NOINLINE Sample withShapes(Sample sum, V t) const {
     for (const LaneShape& shape : shapes()) {
       const ShapeOnRays ray = onRays(shape);
-      addSample(shape.slot, ray.factor(), ray.sample(t), sum);
+      addSample(shape, ray.factor(), ray.sample(t), sum);
     }
     return sum;
   }
@@ -210,27 +316,35 @@ class RayLanes {
   HWY_NOINLINE LaneBounds withShapes(LaneBounds sum, V t0, V t1) const {
     for (const LaneShape& shape : shapes()) {
       const ShapeOnRays ray = onRays(shape);
-      addBounds(shape.slot, ray.factor(), ray.bounds(t0, t1), sum);
+      addBounds(shape, ray.factor(), ray.bounds(t0, t1), sum);
     }
     return sum;
   }
 
-  HWY_INLINE void addBounds(int slot, V factor, const PotentialBounds& of, LaneBounds& sum) const {
-    const TermBounds term = termBounds(factor, of);
-    sum.values = sum.values + term.most;
-    sum.slopes = sum.slopes + hn::Max(hn::Abs(term.slope.high), hn::Abs(term.slope.low));
+  template <class Term>
+  HWY_INLINE void addBounds(const Term& term, V factor, const PotentialBounds& of, LaneBounds& sum) const {
+    const TermBounds bounds = termBounds(factor, of);
+    sum.values = sum.values + bounds.most;
+    sum.slopes = sum.slopes + hn::Max(hn::Abs(bounds.slope.high), hn::Abs(bounds.slope.low));
+    const int slot = term.slot;
     if (isEverywhere(slot)) {
-      sum.value = sum.value + term.value.low;
-      sum.atEnd = sum.atEnd + term.atEnd;
-      sum.maxSlope = sum.maxSlope + term.slope.high;
-      sum.minSlope = sum.minSlope + term.slope.low;
-    } else {
-      add(slot, kMin, term.value.low);
-      add(slot, kAtEnd, term.atEnd);
-      add(slot, kMaxSlope, term.slope.high);
-      add(slot, kMinSlope, term.slope.low);
-      add(slot, kMax, term.value.high);
+      sum.value = sum.value + bounds.value.low;
+      sum.atEnd = sum.atEnd + bounds.atEnd;
+      sum.maxSlope = sum.maxSlope + bounds.slope.high;
+      sum.minSlope = sum.minSlope + bounds.slope.low;
+      return;
     }
+    add(slot, kMin, bounds.value.low);
+    add(slot, kAtEnd, bounds.atEnd);
+    add(slot, kMaxSlope, bounds.slope.high);
+    add(slot, kMinSlope, bounds.slope.low);
+    add(slot, kMax, bounds.value.high);
+    if (!cliques_.soft) return;
+    const V groove = all(term.groove);
+    add(slot, kSoftAtEnd, groove * bounds.atEnd);
+    add(slot, kSoftMaxSlope, groove * bounds.slope.high);
+    add(slot, kSoftMinSlope, groove * bounds.slope.low);
+    add(slot, kSoftest, groove * bounds.most);
   }
 
   /// Goes interval by interval from search.low to `end`; the first ends at search.high. It passes an interval if bounds
@@ -242,7 +356,12 @@ class RayLanes {
     V high = search.high;
     for (int i = 0; i < maxStretches && any(open); ++i) {
       const LaneBounds seen = bounds(low, high);
-      const M clear = hn::Gt(seen.value, all(1e-5f) * seen.values);
+      V least = seen.value;
+      if (cliques_.soft) {
+        // The bound of the value alone does not become tight where intervals get short.
+        least = hn::Max(least, seen.atEnd - hn::Max(zero(), seen.maxSlope) * (high - low));
+      }
+      const M clear = hn::Gt(least, all(1e-5f) * seen.values);
       const V enough = all(1e-3f) * seen.slopes;
       const M rises = hn::Ge(seen.minSlope, enough);
       const M falls = hn::Le(seen.maxSlope, zero() - enough);
@@ -279,7 +398,13 @@ class RayLanes {
     return {sum.value + best, sum.slope + bestSlope};
   }
 
-  /// F is the largest of the cliques' sums: only those that may be the largest somewhere bound the derivative.
+  HWY_NOINLINE Sample withShares(const Sample& sum) const {
+    share(0, 2);
+    return {sum.value + partOf(0, 2), sum.slope + partOf(1, 3)};
+  }
+
+  /// F is the largest of the cliques' sums, and with soft grooves up to sum y_j / 8 more: only those that may be the
+  /// largest somewhere bound the derivative.
   HWY_INLINE LaneBounds withWinners(LaneBounds sum) const {
     constexpr float kInfinity = std::numeric_limits<float>::infinity();
     const V sign = skin_.sense;
@@ -289,23 +414,58 @@ class RayLanes {
     V atEnd = surely;
     for (std::size_t k = 0; k < cliques_.count(); ++k) {
       const V low = sumOf(k, kMin);
-      surely = hn::Max(surely, select(outward, low, zero() - sumOf(k, kMax)));
+      const V least = select(outward, low, zero() - sumOf(k, kMax));
+      surely = hn::Max(surely, cliques_.soft ? least - all(0.5f) * sumOf(k, kSoftest) : least);
       min = hn::Max(min, sign * low);
       atEnd = hn::Max(atEnd, sign * sumOf(k, kAtEnd));
     }
     V maxSlope = all(-kInfinity);
     V minSlope = all(kInfinity);
+    V mayWin = zero();
     for (std::size_t k = 0; k < cliques_.count(); ++k) {
-      const V possibly = select(outward, sumOf(k, kMax), zero() - sumOf(k, kMin));
-      const M wins = hn::Ge(possibly, surely);
+      const V most = select(outward, sumOf(k, kMax), zero() - sumOf(k, kMin));
+      const M wins = hn::Ge(cliques_.soft ? most + all(0.5f) * sumOf(k, kSoftest) : most, surely);
+      mayWin = mayWin + select(wins, all(1.0f), zero());
       maxSlope = select(wins, hn::Max(maxSlope, sumOf(k, kMaxSlope)), maxSlope);
       minSlope = select(wins, hn::Min(minSlope, sumOf(k, kMinSlope)), minSlope);
+    }
+    if (cliques_.soft && any(hn::Gt(mayWin, all(1.0f)))) {
+      return withSoftness(sum, hn::Gt(mayWin, all(1.0f)),
+                          {sign * min, maxSlope, minSlope, sum.values, sum.slopes, sign * atEnd});
     }
     sum.value = sum.value + sign * min;
     sum.atEnd = sum.atEnd + sign * atEnd;
     sum.maxSlope = sum.maxSlope + maxSlope;
     sum.minSlope = sum.minSlope + minSlope;
     return sum;
+  }
+
+  /// @param ofCliques  bounds as for crisp grooves.  @param blend  lanes where several cliques may have a share.
+  HWY_NOINLINE LaneBounds withSoftness(LaneBounds sum, M blend, const LaneBounds& ofCliques) const {
+    share(kAtEnd, kSoftAtEnd);
+    V softest = zero();
+    V rises = zero();
+    V falls = zero();
+    for (std::size_t i = 0; i < cliques_.slotCount; ++i) {
+      const SlotSums& slot = scratch_.sums[i];
+      softest = softest + load(slot.of[kSoftest]);
+      rises = rises + hn::Max(zero(), load(slot.of[kSoftMaxSlope]));
+      falls = falls + hn::Min(zero(), load(slot.of[kSoftMinSlope]));
+    }
+    const auto part = [&](V of) HWY_ATTR { return select(blend, all(0.125f) * of, zero()); };
+    const V higher = select(hn::Gt(skin_.sense, zero()), zero(), part(softest));
+    sum.value = sum.value + ofCliques.value - higher;
+    sum.atEnd = sum.atEnd + select(blend, partOf(kAtEnd, kSoftAtEnd), ofCliques.atEnd);
+    sum.maxSlope = sum.maxSlope + ofCliques.maxSlope + part(rises);
+    sum.minSlope = sum.minSlope + ofCliques.minSlope + part(falls);
+    return sum;
+  }
+
+  template <class Visit>
+  HWY_INLINE void forEachSlot(std::size_t clique, Visit visit) const {
+    for (int i = cliques_.begin[clique]; i < cliques_.begin[clique + 1]; ++i) {
+      visit(scratch_.sums[static_cast<std::size_t>(cliques_.slots[static_cast<std::size_t>(i)])]);
+    }
   }
 
   LaneScratch& scratch_;

@@ -78,7 +78,7 @@ struct OverMuscles {
     const Attachment attachment = attach(rig, *strip).value();
     const CandidateLists lists = makeCandidateLists(strip->mesh, attachment);
     std::vector<PosedPrimitive> posed;
-    poseField(attachment.primitives, bindPose(strip->skeleton).boneInWorld, posed);
+    poseField(attachment.primitives, bindPose(strip->skeleton).boneInWorld, 0.0f, posed);
     Surface surface = patch;
     const FlatVertices flat{patch.positions, patch.normals, anchors};
     const ImplicitWeights weights{std::vector<float>(strip->mesh.positions.size(), 1.0f), true, 0};

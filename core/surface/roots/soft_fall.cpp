@@ -1,0 +1,200 @@
+// core/surface/roots/soft_fall.cpp: bounds of coefficients, halvings, and steps in a bracket.
+#include "core/surface/roots/soft_fall.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/geometry/at.h"
+#include "core/geometry/formulas.h"
+
+namespace sinew {
+namespace {
+
+constexpr int kMostHalvings = 40;  ///< Two roots closer than 1e-12 of the interval are a touch.
+constexpr int kMostNewtonSteps = 60;
+constexpr int kBisectionHalvings = 8;
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+/// Bounds of a number.
+struct Extent {
+  double low = 0.0;
+  double high = 0.0;
+};
+
+void add(Extent& sum, const Extent& part) {
+  sum.low += part.low;
+  sum.high += part.high;
+}
+
+/// A polynomial lies between its least and its largest coefficient.
+Extent valuesOf(const Bernstein& q) {
+  const auto [low, high] = std::ranges::minmax(q.coefficients());
+  return {low, high};
+}
+
+Extent slopesOf(const Bernstein& q) {
+  const std::span<const double> b = q.coefficients();
+  if (b.size() < 2) return {};
+  Extent out{kInfinity, -kInfinity};
+  for (std::size_t i = 0; i + 1 < b.size(); ++i) {
+    const double slope = static_cast<double>(q.degree) * (b[i + 1] - b[i]);
+    out = {std::min(out.low, slope), std::max(out.high, slope)};
+  }
+  return out;
+}
+
+/// sense * phi on an interval.
+struct FallBounds {
+  double least = 0.0;
+  Extent slope;
+};
+
+class SoftFall {
+ public:
+  SoftFall(const CliqueLists& cliques, double sense, double tolerance, BracketSolver solver, SoftFallScratch& scratch)
+      : cliques_(cliques), sense_(sense), tolerance_(tolerance), solver_(solver), scratch_(scratch) {}
+
+  /// On scratch.halves[level], whose [0, 1] is [low, high] of the interval.
+  std::optional<double> find(std::size_t level, int halvingsLeft, double low, double high) {
+    for (;; --halvingsLeft) {
+      const double atStart = valueAt(level, 0.0).value;
+      if (atStart <= 0.0) return low;
+      const FallBounds bounds = boundsOf(scratch_.halves[level]);
+      // The bound of the value alone does not become tight where parts get short.
+      if (bounds.least > 0.0 || atStart + bounds.slope.low >= 0.0) return std::nullopt;
+      const bool endsBelow = valueAt(level, 1.0).value < 0.0;
+      if (bounds.slope.high <= 0.0) {
+        if (!endsBelow) return std::nullopt;
+        return low + (high - low) * rootIn(level, tolerance_ / (high - low));
+      }
+      if (halvingsLeft == 0) return endsBelow ? std::optional(low) : std::nullopt;
+      split(level);
+      const double middle = 0.5 * (low + high);
+      if (const auto root = find(level + 1, halvingsLeft - 1, low, middle)) return root;
+      low = middle;
+    }
+  }
+
+ private:
+  /// sense * phi and its derivative.
+  ValueAndSlope valueAt(std::size_t level, double u) {
+    const SoftSums& sums = scratch_.halves[level];
+    const auto evaluate = [u](const Bernstein& q) { return Bernstein::Evaluator(q)(u); };
+    ValueAndSlope out = evaluate(sums.everywhere);
+    std::vector<BlendedGroup>& groups = scratch_.blend.reset(cliques_);
+    for (std::size_t i = 0; i < groups.size(); ++i) {
+      groups[i].sum = sums.ofSlot[i].at(u);
+      groups[i].softness = sums.softness[i].at(u);
+    }
+    out.value += scratch_.blend.settle(cliques_);
+    for (std::size_t i = 0; i < groups.size(); ++i) {
+      if (groups[i].share == 0.0) continue;
+      out.slope +=
+          in_double::softPart(evaluate(sums.ofSlot[i]).slope, evaluate(sums.softness[i]).slope, groups[i].share);
+    }
+    return {sense_ * out.value, sense_ * out.slope};
+  }
+
+  /// F lies between the largest sum of a clique and that plus sum y_j / 8; its derivative between the cliques' least
+  /// and largest, with sum y_j' / 8. Cliques that certainly have no share are left out.
+  FallBounds boundsOf(const SoftSums& sums) const {
+    double surely = -kInfinity;
+    for (const std::vector<int>& clique : cliques_) {
+      double least = 0.0;
+      for (const int slot : clique) {
+        least += valuesOf(at(sums.ofSlot, slot)).low - 0.5 * valuesOf(at(sums.softness, slot)).high;
+      }
+      surely = std::max(surely, least);
+    }
+    Extent value{0.0, 0.0};
+    Extent slope{kInfinity, -kInfinity};
+    int mayWin = 0;
+    for (const std::vector<int>& clique : cliques_) {
+      Extent own;
+      Extent ownSlope;
+      double possibly = 0.0;
+      for (const int slot : clique) {
+        add(own, valuesOf(at(sums.ofSlot, slot)));
+        add(ownSlope, slopesOf(at(sums.ofSlot, slot)));
+        possibly += 0.5 * valuesOf(at(sums.softness, slot)).high;
+      }
+      if (own.high + possibly < surely) continue;
+      ++mayWin;
+      value = {std::max(value.low, own.low), std::max(value.high, own.high)};
+      slope = {std::min(slope.low, ownSlope.low), std::max(slope.high, ownSlope.high)};
+    }
+    if (mayWin > 1) {
+      for (const Bernstein& softness : sums.softness) {
+        const Extent ofSoftness = slopesOf(softness);
+        add(slope, {0.125 * std::min(0.0, ofSoftness.low), 0.125 * std::max(0.0, ofSoftness.high)});
+        value.high += 0.125 * valuesOf(softness).high;
+      }
+    }
+    add(value, valuesOf(sums.everywhere));
+    add(slope, slopesOf(sums.everywhere));
+    if (sense_ > 0.0) return {value.low, slope};
+    return {-value.high, {-slope.high, -slope.low}};
+  }
+
+  /// The part's first half goes to the next level, the second takes its place.
+  void split(std::size_t level) {
+    if (scratch_.halves.size() <= level + 1) scratch_.halves.emplace_back();
+    SoftSums& sums = scratch_.halves[level];
+    SoftSums& first = scratch_.halves[level + 1];
+    const auto halve = [](Bernstein& q, Bernstein& left) {
+      Bernstein right;
+      q.split(0.5, left, right);
+      q = right;
+    };
+    halve(sums.everywhere, first.everywhere);
+    first.ofSlot.resize(sums.ofSlot.size());
+    first.softness.resize(sums.softness.size());
+    for (std::size_t i = 0; i < sums.ofSlot.size(); ++i) {
+      halve(sums.ofSlot[i], first.ofSlot[i]);
+      halve(sums.softness[i], first.softness[i]);
+    }
+  }
+
+  /// The root of the part, on which phi only falls.
+  double rootIn(std::size_t level, double tolerance) {
+    double low = 0.0;
+    double high = 1.0;
+    double above = valueAt(level, 0.0).value;
+    double below = valueAt(level, 1.0).value;
+    const auto secant = [&] { return low + (high - low) * above / (above - below); };
+    const auto narrow = [&](double u, double value) {
+      (value > 0.0 ? low : high) = u;
+      (value > 0.0 ? above : below) = value;
+    };
+    if (solver_ == BracketSolver::kBisection) {
+      for (int i = 0; i < kBisectionHalvings; ++i) narrow(0.5 * (low + high), valueAt(level, 0.5 * (low + high)).value);
+      return secant();
+    }
+    double u = secant();
+    for (int step = 0; step < kMostNewtonSteps; ++step) {
+      const ValueAndSlope here = valueAt(level, u);
+      narrow(u, here.value);
+      double next = u - here.value / here.slope;
+      if (!(next >= low && next <= high)) next = 0.5 * (low + high);
+      if (std::abs(next - u) <= tolerance || high - low <= tolerance) return next;
+      u = next;
+    }
+    return u;
+  }
+
+  const CliqueLists& cliques_;
+  double sense_;
+  double tolerance_;
+  BracketSolver solver_;
+  SoftFallScratch& scratch_;
+};
+
+}  // namespace
+
+std::optional<double> firstSoftFall(const CliqueLists& cliques, double sense, double tolerance, BracketSolver solver,
+                                    SoftFallScratch& scratch) {
+  return SoftFall(cliques, sense, tolerance, solver, scratch).find(0, kMostHalvings, 0.0, 1.0);
+}
+
+}  // namespace sinew
