@@ -171,6 +171,7 @@ Rig randomDocument(std::uint64_t seed) {
   rig.surface = {random.chance(0.5f) ? SurfaceMode::kSwell : SurfaceMode::kReplace,
                  random.uniform(kLeastIso, kMostIso),
                  std::min(positiveFloat(random), kMostSkinBlend),
+                 0.0f,
                  {},
                  anyUnknownKeys(random)};
   rig.smoothing = {1 + random.below(kMaxDepth),
