@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cassert>
-#include <cstdint>
 
 #include "tests/support/oracle/triangles.h"
 
@@ -12,27 +11,36 @@ namespace sinew::oracle {
 namespace {
 
 /// Tries all 2^groups subsets; keeps those whose members are pairwise linked and that nothing can join.
-std::vector<std::vector<bool>> allMaximalCliques(const std::vector<std::vector<bool>>& linked) {
+std::vector<Clique> allMaximalCliques(const std::vector<std::vector<bool>>& linked) {
   const std::size_t groups = linked.size();
-  assert(groups <= 16);
-  std::vector<std::vector<bool>> out;
-  for (std::uint32_t bits = 1; bits < (1u << groups); ++bits) {
-    const auto has = [&](std::size_t i) { return (bits >> i & 1u) != 0; };
+  assert(groups <= kMostGroups);
+  std::vector<Clique> out;
+  for (Clique bits = 1; bits < (1u << groups); ++bits) {
     bool clique = true;
     bool maximal = true;
     for (std::size_t i = 0; i < groups; ++i) {
       bool linkedToAll = true;
       for (std::size_t j = 0; j < groups; ++j) {
-        if (i != j && has(j) && !linked[i][j]) linkedToAll = false;
+        if (i != j && holds(bits, j) && !linked[i][j]) linkedToAll = false;
       }
-      if (has(i) && !linkedToAll) clique = false;
-      if (!has(i) && linkedToAll) maximal = false;
+      if (holds(bits, i) && !linkedToAll) clique = false;
+      if (!holds(bits, i) && linkedToAll) maximal = false;
     }
-    if (!clique || !maximal) continue;
-    std::vector<bool> members(groups);
-    for (std::size_t i = 0; i < groups; ++i) members[i] = has(i);
-    out.push_back(members);
+    if (clique && maximal) out.push_back(bits);
   }
+  return out;
+}
+
+/// The largest sum of a clique.
+double largestSum(const std::vector<Clique>& cliques, const PerGroup& sums) {
+  double out = 0.0;
+  for (const Clique clique : cliques) out = std::max(out, sumOver(clique, sums));
+  return out;
+}
+
+PerGroup wholly(Clique clique) {
+  PerGroup out{};
+  for (std::size_t group = 0; group < kMostGroups; ++group) out[group] = holds(clique, group) ? 1.0 : 0.0;
   return out;
 }
 
@@ -114,7 +122,9 @@ int boneNamed(const Skeleton& skeleton, const std::string& name) {
 }
 
 Field::Field(const Character& character, const Rig& rig)
-    : character_(character), iso_(static_cast<double>(rig.surface.iso)) {
+    : character_(character),
+      iso_(static_cast<double>(rig.surface.iso)),
+      grooves_(static_cast<double>(rig.surface.grooves) * static_cast<double>(character.height)) {
   const auto groupNamed = [&](const std::string& name) {
     const auto at = std::find_if(rig.groups.begin(), rig.groups.end(), [&](const Group& x) { return x.name == name; });
     return at - rig.groups.begin();
@@ -131,7 +141,7 @@ Field::Field(const Character& character, const Rig& rig)
     Item item;
     item.bone = boneNamed(character.skeleton, primitive.bone);
     if (item.bone < 0) continue;
-    item.group = static_cast<int>(groupNamed(primitive.group));
+    item.group = static_cast<std::size_t>(groupNamed(primitive.group));
     const double reach = static_cast<double>(primitive.reach);
     item.reach = reach;
     item.shape = primitive.placement.shape;
@@ -154,6 +164,9 @@ void Field::pose(const Pose& pose) {
     item.flat = determinant(toWorld) == 0.0;
     if (!item.flat) item.toUnit = inverse(toWorld);
     item.meanRadius = std::cbrt(std::abs(determinant(toWorld)) * volume(item.shape)) / item.reach;
+    // A thin muscle's field falls steeply, so the same width of groove takes more of it.
+    const double steepness = item.meanRadius * (item.reach * item.reach - 1.0);
+    if (grooves_ > 0.0) item.kappa = grooves_ < steepness ? 2.0 * grooves_ / steepness : 2.0;
   }
 }
 
@@ -174,56 +187,60 @@ double Field::radius(const Item& item, const Vec& point) const {
   return item.flat ? 2.0 : radiusInUnit(item.shape, item.reach, item.toUnit * (point - item.center));
 }
 
-std::vector<double> Field::cliqueSums(const Vec& point, std::span<const double> weights) const {
-  std::vector<double> perGroup(cliques_.empty() ? 0 : cliques_.front().size(), 0.0);
+Field::Sums Field::sumsAt(const Vec& point, std::span<const double> weights) const {
+  Sums out;
   for (std::size_t i = 0; i < primitives_.size(); ++i) {
     const Item& item = primitives_[i];
-    if (weights[i] <= 0.0 || item.sign < 0) continue;
-    perGroup[static_cast<std::size_t>(item.group)] += weights[i] * item.strength * g(radius(item, point));
-  }
-  std::vector<double> sums;
-  for (const auto& clique : cliques_) {
-    double sum = 0.0;
-    for (std::size_t group = 0; group < clique.size(); ++group) sum += clique[group] ? perGroup[group] : 0.0;
-    sums.push_back(sum);
-  }
-  return sums;
-}
-
-double Field::value(const Vec& point, std::span<const double> weights) const {
-  const std::vector<double> sums = cliqueSums(point, weights);
-  double out = sums.empty() ? 0.0 : *std::max_element(sums.begin(), sums.end());
-  for (std::size_t i = 0; i < primitives_.size(); ++i) {
-    const Item& item = primitives_[i];
-    if (weights[i] > 0.0 && item.sign < 0) out -= weights[i] * item.strength * g(radius(item, point));
+    if (weights[i] > 0.0)
+      out.add(item.sign * weights[i] * item.strength * g(radius(item, point)), item.group, item.kappa);
   }
   return out;
 }
 
-Vec Field::gradientOf(std::size_t clique, const Vec& point, std::span<const double> weights) const {
+void Field::Sums::add(double amount, std::size_t group, double kappa) {
+  if (amount < 0.0) {
+    carved += amount;
+  } else {
+    x[group] += amount;
+    y[group] += kappa * amount;
+  }
+}
+
+double Field::value(const Vec& point, std::span<const double> weights) const {
+  const Sums sums = sumsAt(point, weights);
+  return (grooves_ > 0.0 ? blended(cliques_, sums.x, sums.y).value : largestSum(cliques_, sums.x)) + sums.carved;
+}
+
+Vec Field::gradientOf(const PerGroup& shares, const Vec& point, std::span<const double> weights) const {
   Vec out;
   for (std::size_t i = 0; i < primitives_.size(); ++i) {
     const Item& item = primitives_[i];
-    const bool counts = item.sign < 0 || cliques_[clique][static_cast<std::size_t>(item.group)];
-    if (weights[i] <= 0.0 || !counts || item.flat) continue;
+    const double m = item.sign < 0 ? 1.0 : shares[item.group];
+    if (weights[i] <= 0.0 || m <= 0.0 || item.flat) continue;
+    // Of m x + m (1 - m) y / 2 with the share held.
+    const double factor = m + 0.5 * m * (1.0 - m) * item.kappa;
+    const double strength = item.sign * weights[i] * item.strength * factor;
     const Vec inUnit = item.toUnit * (point - item.center);
     if (!item.shape.isPlain()) {
       const Vec slope = slopeInUnit(item.shape, item.reach, inUnit);
-      out = out + (item.sign * weights[i] * item.strength) * (transpose(item.toUnit) * slope);
+      out = out + strength * (transpose(item.toUnit) * slope);
       continue;
     }
     const double r = length(inUnit);
     if (r >= 1.0 || r == 0.0) continue;
     // grad r = A^T (A d) / r.
-    out = out + (item.sign * weights[i] * item.strength * gSlope(r) / r) * (transpose(item.toUnit) * inUnit);
+    out = out + (strength * gSlope(r) / r) * (transpose(item.toUnit) * inUnit);
   }
   return out;
 }
 
 Vec Field::gradient(const Vec& point, std::span<const double> weights) const {
-  const std::vector<double> sums = cliqueSums(point, weights);
+  if (cliques_.empty()) return {};
+  const Sums here = sumsAt(point, weights);
+  if (grooves_ > 0.0) return gradientOf(blended(cliques_, here.x, here.y).shares, point, weights);
+  const std::vector<double> sums = cliqueSums(here);
   const auto winner = static_cast<std::size_t>(std::max_element(sums.begin(), sums.end()) - sums.begin());
-  const Vec best = gradientOf(winner, point, weights);
+  const Vec best = gradientOf(wholly(cliques_[winner]), point, weights);
   // Of the clique that turns the gradient most: 1 where it ties, 0 from 1e-4 below on, and where it is empty.
   double share = 0.0;
   Vec other;
@@ -231,7 +248,7 @@ Vec Field::gradient(const Vec& point, std::span<const double> weights) const {
   for (std::size_t k = 0; k < sums.size(); ++k) {
     const double own = std::min(1.0 - (sums[winner] - sums[k]) / 1e-4, sums[k] / 1e-4);
     if (own <= 0.0) continue;
-    const Vec gradient = gradientOf(k, point, weights);
+    const Vec gradient = gradientOf(wholly(cliques_[k]), point, weights);
     const double pull = own * length(gradient - best);
     if (pull <= most) continue;
     most = pull;
@@ -241,9 +258,15 @@ Vec Field::gradient(const Vec& point, std::span<const double> weights) const {
   return (1.0 / (1.0 + share)) * (best + share * other);
 }
 
+std::vector<double> Field::cliqueSums(const Sums& sums) const {
+  std::vector<double> out;
+  for (const Clique clique : cliques_) out.push_back(sumOver(clique, sums.x));
+  return out;
+}
+
 double Field::lead(const Vec& point, std::span<const double> weights) const {
-  std::vector<double> sums = cliqueSums(point, weights);
-  if (sums.empty()) return 1e300;
+  if (grooves_ > 0.0 || cliques_.empty()) return 1e300;
+  std::vector<double> sums = cliqueSums(sumsAt(point, weights));
   std::sort(sums.begin(), sums.end(), std::greater<>());
   const double best = sums.front();
   // Cliques whose other groups add nothing here tie exactly and have the same gradient: skip those.
@@ -251,6 +274,13 @@ double Field::lead(const Vec& point, std::span<const double> weights) const {
     if (sum < best * (1.0 - 1e-12)) return best - sum;
   }
   return 1e300;
+}
+
+int Field::groupsInPart(const Vec& point, std::span<const double> weights) const {
+  if (grooves_ == 0.0) return 0;
+  const Sums sums = sumsAt(point, weights);
+  const PerGroup shares = blended(cliques_, sums.x, sums.y).shares;
+  return static_cast<int>(std::ranges::count_if(shares, [](double m) { return m > 1e-6 && m < 1.0 - 1e-6; }));
 }
 
 double Field::nearest(const Vec& point, std::span<const double> weights) const {
@@ -279,6 +309,7 @@ bool Field::inRegion(const Vec& point, std::span<const double> weights) const { 
 Field::Ray Field::along(const Vec& origin, const Vec& direction, std::span<const double> weights) const {
   Ray out;
   out.cliques_ = &cliques_;
+  out.grooved_ = grooves_ > 0.0;
   for (std::size_t i = 0; i < primitives_.size(); ++i) {
     const Item& item = primitives_[i];
     if (weights[i] <= 0.0 || item.flat) continue;
@@ -292,26 +323,19 @@ Field::Ray Field::along(const Vec& origin, const Vec& direction, std::span<const
     double end = (-b + std::sqrt(discriminant)) / a;
     if (!item.shape.isPlain() && end > 0.0) end = lastInside(item.shape, item.reach, start, along, 0.0, end);
     out.end_ = std::max(out.end_, end);
-    out.terms_.push_back({start, along, item.sign * weights[i] * item.strength, static_cast<std::size_t>(item.group),
-                          item.shape, item.reach});
+    out.terms_.push_back(
+        {start, along, item.sign * weights[i] * item.strength, item.group, item.kappa, item.shape, item.reach});
   }
   return out;
 }
 
 double Field::Ray::value(double t) const {
-  std::array<double, 16> perGroup{};
-  double carved = 0.0;
+  Sums sums;
   for (const Term& term : terms_) {
     const double r = radiusInUnit(term.shape, term.reach, term.start + t * term.along);
-    (term.strength < 0.0 ? carved : perGroup[term.group]) += term.strength * g(r);
+    sums.add(term.strength * g(r), term.group, term.kappa);
   }
-  double best = 0.0;
-  for (const auto& clique : *cliques_) {
-    double sum = 0.0;
-    for (std::size_t group = 0; group < clique.size(); ++group) sum += clique[group] ? perGroup[group] : 0.0;
-    best = std::max(best, sum);
-  }
-  return best + carved;
+  return (grooved_ ? blended(*cliques_, sums.x, sums.y).value : largestSum(*cliques_, sums.x)) + sums.carved;
 }
 
 }  // namespace sinew::oracle

@@ -7,6 +7,7 @@
 #include "sinew/character/character.h"
 #include "sinew/character/pose.h"
 #include "sinew/rig/rig.h"
+#include "tests/support/oracle/grooves.h"
 #include "tests/support/oracle/math.h"
 #include "tests/support/oracle/shape.h"
 
@@ -29,10 +30,13 @@ class Field {
   /// m_i(v) of a control vertex.
   [[nodiscard]] std::vector<double> territoryWeights(int vertex) const;
   [[nodiscard]] double value(const Vec& point, std::span<const double> weights) const;
-  /// Gradient of the clique that is the maximum at the point.
+  /// Gradient of the clique that is the maximum at the point; with grooves, of the mean of cliques that is.
   [[nodiscard]] Vec gradient(const Vec& point, std::span<const double> weights) const;
-  /// By how much the best clique's positive part leads the best clique with another one; 0 on a crease.
+  /// By how much the best clique's positive part leads the best clique with another one; 0 on a crease. Grooves
+  /// leave no crease: 1e300.
   [[nodiscard]] double lead(const Vec& point, std::span<const double> weights) const;
+  /// Groups of which only a part counts at a point: more than 0 in a soft groove.
+  [[nodiscard]] int groupsInPart(const Vec& point, std::span<const double> weights) const;
   /// Smallest r = q / k of any primitive with weight > 0: 1 and more means that none reaches the point.
   [[nodiscard]] double nearest(const Vec& point, std::span<const double> weights) const;
   /// h of docs/design.md: the mean over the primitives that reach the point of their mean radius, at most `most` each,
@@ -56,20 +60,31 @@ class Field {
       Vec along;
       double strength = 0.0;  ///< sign m s
       std::size_t group = 0;
+      double kappa = 0.0;
       Shape shape;
       double reach = 1.0;
     };
     std::vector<Term> terms_;
-    const std::vector<std::vector<bool>>* cliques_ = nullptr;
+    const std::vector<Clique>* cliques_ = nullptr;
+    bool grooved_ = false;
     double end_ = 0.0;
   };
   /// The Field must outlive the ray and keep its pose.
   [[nodiscard]] Ray along(const Vec& origin, const Vec& direction, std::span<const double> weights) const;
 
  private:
+  /// What primitives add at a point.
+  struct Sums {
+    PerGroup x{};  ///< Of positive potentials.
+    PerGroup y{};  ///< The same, each times its muscle's kappa.
+    double carved = 0.0;
+
+    void add(double amount, std::size_t group, double kappa);
+  };
+
   struct Item {
     int bone = 0;
-    int group = 0;
+    std::size_t group = 0;
     Vec centerInBone;
     Mat unitToBone;  ///< Unit ball -> influence ellipsoid about its center, bone space.
     Shape shape;
@@ -81,18 +96,22 @@ class Field {
     Vec center;
     Mat toUnit;
     double meanRadius = 0.0;  ///< Radius of the ball with the visible ellipsoid's volume.
+    double kappa = 0.0;       ///< min(2, 2 w / (R (reach^2 - 1))), w the width of grooves.
     bool flat = false;
   };
 
-  [[nodiscard]] Vec gradientOf(std::size_t clique, const Vec& point, std::span<const double> weights) const;
+  [[nodiscard]] Sums sumsAt(const Vec& point, std::span<const double> weights) const;
+  /// Where each group counts by its share.
+  [[nodiscard]] Vec gradientOf(const PerGroup& shares, const Vec& point, std::span<const double> weights) const;
   [[nodiscard]] double radius(const Item& item, const Vec& point) const;
-  /// Positive sums [cliques] at a point.
-  [[nodiscard]] std::vector<double> cliqueSums(const Vec& point, std::span<const double> weights) const;
+  /// Positive sums [cliques].
+  [[nodiscard]] std::vector<double> cliqueSums(const Sums& sums) const;
 
   const Character& character_;
   double iso_ = 0.25;
+  double grooves_ = 0.0;  ///< w, world units; 0: the maximum of the cliques.
   std::vector<Item> primitives_;
-  std::vector<std::vector<bool>> cliques_;  ///< All maximal ones: [groups] membership.
+  std::vector<Clique> cliques_;  ///< All maximal ones.
 };
 
 /// Bone by path, or by name if that is unique; -1 otherwise (docs/formats.md).

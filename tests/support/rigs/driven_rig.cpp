@@ -5,6 +5,7 @@ namespace sinew::test {
 
 Rig withNumbers(Rig rig, const RigNumbers& numbers) {
   rig.surface.skinBlend = numbers.skinBlend;
+  rig.surface.grooves = numbers.grooves;
   for (std::size_t i = 0; i < rig.lines.size(); ++i) rig.lines[i].settings = numbers.lines[i];
   for (std::size_t i = 0; i < rig.primitives.size(); ++i) {
     rig.primitives[i].placement = numbers.primitives[i].placement;
