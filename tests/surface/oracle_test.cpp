@@ -1,10 +1,12 @@
 // tests/surface/oracle_test.cpp: the smoother's vertices match a double-precision brute-force solver.
 
+#include <algorithm>
 #include <array>
 #include <iostream>
 
 #include <gtest/gtest.h>
 
+#include "core/geometry/instruction_set.h"
 #include "sinew/surface/smoother.h"
 #include "tests/support/characters/real_characters.h"
 #include "tests/support/characters/synthetic_characters.h"
@@ -166,6 +168,23 @@ TEST(Oracle, ComparisonDetectsUnfinishedSurfaces) {
   EXPECT_GT(oracle::compare(oracle, *character, stages, unfiltered, 1, 0).shadingOff, good.sought / 20);
 }
 
+// A deliberate error: the maximum where the oracle wants soft grooves.
+TEST(Oracle, ComparisonDetectsMissingGrooves) {
+  const CharacterPtr character = makeTwoLegged();
+  Rig rig = randomRig(*character, recipeOf(40), 40);
+  Smoother smoother(character);
+  ASSERT_TRUE(smoother.prepare(rig).ok());
+  Surface sharp;
+  smoother.smooth(bindPose(character->skeleton), sharp);
+  Projected projected(*character, rig);
+  const Surface& raw = projected.at(bindPose(character->skeleton));
+  rig.surface.grooves = 0.05f;
+  const oracle::Oracle oracle(*character, rig);
+  const oracle::Stages stages(oracle, projected.bindPatch(), projected.patch(), raw);
+  const oracle::Tally tally = oracle::compare(oracle, *character, stages, sharp, 1, 0);
+  EXPECT_GT(tally.unexplained, 20) << tally.text();
+}
+
 TEST(Oracle, SwellMatchesOnSyntheticCharacters) {
   for (const CharacterPtr& character : {makeLimb(), makeTwoLegged(), makeStrip(), makeTube()}) {
     for (const int primitives : {1, 5, 40}) expectSwellAgrees(character, primitives, longRun() ? 2500 : 600);
@@ -222,6 +241,72 @@ TEST(Oracle, OtherIsoAndSkinBlendMatch) {
   }
 }
 
+/// Crowded muscles of six groups, of which some are linked; every third with wide grooves.
+Rig groovedRig(const Character& character, SurfaceMode mode, std::uint64_t seed) {
+  RigRecipe recipe = recipeOf(40);
+  constexpr std::array kLinkChances{0.15f, 0.4f, 0.7f};
+  recipe.linkChance = kLinkChances[seed % kLinkChances.size()];
+  recipe.shapedChance = seed % 2 == 0 ? 0.0f : 0.3f;
+  recipe.groovesChance = 1.0f;
+  recipe.radiusHigh = 0.14f;
+  if (mode == SurfaceMode::kReplace) {
+    recipe.carveChance = 0.05f;
+    recipe.radiusLow = 0.06f;
+  }
+  Rig rig = randomRig(character, recipe, seed + 50);
+  rig.surface.mode = mode;
+  if (seed % 3 == 1) rig.surface.grooves = std::min(0.3f, 6.0f * rig.surface.grooves);
+  return rig;
+}
+
+/// @return vertices where grooves meet
+int expectGroovesAgree(const CharacterPtr& character, SurfaceMode mode, ProjectionKind projection, std::uint64_t seed,
+                       int wanted, const std::string& by = "") {
+  const Rig rig = groovedRig(*character, mode, seed);
+  const oracle::Tally tally = tallyOf(character, rig, 3, longRun() ? 2500 : wanted, projection);
+  const std::string what = character->name + ", grooves " + std::to_string(rig.surface.grooves) + ", " + nameOf(mode) +
+                           ", " + nameOf(projection) + by;
+  expectAgreement(what, tally);
+  EXPECT_LE(tally.roughShare(), 0.01) << what;
+  EXPECT_GT(tally.inGrooves, 0) << what;
+  return tally.whereGroovesMeet;
+}
+
+TEST(Oracle, SoftGroovesMatch) {
+  int meeting = 0;
+  for (const SurfaceMode mode : {SurfaceMode::kSwell, SurfaceMode::kReplace}) {
+    std::uint64_t seed = 0;
+    for (const CharacterPtr& character : {makeLimb(), makeTwoLegged(), makeTube()}) {
+      for (int i = 0; i < (longRun() ? 6 : 2); ++i, ++seed) {
+        for (const ProjectionKind projection : kEveryProjection) {
+          meeting += expectGroovesAgree(character, mode, projection, seed, 400);
+        }
+      }
+    }
+  }
+  EXPECT_GT(meeting, 100);
+}
+
+TEST(Oracle, SoftGroovesMatchByEveryInstructionSet) {
+  const CharacterPtr character = makeTwoLegged();
+  for (const InstructionSet set : availableInstructionSets()) {
+    const InstructionSetScope scope(set);
+    for (const SurfaceMode mode : {SurfaceMode::kSwell, SurfaceMode::kReplace}) {
+      for (const std::uint64_t seed : {7u, 8u}) {
+        expectGroovesAgree(character, mode, ProjectionKind::kNewton, seed, 200, std::string(", ") + nameOf(set));
+      }
+    }
+  }
+}
+
+// So narrow that the maximum is what they come to.
+TEST(Oracle, NarrowestGroovesMatch) {
+  const CharacterPtr character = makeTwoLegged();
+  Rig rig = groovedRig(*character, SurfaceMode::kSwell, 1);
+  rig.surface.grooves = 1e-5f;
+  expectAgreement("two-legged, narrowest grooves", tallyOf(character, rig, 3, 1500));
+}
+
 TEST(Oracle, OtherAmountsMatch) {
   for (const SurfaceMode mode : {SurfaceMode::kSwell, SurfaceMode::kReplace}) {
     const CharacterPtr character = makeTwoLegged();
@@ -234,22 +319,25 @@ TEST(Oracle, OtherAmountsMatch) {
 
 TEST(Oracle, NonuniformBoneScaleMatches) {
   const CharacterPtr character = makeTwoLegged();
-  const Rig rig = randomRig(*character, recipeOf(20), 21);
-  Smoother smoother(character);
-  ASSERT_TRUE(smoother.prepare(rig).ok());
-  oracle::Oracle oracle(*character, rig);
-  Projected projected(*character, rig);
-  oracle::Tally total;
-  Surface surface;
-  for (std::uint64_t seed = 0; seed < 4; ++seed) {
-    const Pose pose = randomPose(character->skeleton, 0.6f, 0.35f, seed);
-    smoother.smooth(pose, surface);
-    oracle.pose(pose);
-    const Surface& raw = projected.at(pose);
-    const oracle::Stages stages(oracle, projected.bindPatch(), projected.patch(), raw);
-    total.add(oracle::compare(oracle, *character, stages, surface, 5, static_cast<int>(seed)));
+  for (const float grooves : {0.0f, 0.03f}) {
+    Rig rig = randomRig(*character, recipeOf(20), 21);
+    rig.surface.grooves = grooves;
+    Smoother smoother(character);
+    ASSERT_TRUE(smoother.prepare(rig).ok());
+    oracle::Oracle oracle(*character, rig);
+    Projected projected(*character, rig);
+    oracle::Tally total;
+    Surface surface;
+    for (std::uint64_t seed = 0; seed < 4; ++seed) {
+      const Pose pose = randomPose(character->skeleton, 0.6f, 0.35f, seed);
+      smoother.smooth(pose, surface);
+      oracle.pose(pose);
+      const Surface& raw = projected.at(pose);
+      const oracle::Stages stages(oracle, projected.bindPatch(), projected.patch(), raw);
+      total.add(oracle::compare(oracle, *character, stages, surface, 5, static_cast<int>(seed)));
+    }
+    expectAgreement("two-legged, stretched bones, grooves " + std::to_string(grooves), total);
   }
-  expectAgreement("two-legged, stretched bones", total);
 }
 
 TEST(Oracle, SwellMatchesOnRealCharacters) {

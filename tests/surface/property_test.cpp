@@ -30,6 +30,7 @@ Rig anyRig(const Character& character, std::uint64_t seed) {
   recipe.carveChance = random.uniform(0.0f, 0.6f);
   recipe.radiusLow = random.chance(0.2f) ? 0.001f : 0.03f;
   recipe.radiusHigh = random.chance(0.2f) ? 0.6f : 0.15f;
+  recipe.groovesChance = 0.4f;
   Rig rig = randomRig(character, recipe, seed);
   rig.surface.mode = random.chance(0.5f) ? SurfaceMode::kSwell : SurfaceMode::kReplace;
   rig.surface.iso = random.uniform(0.02f, 0.95f);
@@ -151,6 +152,7 @@ TEST(SurfaceProperty, ExtremeSettingsStayFiniteAndWithinBounds) {
       for (const float blend : {std::numeric_limits<float>::denorm_min(), 1e-6f, kMostSkinBlend}) {
         rig.surface.iso = iso;
         rig.surface.skinBlend = blend;
+        rig.surface.grooves = seed % 2 == 0 ? kMostGrooves : std::numeric_limits<float>::denorm_min();
         Smoother smoother(character);
         ASSERT_TRUE(smoother.prepare(rig).ok());
         Surface surface;

@@ -27,6 +27,7 @@ Rig shapedRig(const Character& character, SurfaceMode mode, std::uint64_t seed) 
   recipe.primitives = 16;
   recipe.groups = 3;
   recipe.shapedChance = 0.8f;
+  recipe.groovesChance = 0.5f;
   if (mode == SurfaceMode::kReplace) {
     recipe.carveChance = 0.05f;
     recipe.radiusLow = 0.06f;

@@ -10,6 +10,7 @@ namespace sinew::oracle {
 namespace {
 
 constexpr double kTolerance = 1e-4;  // Fraction of H.
+constexpr double kRough = 1e-5;
 
 std::string describe(int vertex, const Answer& answer, const Vec& seen, double height) {
   const Vec away = seen - answer.rayOrigin;
@@ -69,6 +70,7 @@ void compareRaw(Tally& tally, const Oracle& oracle, const Answer& answer, int ve
     return;
   }
   tally.worst = std::max(tally.worst, distance);
+  if (answer.sought && distance > kRough) ++tally.rough;
   if (!isOff(normal, answer.normal)) return;
   ++tally.normalsOff;
   if (answer.lead < 1e-3) {
@@ -101,6 +103,9 @@ void Tally::add(const Tally& other) {
   compared += other.compared;
   sought += other.sought;
   far += other.far;
+  rough += other.rough;
+  inGrooves += other.inGrooves;
+  whereGroovesMeet += other.whereGroovesMeet;
   farUnsought += other.farUnsought;
   anotherRoot += other.anotherRoot;
   nearTangent += other.nearTangent;
@@ -119,9 +124,10 @@ std::string Tally::text() const {
   std::ostringstream out;
   out << compared << " vertices compared, " << sought << " roots sought, " << far << " beyond 1e-4 H (" << anotherRoot
       << " another root, " << nearTangent << " near-tangent, " << unexplained << " unexplained), " << farUnsought
-      << " off the patch, worst of the rest " << worst << " H; normals off by more than 1 degree: " << normalsOff
-      << " (" << normalsOnCrease << " on a crease); " << guarded << " guarded (" << guardOff
-      << " off), shading off: " << shadingOff << " (worst " << worstShading << " degrees)";
+      << " off the patch, worst of the rest " << worst << " H, " << rough
+      << " beyond 1e-5 H; normals off by more than 1 degree: " << normalsOff << " (" << normalsOnCrease
+      << " on a crease); " << guarded << " guarded (" << guardOff << " off), shading off: " << shadingOff << " (worst "
+      << worstShading << " degrees); " << inGrooves << " in grooves, " << whereGroovesMeet << " where they meet";
   return out.str();
 }
 
@@ -134,6 +140,9 @@ Tally compare(const Oracle& oracle, const Character& character, const Stages& st
     const auto index = static_cast<std::size_t>(v);
     ++tally.compared;
     if (answer.sought) ++tally.sought;
+    const int inPart = oracle.field().groupsInPart(answer.position, answer.fieldWeights);
+    tally.inGrooves += inPart > 0 ? 1 : 0;
+    tally.whereGroovesMeet += inPart > 2 ? 1 : 0;
     const bool guarded = stages.finished.guarded[index];
     const Vec seen = vec(guarded ? stages.raw.positions[index] : surface.positions[index]);
     compareRaw(tally, oracle, answer, v, seen, vec(stages.raw.normals[index]), height);

@@ -104,6 +104,9 @@ Rig randomRig(const Character& character, const RigRecipe& recipe, std::uint64_t
     }
     rig.primitives.push_back(primitive);
   }
+  if (recipe.groovesChance > 0.0f && random.chance(recipe.groovesChance)) {
+    rig.surface.grooves = random.chance(0.25f) ? random.uniform(0.05f, 0.3f) : random.uniform(0.002f, 0.05f);
+  }
   return rig;
 }
 

@@ -30,8 +30,9 @@ struct RigRecipe {
   float carveChance = 0.15f;
   float radiusLow = 0.03f;  ///< Fractions of H.
   float radiusHigh = 0.10f;
-  float shapedChance = 0.0f;  ///< Chance of a primitive to be no ellipsoid.
-  float reachHigh = 2.0f;     ///< At least 1.2.
+  float shapedChance = 0.0f;   ///< Chance of a primitive to be no ellipsoid.
+  float reachHigh = 2.0f;      ///< At least 1.2.
+  float groovesChance = 0.0f;  ///< Chance of soft grooves, 0.002 H to 0.3 H wide.
 };
 
 /// Many muscles with steep rims.

@@ -44,12 +44,14 @@ oracle::Tally tallyOf(const TrialScene& scene, const Rig& rig, ProjectionKind pr
   return total;
 }
 
-void expectAgreement(SurfaceMode mode) {
+void expectAgreement(SurfaceMode mode, float grooves = 0.0f) {
   std::printf("  %-11s %-8s %-10s %8s %8s %8s  %s\n", "scene", "mode", "projection", "asked", "sought", "within",
               "beyond 1e-4 H: another root, near-tangent, unexplained; normals off; guarded (off), shading off");
   for (const TrialScene& scene : trialScenes()) {
     for (const ProjectionKind projection : kEveryProjection) {
-      const oracle::Tally tally = tallyOf(scene, withMode(scene.rig, mode), projection);
+      Rig rig = withMode(scene.rig, mode);
+      rig.surface.grooves = grooves;
+      const oracle::Tally tally = tallyOf(scene, rig, projection);
       std::printf("  %-11s %-8s %-10s %8d %8d %7.2f%%  %d: %d, %d, %d; %d (%d on a crease); %d (%d), %d\n",
                   scene.name.c_str(), nameOf(mode), nameOf(projection), tally.compared, tally.sought,
                   100.0 * (1.0 - tally.farShare()), tally.far, tally.anotherRoot, tally.nearTangent, tally.unexplained,
@@ -70,6 +72,10 @@ TEST(ProjectionAgreement, SwellMatchesBruteForce) { expectAgreement(SurfaceMode:
 
 TEST(ProjectionAgreement, ReplaceMatchesBruteForce) { expectAgreement(SurfaceMode::kReplace); }
 
+TEST(ProjectionAgreement, SwellWithGroovesMatchesBruteForce) { expectAgreement(SurfaceMode::kSwell, 0.02f); }
+
+TEST(ProjectionAgreement, ReplaceWithGroovesMatchesBruteForce) { expectAgreement(SurfaceMode::kReplace, 0.02f); }
+
 struct Difference {
   int compared = 0;
   int far = 0;        ///< Beyond 1e-4 H.
@@ -79,8 +85,9 @@ struct Difference {
 
 /// Compares all vertices of two projections of the same rays, before folds are removed. Where they differ, the oracle
 /// counts the roots.
-Difference differenceOf(const TrialScene& scene, SurfaceMode mode, ProjectionKind other) {
-  const Rig rig = withMode(scene.rig, mode);
+Difference differenceOf(const TrialScene& scene, SurfaceMode mode, ProjectionKind other, float grooves) {
+  Rig rig = withMode(scene.rig, mode);
+  rig.surface.grooves = grooves;
   Projected newton(*scene.character, rig);
   Projected second(*scene.character, rig, other);
   oracle::Oracle oracle(*scene.character, rig);
@@ -105,8 +112,8 @@ Difference differenceOf(const TrialScene& scene, SurfaceMode mode, ProjectionKin
   return out;
 }
 
-void expectSame(const TrialScene& scene, SurfaceMode mode, ProjectionKind other) {
-  const Difference seen = differenceOf(scene, mode, other);
+void expectSame(const TrialScene& scene, SurfaceMode mode, ProjectionKind other, float grooves = 0.0f) {
+  const Difference seen = differenceOf(scene, mode, other, grooves);
   std::printf("  %-11s %-8s %-10s %8d %8d %8d   %.2g H\n", scene.name.c_str(), nameOf(mode), nameOf(other),
               seen.compared, seen.far, seen.farUnique, seen.worstNear);
   EXPECT_GT(seen.compared, 500);
@@ -123,6 +130,8 @@ TEST(ProjectionAgreement, MethodsFindTheSameRootOnARay) {
     expectSame(scene, SurfaceMode::kSwell, ProjectionKind::kBisection);
     expectSame(scene, SurfaceMode::kSwell, ProjectionKind::kAnalytic);
     expectSame(scene, SurfaceMode::kReplace, ProjectionKind::kBisection);
+    expectSame(scene, SurfaceMode::kSwell, ProjectionKind::kAnalytic, 0.02f);
+    expectSame(scene, SurfaceMode::kReplace, ProjectionKind::kBisection, 0.02f);
   }
 }
 

@@ -80,6 +80,7 @@ TEST(VectorSwell, EveryInstructionSetGivesTheSameBitsOnRandomRigs) {
     recipe.carveChance = 0.3f;
     recipe.radiusHigh = seed % 2 == 0 ? 0.1f : 0.4f;
     recipe.shapedChance = seed % 3 == 0 ? 0.0f : 0.5f;
+    recipe.groovesChance = 0.5f;
     Rig rig = randomRig(*character, recipe, seed);
     rig.smoothing.detail = DetailKind::kUniform;
     rig.smoothing.depth = 4;
@@ -146,6 +147,7 @@ TEST(VectorSwell, MatchesTheScalarOnRandomRigs) {
         recipe.carveChance = 0.3f;
         recipe.radiusLow = low;
         recipe.radiusHigh = high;
+        recipe.groovesChance = 0.4f;
         Rig rig = randomRig(*character, recipe, seed);
         rig.smoothing.detail = DetailKind::kUniform;
         rig.smoothing.depth = 4;
