@@ -295,6 +295,7 @@ Result<PresetOfMuscles> presetFromMuscles(const Rig& rig, std::span<const int> p
   PresetOfMuscles made;
   made.preset.body = maker.kind();
   made.preset.skinBlend = rig.surface.skinBlend;
+  made.preset.grooves = rig.surface.grooves;
   std::vector<int> twins;
   for (const int index : primitives) {
     if (std::ranges::find(twins, index) != twins.end()) continue;
@@ -384,7 +385,10 @@ PresetMuscle muscleAt(const PresetMuscle& muscle, const Mark& mark, const Measur
 
 Result<FittedPreset> addMuscleSetQuickly(Rig rig, const Preset& preset, const PresetTuning& tuning,
                                          const Motions& motions, const MirrorPlan& plan) {
-  if (rig.primitives.empty()) rig.surface.skinBlend = preset.skinBlend;
+  if (rig.primitives.empty()) {
+    rig.surface.skinBlend = preset.skinBlend;
+    rig.surface.grooves = preset.grooves;
+  }
   return fitPreset(std::move(rig), preset, tuning, motions.character(), plan);
 }
 

@@ -50,7 +50,7 @@ struct AddedSet {
 };
 
 /// fitPreset(), then withMendedRig() on the set's own muscles; those that still have findings are left out. An empty
-/// rig takes the set's skin blend. Errors as fitPreset().
+/// rig takes the set's skin blend and grooves. Errors as fitPreset().
 /// @param motions  of the character with the range of motion as a clip
 [[nodiscard]] Result<AddedSet> addMuscleSet(Rig rig, const Preset& preset, const PresetTuning& tuning,
                                             const Motions& motions, const MirrorPlan& plan);

@@ -63,6 +63,7 @@ struct Preset {
   float definition = 0.35f;  ///< Fraction of their height by which bellies stand out, 0..1.
   float reach = 1.35f;
   float skinBlend = 0.015f;
+  float grooves = kNewGrooves;
   std::vector<PresetMuscle> muscles;
 };
 

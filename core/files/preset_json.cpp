@@ -140,6 +140,7 @@ Preset readPreset(Reader& reader, const Json& root) {
   readIn(reader, root, "", "definition", 0.0f, 1.0f, preset.definition);
   readIn(reader, root, "", "reach", kLeastPresetReach, kMostPresetReach, preset.reach);
   readIn(reader, root, "", "skin_blend", 0.0001f, kMostSkinBlend, preset.skinBlend);
+  readIn(reader, root, "", "grooves", 0.0f, kMostGrooves, preset.grooves);
   if (const Json* muscles = reader.need(root, "", "muscles", "an array")) {
     if (muscles->children.size() > kMostMuscles) reader.refuse("muscles", "expected at most 1000");
     reader.each(*muscles, {"muscles", "muscle"}, [&](const Json& node, const Place& place) {
@@ -198,6 +199,7 @@ std::string presetToJson(const Preset& preset) {
   Json json = Json::object();
   json.set("format", "sinew-preset").set("version", 1).set("title", preset.title).set("body", nameOf(preset.body));
   json.set("definition", preset.definition).set("reach", preset.reach).set("skin_blend", preset.skinBlend);
+  json.set("grooves", preset.grooves);
   json.set("muscles", jsonList(preset.muscles, muscleJson));
   return json.dump(true) + '\n';
 }

@@ -26,6 +26,7 @@ constexpr std::uintmax_t kMaxRigBytes = std::uintmax_t{64} << 20;
 Json surfaceNode(const SurfaceSettings& surface) {
   ObjectWriter writer;
   writer.set("mode", nameOf(surface.mode)).set("iso", surface.iso).set("skin_blend", surface.skinBlend);
+  if (surface.grooves != 0.0f) writer.set("grooves", surface.grooves);
   setAnimated(writer, surface.animated);
   return writer.finish(surface.unknownKeys);
 }
@@ -177,8 +178,9 @@ SurfaceSettings readSurface(Reader& reader, const Json& node) {
   readWord(reader, node, "surface", "mode", "\"swell\" or \"replace\"", surfaceModeNamed, surface.mode);
   readFloat(reader, node, "surface", "iso", surface.iso);
   readFloat(reader, node, "surface", "skin_blend", surface.skinBlend);
+  readFloat(reader, node, "surface", "grooves", surface.grooves);
   surface.animated = readAnimated(reader, node, "surface");
-  surface.unknownKeys = unknownKeys(node, {"mode", "iso", "skin_blend", "animated"});
+  surface.unknownKeys = unknownKeys(node, {"mode", "iso", "skin_blend", "grooves", "animated"});
   return surface;
 }
 

@@ -161,6 +161,7 @@ constexpr std::array kParameterRows{
     Row{Parameter::kFlexHeight, kLine, "flex.height", "Flex height", kLeastFlex, kMostFlex},
     Row{Parameter::kFlexWidth, kLine, "flex.width", "Flex width", kLeastFlex, kMostFlex},
     Row{Parameter::kSkinBlend, ParameterOwner::kSurface, "skin_blend", "Skin blend", kLeastSkinBlend, kMostSkinBlend},
+    Row{Parameter::kGrooves, ParameterOwner::kSurface, "grooves", "Grooves", 0.0f, kMostGrooves},
     Row{Parameter::kMorphWeight, ParameterOwner::kMorph, "weight", "Weight", kLeastMorphWeight, kMostMorphWeight}};
 
 const ShapeNumber& shapeNumberOf(Parameter parameter) {
@@ -246,7 +247,14 @@ float* numberIn(LineSettings& line, Parameter parameter) {
 }
 
 float* numberIn(SurfaceSettings& surface, Parameter parameter) {
-  return parameter == Parameter::kSkinBlend ? &surface.skinBlend : nullptr;
+  switch (parameter) {
+    case Parameter::kSkinBlend:
+      return &surface.skinBlend;
+    case Parameter::kGrooves:
+      return &surface.grooves;
+    default:
+      return nullptr;
+  }
 }
 
 float* numberIn(MorphWeight& morph, Parameter parameter) {

@@ -123,7 +123,7 @@ float& numberIn(RigNumbers& numbers, const NumberRef& ref) {
     case ParameterOwner::kSurface:
       break;
   }
-  return numbers.skinBlend;
+  return ref.parameter == Parameter::kGrooves ? numbers.grooves : numbers.skinBlend;
 }
 
 float numberOf(const RigNumbers& numbers, const NumberRef& ref) {

@@ -253,6 +253,9 @@ Result<void> validateSurface(const SurfaceSettings& surface) {
   if (!(surface.skinBlend > 0.0f && surface.skinBlend <= kMostSkinBlend)) {
     return outOfRange("surface.skin_blend", "a number > 0 and at most 10", surface.skinBlend, "skin blend");
   }
+  if (!(surface.grooves >= 0.0f && surface.grooves <= kMostGrooves)) {
+    return outOfRange("surface.grooves", "a number from 0 to 1", surface.grooves, "grooves");
+  }
   return validateAnimated(surface.animated, ParameterOwner::kSurface, "surface");
 }
 

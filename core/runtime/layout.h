@@ -437,6 +437,7 @@ void fields(A& a, typename A::template Ref<SurfaceSettings> value) {
   a.choice(mode, SurfaceMode::kReplace);
   a.floats(iso);
   a.floats(skinBlend);
+  a.floats(grooves);
   a.list(animated, kAnimatedBytes);
 }
 

@@ -31,6 +31,7 @@ using CheckedSplits = std::vector<std::vector<CheckedSplit>>;
 struct LevelMuscles {
   std::vector<PosedPrimitive> primitives;  ///< [A] world; hidden ones included.
   float skinBlend = 0.0f;
+  float grooves = 0.0f;
 };
 
 /// The input of levels, besides the character.

@@ -35,12 +35,14 @@ bool samePosed(const PosedPrimitive& a, const PosedPrimitive& b) {
 
 /// Compares what affects all samples.
 bool sameElsewhere(const LevelSources& a, const LevelSources& b) {
-  const auto sameBlend = [](const LevelMuscles& x, const LevelMuscles& y) { return x.skinBlend == y.skinBlend; };
+  const auto sameWidths = [](const LevelMuscles& x, const LevelMuscles& y) {
+    return x.skinBlend == y.skinBlend && x.grooves == y.grooves;
+  };
   return a.tolerance == b.tolerance && a.poses == b.poses && sameCandidates(*a.rig, *b.rig) &&
          a.rig->surface.mode == b.rig->surface.mode && a.rig->surface.iso == b.rig->surface.iso &&
          a.rig->smoothing.patch == b.rig->smoothing.patch &&
          a.rig->smoothing.alongNormals == b.rig->smoothing.alongNormals &&
-         std::ranges::equal(a.muscles, b.muscles, sameBlend);
+         std::ranges::equal(a.muscles, b.muscles, sameWidths);
 }
 
 /// An influence that an edit has changed, before or after.
@@ -230,6 +232,7 @@ LevelSources levelSources(const Preparation& next, std::shared_ptr<const Rig> ri
     next.poser->pose(pose, posed);
     LevelMuscles& muscles = out.muscles.emplace_back();
     muscles.skinBlend = posed.numbers.skinBlend;
+    muscles.grooves = posed.numbers.grooves;
     posePrimitives(next, posed, numbers, muscles.primitives);
   }
   return out;

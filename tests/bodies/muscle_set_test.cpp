@@ -45,6 +45,8 @@ TEST_P(MuscleSetOnBody, PassesTheCheck) {
   ASSERT_TRUE(added.ok()) << added.error().text();
   const Rig& rig = added->fitted.rig;
   EXPECT_TRUE(validate(rig).ok());
+  EXPECT_EQ(rig.surface.skinBlend, set.skinBlend);
+  EXPECT_EQ(rig.surface.grooves, set.grooves);
   for (const Finding& finding : check(rig, motions)) {
     ADD_FAILURE() << rig.primitives[static_cast<std::size_t>(finding.primitive)].name << ": " << textOf(finding);
   }
@@ -82,6 +84,7 @@ TEST(MuscleSet, KeepsExistingMuscles) {
   const auto added = addMuscleSet(own, set, {}, motions, makeMirrorPlan(*character));
   ASSERT_TRUE(added.ok());
   for (std::size_t i = 0; i < own.primitives.size(); ++i) EXPECT_EQ(added->fitted.rig.primitives[i], own.primitives[i]);
+  EXPECT_EQ(added->fitted.rig.surface, own.surface);
   EXPECT_EQ(findingsFrom(added->fitted.rig, own.primitives.size(), motions).size(), 0u);
   for (std::size_t i = 0; i < own.groups.size(); ++i) EXPECT_EQ(added->fitted.rig.groups[i].name, own.groups[i].name);
 }

@@ -212,10 +212,12 @@ TEST(PresetFromMuscles, UnsupportedMusclesAreOmittedWithAReason) {
 /// Reading gives what was written.
 TEST(PresetFromMuscles, RoundTripsThroughJson) {
   for (const char* name : {"humanoid-flex", "horse-flex", "humanoid-wrapped"}) {
-    const Rig rig = loadRig(assetFile(std::string(name) + ".rig.json")).value();
+    Rig rig = loadRig(assetFile(std::string(name) + ".rig.json")).value();
+    rig.surface.grooves = 0.02f;
     const BodyOfPreset own = body(rig.character);
     const auto made = presetFromMuscles(rig, allOf(rig), *own.character, own.plan);
     ASSERT_TRUE(made.ok()) << made.error().text();
+    EXPECT_EQ(made->preset.grooves, 0.02f);
     Preset preset = made->preset;
     preset.title = "Mine";
     const std::string text = presetToJson(preset);

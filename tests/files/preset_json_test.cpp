@@ -27,6 +27,17 @@ TEST(PresetJson, ReadsMarksLinesAndDefaults) {
   EXPECT_EQ(biceps.line.tendons, glm::vec2(0.2f, 0.1f));
   EXPECT_EQ(preset->muscles[1].belly.slot, Slot::kSpine);
   EXPECT_EQ(preset->muscles[1].halfLength, 0.12f);
+  EXPECT_EQ(preset->grooves, kNewGrooves);
+}
+
+TEST(PresetJson, WidthsRoundTrip) {
+  Preset preset = presetFromJson(kSmall).value();
+  preset.skinBlend = 0.03f;
+  preset.grooves = 0.0f;
+  const auto again = presetFromJson(presetToJson(preset));
+  ASSERT_TRUE(again.ok()) << again.error().text();
+  EXPECT_EQ(again->skinBlend, 0.03f);
+  EXPECT_EQ(again->grooves, 0.0f);
 }
 
 TEST(PresetJson, BundledPresetsAreValid) {
@@ -50,6 +61,7 @@ TEST(PresetJson, RefusalsNameThePlaceOnOneLine) {
   const std::vector<BadPreset> bad{{"sinew-preset", "other", "format"},
                                    {"\"version\": 1", "\"version\": 2", "version"},
                                    {"humanoid", "fish", "body"},
+                                   {"\"muscles\"", "\"grooves\": 1.5, \"muscles\"", "grooves"},
                                    {"\"upperArm\", 0.5", "\"wing\", 0.5", "muscles[0].belly[0]"},
                                    {"0.5, -5", "7, -5", "muscles[0].belly[1]"},
                                    {", 0.75]", ", 2]", "muscles[0].insertion[3]"},

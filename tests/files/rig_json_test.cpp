@@ -168,6 +168,21 @@ TEST(RigJson, CreaseAngleIsWrittenOnlyIfSet) {
   EXPECT_FALSE(rig == loaded.value());
 }
 
+TEST(RigJson, GroovesAreWrittenOnlyIfSoft) {
+  const std::string crisp = readWholeFile(dataFile("v1-creased.rig.json"), 1 << 20).value();
+  Rig rig = rigFromJson(crisp).value();
+  EXPECT_EQ(rig.surface.grooves, 0.0f);
+  rig.surface.grooves = kNewGrooves;
+  const std::string text = rigToJson(rig);
+  EXPECT_NE(text.find("\"skin_blend\": 0.04, \"grooves\": 0.015 }"), std::string::npos) << text;
+  EXPECT_NE(text.find("\"version\": 1,"), std::string::npos) << "older programs keep the key";
+  const auto read = rigFromJson(text);
+  ASSERT_TRUE(read.ok()) << read.error().text();
+  EXPECT_TRUE(read.value() == rig);
+  rig.surface.grooves = 0.0f;
+  EXPECT_EQ(rigToJson(rig), crisp);
+}
+
 TEST(RigJson, AutoDepthIsWrittenOnlyIfOn) {
   const auto loaded = loadRig(dataFile("v1-auto.rig.json"));
   ASSERT_TRUE(loaded.ok()) << loaded.error().text();
@@ -261,6 +276,9 @@ INSTANTIATE_TEST_SUITE_P(
         BadRig{"\"iso\": 0.3", "\"iso\": null", "surface.iso", "expected a number, got null"},
         BadRig{"\"skin_blend\": 0.05", "\"skin_blend\": 0", "surface.skin_blend",
                "expected a number > 0 and at most 10, got 0"},
+        BadRig{"\"skin_blend\": 0.05", "\"grooves\": 1.5", "surface.grooves", "expected a number from 0 to 1, got 1.5"},
+        BadRig{"\"skin_blend\": 0.05", "\"grooves\": -0.01", "surface.grooves", "from 0 to 1, got -0.01"},
+        BadRig{"\"skin_blend\": 0.05", "\"grooves\": \"soft\"", "surface.grooves", "a number, got \"soft\""},
         BadRig{"\"depth\": 5", "\"depth\": 17", "smoothing.depth", "from 1 to 16, got 17"},
         BadRig{"\"depth\": 5", "\"depth\": 2.5", "smoothing.depth", "from 1 to 16, got 2.5"},
         BadRig{"\"depth\": 5", "\"depth\": 99999999999", "smoothing.depth", "got 99999999999"},

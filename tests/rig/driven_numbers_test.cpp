@@ -142,6 +142,18 @@ TEST_F(DrivenParameters, DistancesAreRelativeToTheBindPose) {
   EXPECT_LE(at(bend, pose), kMostBend) << "brought into range";
 }
 
+TEST_F(DrivenParameters, WidthsOfTheSurfaceAreDrivenEachOnItsOwn) {
+  rig.surface.grooves = 0.02f;
+  drive(Parameter::kGrooves, byBend(DriverMode::kMultiply, {{0.0f, 1.0f}, {90.0f, 3.0f}}));
+  EXPECT_NEAR(at(Parameter::kGrooves, bentBy(45.0f)), 0.04f, 1e-5f);
+  EXPECT_EQ(at(Parameter::kSkinBlend, bentBy(45.0f)), kDefaultSkinBlend);
+  drive(Parameter::kSkinBlend, byBend(DriverMode::kReplace, {{0.0f, 0.1f}}));
+  drive(Parameter::kGrooves, byBend(DriverMode::kReplace, {{0.0f, -5.0f}, {90.0f, 5.0f}}));
+  EXPECT_EQ(at(Parameter::kSkinBlend, bentBy(45.0f)), 0.1f);
+  EXPECT_EQ(at(Parameter::kGrooves, bentBy(0.0f)), 0.0f) << "brought into range";
+  EXPECT_EQ(at(Parameter::kGrooves, bentBy(90.0f)), kMostGrooves);
+}
+
 TEST_F(DrivenParameters, DriverOfAMissingBoneIsIgnoredAndListed) {
   Driver driver = byBend(DriverMode::kReplace, {{0.0f, 0.7f}});
   driver.input.bone = "tail";

@@ -19,6 +19,7 @@ TEST(Rig, EqualityComparesEveryMember) {
       },
       [](Rig& r) { r.surface.iso *= 0.5f; },
       [](Rig& r) { r.surface.skinBlend *= 0.5f; },
+      [](Rig& r) { r.surface.grooves = 0.5f * r.surface.grooves + 0.1f; },
       [](Rig& r) { r.surface.unknownKeys += ' '; },
       [](Rig& r) { r.smoothing.depth += 1; },
       [](Rig& r) { r.smoothing.patch = r.smoothing.patch == PatchKind::kPn ? PatchKind::kFlat : PatchKind::kPn; },

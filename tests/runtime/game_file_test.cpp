@@ -84,10 +84,12 @@ INSTANTIATE_TEST_SUITE_P(Rigs, BundledGameFile,
 TEST(GameFile, KeepsAdaptiveDetailCreasesAndEveryAnimatedNumber) {
   GameCharacter game = limbGame();
   game.rig.smoothing.creaseAngle = 30.0f;
+  game.rig.surface.grooves = 0.02f;
   for (const DetailKind detail : {DetailKind::kUniform, DetailKind::kAdaptive}) {
     game.rig.smoothing.detail = detail;
     const auto read = readGameFile(gameFile(*game.character, game.rig));
     ASSERT_TRUE(read.ok()) << read.error().text();
+    EXPECT_EQ(read->rig.surface.grooves, 0.02f);
     for (std::uint64_t seed = 0; seed < 4; ++seed) {
       const Pose pose = randomPose(game.character->skeleton, 1.0f, 0.1f, seed);
       expectSameSurface(surfaceOf(game.character, game.rig, pose), surfaceOf(read->character, read->rig, pose),
@@ -104,8 +106,8 @@ TEST(GameFile, RefusesOtherFilesAndOtherVersions) {
   other[0] = std::byte{'g'};
   EXPECT_NE(reasonOf(other).find("not a Sinew game file"), std::string::npos) << reasonOf(other);
   other = bytes;
-  other[8] = std::byte{2};
-  EXPECT_NE(reasonOf(other).find("expected version 1, got 2"), std::string::npos) << reasonOf(other);
+  other[8] = std::byte{1};
+  EXPECT_NE(reasonOf(other).find("expected version 2, got 1"), std::string::npos) << reasonOf(other);
   other = bytes;
   other.push_back(std::byte{0});
   EXPECT_NE(reasonOf(other).find("bytes after its head"), std::string::npos) << reasonOf(other);

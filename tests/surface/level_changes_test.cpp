@@ -146,6 +146,21 @@ TEST(LevelChanges, LevelsAfterAnEditMatchAFreshStart) {
   }
 }
 
+TEST(LevelChanges, WidthsOfTheSurfaceAffectAllSamples) {
+  const CharacterPtr character = makeLimb();
+  Preparer prepared(character);
+  Rig rig = randomRig(*character, {.primitives = 2}, 1);
+  rig.smoothing.detail = DetailKind::kAdaptive;
+  const PreparationPtr first = prepared(rig);
+  for (float SurfaceSettings::*const width : {&SurfaceSettings::skinBlend, &SurfaceSettings::grooves}) {
+    Rig after = rig;
+    after.surface.*width += 0.01f;
+    const PreparationPtr second = prepared(after, first.get());
+    const std::vector<bool> asked = carriersToLookAt(*second, second->detail->from, &first->detail->from);
+    EXPECT_EQ(std::ranges::count(asked, false), 0);
+  }
+}
+
 // Pieces hold about a thousand edges and triangles, ranges a thousand vertices: only a fine mesh has several.
 TEST(LevelChanges, LevelsDoNotDependOnThreads) {
   const CharacterPtr character = fineHumanoid();

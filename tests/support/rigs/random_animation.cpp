@@ -107,7 +107,7 @@ void addAnimation(Random& random, const std::vector<std::string>& bones, const s
       if (random.chance(0.25f)) animate(random, bones, clips, static_cast<Parameter>(p), rig, animated);
     }
   };
-  some(Parameter::kSkinBlend, Parameter::kSkinBlend, rig.surface.animated);
+  some(Parameter::kSkinBlend, Parameter::kGrooves, rig.surface.animated);
   for (MuscleLine& line : rig.lines) some(Parameter::kActivation, Parameter::kFlexWidth, line.animated);
   for (Primitive& primitive : rig.primitives)
     some(Parameter::kAmount, shapeParameter(kShapeNumbers - 1), primitive.animated);

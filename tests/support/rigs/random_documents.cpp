@@ -171,7 +171,7 @@ Rig randomDocument(std::uint64_t seed) {
   rig.surface = {random.chance(0.5f) ? SurfaceMode::kSwell : SurfaceMode::kReplace,
                  random.uniform(kLeastIso, kMostIso),
                  std::min(positiveFloat(random), kMostSkinBlend),
-                 0.0f,
+                 random.chance(0.5f) ? 0.0f : random.uniform(0.0f, kMostGrooves),
                  {},
                  anyUnknownKeys(random)};
   rig.smoothing = {1 + random.below(kMaxDepth),
@@ -220,6 +220,7 @@ bool sameFloatBits(const Rig& a, const Rig& b) {
   }
   return std::bit_cast<std::uint32_t>(a.surface.iso) == std::bit_cast<std::uint32_t>(b.surface.iso) &&
          std::bit_cast<std::uint32_t>(a.surface.skinBlend) == std::bit_cast<std::uint32_t>(b.surface.skinBlend) &&
+         std::bit_cast<std::uint32_t>(a.surface.grooves) == std::bit_cast<std::uint32_t>(b.surface.grooves) &&
          std::bit_cast<std::uint32_t>(a.smoothing.creaseAngle) == std::bit_cast<std::uint32_t>(b.smoothing.creaseAngle);
 }
 

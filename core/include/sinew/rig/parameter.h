@@ -32,6 +32,7 @@ enum class Parameter {
   kFlexWidth,
   // The surface's.
   kSkinBlend,
+  kGrooves,
   // A morph target's.
   kMorphWeight,
 };

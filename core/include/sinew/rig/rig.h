@@ -22,6 +22,7 @@ enum class DetailKind { kUniform, kAdaptive };
 inline constexpr float kDefaultIso = 0.25f;
 inline constexpr float kDefaultReach = 1.4142135f;  ///< In files without a reach.
 inline constexpr float kNewReach = 2.0f;            ///< New muscles: the shell is as wide as the muscle itself.
+inline constexpr float kNewGrooves = 0.015f;        ///< New documents and sets of muscles; files without have 0.
 inline constexpr float kMostAmount = 2.0f;
 inline constexpr float kDefaultSkinBlend = 0.04f;
 inline constexpr float kDefaultCreaseAngle = 180.0f;  ///< Smooth everywhere.
@@ -58,7 +59,7 @@ struct SurfaceSettings {
   SurfaceMode mode = SurfaceMode::kSwell;
   float iso = kDefaultIso;              ///< T, kLeastIso..kMostIso.
   float skinBlend = kDefaultSkinBlend;  ///< h as a fraction of H, > 0, at most kMostSkinBlend.
-  float grooves = 0.0f;                 ///< Width of the grooves between unlinked muscles, fraction of H, 0..kMostGrooves.
+  float grooves = 0.0f;                 ///< Width of grooves between unlinked muscles, fraction of H, 0..kMostGrooves.
   std::vector<AnimatedNumber> animated;
   std::string unknownKeys;  ///< JSON object text of keys unknown to this version; kept and written back.
 
