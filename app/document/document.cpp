@@ -92,6 +92,7 @@ Result<Document> openCharacter(const std::filesystem::path& file) {
   document.characterFile = file;
   Rig rig;
   rig.character = file.filename().generic_string();
+  rig.surface.grooves = kNewGrooves;
   rig.smoothing.detail = DetailKind::kAdaptive;
   document.clipFiles.folder = file.parent_path();
   document.commands = CommandStack(withMorphsOf(std::move(rig), *document.character));

@@ -126,6 +126,8 @@ float strongStep(const Rig& rig, const NumberRef& ref) {
     }
     case Parameter::kMorphWeight:
       return 1.0f;
+    case Parameter::kGrooves:
+      return drawn == 0.0f ? kNewGrooves : kStep * drawn;
     default:
       return kStep * (drawn == 0.0f ? 1.0f : std::abs(drawn));
   }

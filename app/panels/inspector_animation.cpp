@@ -71,7 +71,7 @@ Shown shownValues(Parameter parameter, DriverMode mode) {
   if (mode == DriverMode::kMultiply) return {1.0f, "x %.3g"};
   const bool percent = parameter == Parameter::kAmount || parameter == Parameter::kFlexHeight ||
                        parameter == Parameter::kFlexWidth || parameter == Parameter::kRest ||
-                       parameter == Parameter::kSkinBlend;
+                       parameter == Parameter::kSkinBlend || parameter == Parameter::kGrooves;
   return percent ? Shown{100.0f, "%.3g %%"} : Shown{};
 }
 

@@ -24,6 +24,7 @@ Possible adaptive(const EditorState& state) {
 
 const Control kMode{"surface/mode", "Mode", "of the surface swell replace"};
 const Control kIso{"surface/iso", "Tightness", "iso value threshold wrap"};
+const Control kGrooves{"surface/grooves", "Grooves", "soft crisp creases between muscles not linked width"};
 const Control kSkinBlend{"surface/skin-blend", "Skin blend", "soft rise transition"};
 const Control kDepth{"smoothing/depth", "Depth", "subdivision level resolution fine", uniform};
 const Control kTolerance{"smoothing/tolerance", "Tolerance", "adaptive error subdivision fine", adaptive};
@@ -35,7 +36,8 @@ const Control kCrease{"smoothing/crease", "Crease", "angle hard edge sharp norma
 constexpr int kDepthOfSlider = 8;
 constexpr const char* kAutoLabel = "Auto";
 constexpr float kIsoRange[] = {0.05f, 0.9f};
-constexpr float kBlendRange[] = {0.5f, 15.0f};  // Per cent of the height.
+constexpr float kBlendRange[] = {0.5f, 15.0f};   // Per cent of the height.
+constexpr float kGroovesRange[] = {0.0f, 5.0f};  // Per cent of the height.
 
 /// The name of a value in the interface, and its effect, with the technical term in brackets.
 struct Word {
@@ -171,14 +173,23 @@ void creaseRow(PanelUi& ui, const SmoothingSettings& before, Changed changed) {
   tooltip(ui, "Faces that meet at a sharper angle than this keep a hard edge. 180: smooth everywhere.");
 }
 
+/// A number of the surface that keys and drivers can change, in percent of the character's height.
+struct HeightShare {
+  const Control& control;
+  Parameter parameter;
+  const float (&range)[2];
+  bool logarithmic;
+  const char* hint;
+};
+
 template <class Changed>
-void skinBlendRow(PanelUi& ui, const SurfaceSettings& before, Changed changed) {
-  beginRow(ui, kSkinBlend);
+void heightShareRow(PanelUi& ui, const HeightShare& row, const SurfaceSettings& before, Changed changed) {
+  beginRow(ui, row.control);
   constexpr float kPercent = 100.0f;
-  const char* const id = kSkinBlend.id;
-  const AnimatedField animated{{{Parameter::kSkinBlend, 0}}, {kPercent}, "%.1f %%"};
+  const char* const id = row.control.id;
+  const AnimatedField animated{{{row.parameter, 0}}, {kPercent}, "%.1f %%"};
   const AnimatedLook animation = lookOf(ui, animated);
-  NumberLook look{animated.format, 0.0f, kBlendRange[0], kBlendRange[1], 0.5f, false, true};
+  NumberLook look{animated.format, 0.0f, row.range[0], row.range[1], 0.5f, false, row.logarithmic};
   const auto menu = [&] {
     if (!ImGui::BeginPopupContextItem(id)) return;
     animationMenu(ui, animated);
@@ -190,21 +201,19 @@ void skinBlendRow(PanelUi& ui, const SurfaceSettings& before, Changed changed) {
     drawDrivenKeyField(ui, id, animated, look);
     return menu();
   }
-  float percent = before.skinBlend * kPercent;
+  float percent = numberOf(before, row.parameter) * kPercent;
   look.clampTyped = false;
   Typing typing;
   look.typing = &typing;
   pushAnimatedColors(animation);
-  const bool edited = numberSlider(ui, "##blend", percent, look);
+  const bool edited = numberSlider(ui, (std::string("##") + id).c_str(), percent, look);
   popAnimatedColors(ui, animation);
   notePointed(ui, animated);
   editNumber(
-      ui, id, kSkinBlend.label, edited, typing,
-      [&] { return changed([&](SurfaceSettings& s) { s.skinBlend = percent / kPercent; }); },
-      [&](const Rig& rig) { return numberText(look.format, kPercent * rig.surface.skinBlend); });
-  tooltip(ui, animation.words +
-                  "How softly the skin rises into a muscle, in percent of the character's height. Small muscles blend "
-                  "over their own size at most.\nRight click: key, drive.");
+      ui, id, row.control.label, edited, typing,
+      [&] { return changed([&](SurfaceSettings& s) { *numberIn(s, row.parameter) = percent / kPercent; }); },
+      [&](const Rig& rig) { return numberText(look.format, kPercent * numberOf(rig.surface, row.parameter)); });
+  tooltip(ui, animation.words + row.hint + "\nRight click: key, drive.");
   menu();
 }
 
@@ -254,7 +263,16 @@ void drawSurfacePanel(PanelUi& ui) {
       ui,
       "How tightly the skin lies around muscles that blend: higher is tighter. A muscle on its own keeps its radii. "
       "(Iso value of the field.)");
-  skinBlendRow(ui, before, changed);
+  heightShareRow(ui,
+                 {kGrooves, Parameter::kGrooves, kGroovesRange, false,
+                  "How soft the grooves between muscles that are not linked are, in percent of the character's height. "
+                  "0: crisp."},
+                 before, changed);
+  heightShareRow(ui,
+                 {kSkinBlend, Parameter::kSkinBlend, kBlendRange, true,
+                  "How softly the skin rises into a muscle, in percent of the character's height. Small muscles blend "
+                  "over their own size at most."},
+                 before, changed);
   drawSurfaceAnimation(ui);
 }
 

@@ -164,7 +164,7 @@ class Hands:
         self.editor.wait_until("the list", lambda s: "outliner/search" in s["widgets"])
 
     def surface(self):
-        name, low, high = self.random.choice([("iso", 0.1, 0.5), ("skin-blend", 1.0, 8.0)])
+        name, low, high = self.random.choice([("iso", 0.1, 0.5), ("grooves", 0.0, 4.0), ("skin-blend", 1.0, 8.0)])
         self.scroll_to("surface/" + name)
         self.editor.type_number("surface/" + name, "%.3f" % self.random.uniform(low, high))
 

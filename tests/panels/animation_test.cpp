@@ -377,7 +377,7 @@ TEST_F(Animation, SelectedCurvePointTakesTypedNumbers) {
   EXPECT_EQ(animated()->drivers.at(0).curve.points.size(), 1u);
 }
 
-TEST_F(Animation, SkinBlendIsKeyedInItsOwnPanel) {
+TEST_F(Animation, NumbersOfTheSurfaceAreKeyedInItsPanel) {
   const auto pointAt = [&](const std::string& id) {
     queue.move(center(id));
     settle();
@@ -389,6 +389,11 @@ TEST_F(Animation, SkinBlendIsKeyedInItsOwnPanel) {
   ASSERT_EQ(state.document.rig().surface.animated.size(), 1u);
   EXPECT_TRUE(shown("surface/animation"));
   EXPECT_FALSE(shown("inspector/animation"));
+  pointAt("surface/grooves");
+  press(kKeyK);
+  EXPECT_EQ(label().substr(0, 15), "Key grooves at ");
+  ASSERT_EQ(state.document.rig().surface.animated.size(), 2u);
+  EXPECT_EQ(state.document.rig().surface.animated[1].parameter, Parameter::kGrooves);
 }
 
 TEST(CurveEdits, PointsStayInOrder) {

@@ -33,8 +33,9 @@ class NumberFields : public HeadlessEditor {
 };
 
 TEST_F(NumberFields, DoubleClickStartsTypingInSliders) {
-  for (const auto& [id, text] : {std::pair{"smoothing/tolerance", "0.25"}, std::pair{"surface/iso", "0.31"},
-                                 std::pair{"surface/skin-blend", "4.5"}, std::pair{"smoothing/crease", "77"}}) {
+  for (const auto& [id, text] :
+       {std::pair{"smoothing/tolerance", "0.25"}, std::pair{"surface/iso", "0.31"}, std::pair{"surface/grooves", "2.5"},
+        std::pair{"surface/skin-blend", "4.5"}, std::pair{"smoothing/crease", "77"}}) {
     const std::size_t before = steps();
     doubleClick(id);
     press(kKeyA, true);
@@ -44,6 +45,7 @@ TEST_F(NumberFields, DoubleClickStartsTypingInSliders) {
   }
   EXPECT_FLOAT_EQ(state.document.rig().smoothing.tolerance, 0.0025f);
   EXPECT_FLOAT_EQ(iso(), 0.31f);
+  EXPECT_FLOAT_EQ(state.document.rig().surface.grooves, 0.025f);
   EXPECT_FLOAT_EQ(state.document.rig().surface.skinBlend, 0.045f);
   EXPECT_FLOAT_EQ(state.document.rig().smoothing.creaseAngle, 77.0f);
 }

@@ -142,6 +142,7 @@ TEST_F(Panels, ToleranceSliderUpdatesLiveInOneStep) {
 
 TEST_F(Panels, DetailKindIsChosenInOneStep) {
   EXPECT_EQ(state.document.rig().smoothing.detail, DetailKind::kAdaptive) << "a new rig";
+  EXPECT_EQ(state.document.rig().surface.grooves, kNewGrooves);
   EXPECT_FALSE(shown("smoothing/depth"));
   click("smoothing/detail");
   click("smoothing/detail/uniform");
