@@ -55,6 +55,7 @@ RigHandle::RigHandle(std::shared_ptr<CharacterHandle> character)
     : character_(std::move(character)), clipsFolder_(character_->file().parent_path()) {
   Rig rig;
   rig.character = character_->file().filename().generic_string();
+  rig.surface.grooves = kNewGrooves;
   rig.smoothing.detail = DetailKind::kAdaptive;
   rig_ = withMorphsOf(std::move(rig), *character_->character());
 }

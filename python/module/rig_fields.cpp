@@ -148,6 +148,8 @@ const Field<Rig> kSettings[] = {
      [](Rig& r, py::handle v, const std::string& place) { r.surface.iso = numberFrom(v, place); }},
     {"skin_blend", [](const Rig& r) -> py::object { return py::float_(r.surface.skinBlend); },
      [](Rig& r, py::handle v, const std::string& place) { r.surface.skinBlend = numberFrom(v, place); }},
+    {"grooves", [](const Rig& r) -> py::object { return py::float_(r.surface.grooves); },
+     [](Rig& r, py::handle v, const std::string& place) { r.surface.grooves = numberFrom(v, place); }},
     {"depth", [](const Rig& r) -> py::object { return py::int_(r.smoothing.depth); },
      [](Rig& r, py::handle v, const std::string& place) { r.smoothing.depth = integerFrom(v, place); }},
     {"patch", [](const Rig& r) -> py::object { return py::str(nameOf(r.smoothing.patch)); },

@@ -137,6 +137,7 @@ class Rig:
     mode: str
     iso: float
     skin_blend: float
+    grooves: float
     detail: str
     depth: int
     tolerance: float

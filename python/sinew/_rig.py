@@ -56,6 +56,7 @@ class Rig(_sinew.Rig):
     mode = _setting("mode", "swell (the skin rises over the muscles) or replace (the paper's method).")
     iso = _setting("iso", "Value of the field on the surface, 0.001 to 0.999.")
     skin_blend = _setting("skin_blend", "How softly muscles begin, fraction of the height; above 0, at most 10.")
+    grooves = _setting("grooves", "Width of the soft grooves between muscles that are not linked, fraction of the height, 0 to 1; 0: crisp.")
     detail = _setting("detail", "adaptive (as fine as the tolerance asks for) or uniform (the depth everywhere).")
     depth = _setting("depth", "Of uniform detail: every triangle becomes depth x depth, 1 to 16.")
     tolerance = _setting("tolerance", "Of adaptive detail, fraction of the height, 0.0001 to 0.01.")

@@ -141,7 +141,8 @@ class Refusals(Case):
         rig = self.rig.copy()
         for name, wrong in (("mode", "swollen"), ("mode", 3), ("iso", 0), ("iso", 1), ("iso", "a"), ("depth", 0),
                             ("depth", 17), ("depth", 2.0), ("detail", "fine"), ("tolerance", 1), ("patch", ""),
-                            ("projection", None), ("crease_angle", 181), ("skin_blend", 0), ("skin_blend", math.inf)):
+                            ("projection", None), ("crease_angle", 181), ("skin_blend", 0), ("skin_blend", math.inf),
+                            ("grooves", -0.01), ("grooves", 1.5), ("grooves", "soft")):
             with self.subTest(name=name, wrong=wrong):
                 error = self.refusal(setattr, rig, name, wrong)
                 self.assertEqual(error.place, name)

@@ -16,6 +16,15 @@ class Rigs(Case):
         """Empty, with adaptive detail; its surface is that of the bare character."""
         self.assertEqual((len(self.new), self.new.groups, self.new.detail), (0, (), "adaptive"))
         self.assertEqual(json.loads(self.new.to_json())["character"], "humanoid.glb")
+        self.assertEqual(self.new.grooves, float(numpy.float32(0.015)))
+
+    def test_grooves_match_the_file(self):
+        for value in (0.25, 1, 0):
+            self.new.grooves = value
+            self.assertEqual(self.new.grooves, value)
+            self.assertEqual(json.loads(self.new.to_json())["surface"].get("grooves", 0), value)
+        self.assertNotIn("grooves", self.new.to_json())
+        self.assertEqual(sinew.load_rig(ASSETS / "humanoid.rig.json", self.character).grooves, 0)
 
     def test_muscle_fields_match_the_file(self):
         muscle = self.new.add_muscle("a", bone="chest", center=(0.1, 0.2, 0.3), radii=numpy.array([0.1, 0.2, 0.3]),
