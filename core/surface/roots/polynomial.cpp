@@ -210,6 +210,7 @@ double Bernstein::at(double u) const {
 }
 
 ValueAndSlope Bernstein::Evaluator::operator()(double u) const {
+  if (polynomial.degree == 0) return {polynomial.b[0], 0.0};
   std::array<double, kBernsteinRows> row = polynomial.b;
   for (std::size_t left = polynomial.degree; left > 1; --left) {
     for (std::size_t i = 0; i < left; ++i) row[i] += (row[i + 1] - row[i]) * u;

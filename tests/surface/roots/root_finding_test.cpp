@@ -17,7 +17,8 @@ struct Scene {
   RayField field;
 };
 
-void fill(Scene& scene, std::mt19937& random) {
+/// @param softest  upper end of grooves
+void fill(Scene& scene, float softest, std::mt19937& random) {
   std::uniform_real_distribution<float> unit(-1.0f, 1.0f);
   scene.primitives.clear();
   scene.cliques = random() % 2 ? CliqueLists{} : CliqueLists{{0, 1}, {1, 2}, {3}};
@@ -29,7 +30,8 @@ void fill(Scene& scene, std::mt19937& random) {
     placement.radii = {0.3f + 0.2f * unit(random), 0.4f, 0.3f};
     placement.rotation = glm::normalize(glm::quat(1.0f, unit(random), unit(random), unit(random)));
     const float strength = i == 5 ? -0.6f : 1.0f;
-    scene.primitives.push_back({unitBallMap(placement, 1.4142135f, glm::mat4(1.0f)), strength});
+    const float groove = softest * 0.5f * (1.0f + unit(random));
+    scene.primitives.push_back({unitBallMap(placement, 1.4142135f, glm::mat4(1.0f)), strength, 0.3f, groove});
     scene.field.addPrimitive(scene.primitives.back(), 0.9f, i % 4, {0, 0, 0}, direction);
   }
 }
@@ -60,14 +62,16 @@ TEST(ProjectionKinds, NamesRoundTrip) {
   EXPECT_EQ(projectionKindNamed("pn"), std::nullopt);
 }
 
-TEST(FirstRoot, AllMethodsMatchMarching) {
+class FirstRoot : public testing::TestWithParam<float> {};
+
+TEST_P(FirstRoot, AllMethodsMatchMarching) {
   std::mt19937 random(31);
   Scene scene;
   RayScratch scratch;
   std::array<int, 3> wrong{};
   int compared = 0;
   for (int round = 0; round < 1000; ++round) {
-    fill(scene, random);
+    fill(scene, GetParam(), random);
     const double end = 2.0;
     const std::optional<double> expected = march(scene.field, end);
     ++compared;
@@ -84,12 +88,14 @@ TEST(FirstRoot, AllMethodsMatchMarching) {
   for (const int count : wrong) EXPECT_LE(count, 1) << "every root is isolated; a touch may differ";
 }
 
+INSTANTIATE_TEST_SUITE_P(Grooves, FirstRoot, testing::Values(0.0f, 0.2f, 2.0f));
+
 TEST(RayField, SampleGivesTheFieldAndItsDerivative) {
   std::mt19937 random(37);
   Scene scene;
   RayScratch scratch;
   for (int round = 0; round < 200; ++round) {
-    fill(scene, random);
+    fill(scene, round % 2 ? 1.0f : 0.0f, random);
     for (double t = 0.01; t < 1.5; t += 0.1) {
       const double numeric =
           (scene.field.sample(t + 1e-6, scratch).value - scene.field.sample(t - 1e-6, scratch).value) / 2e-6;
