@@ -67,7 +67,7 @@ std::vector<BlendedGroup>& GroupBlend::reset(const CliqueLists& cliques) {
 }
 
 double GroupBlend::settle(const CliqueLists& cliques) {
-  constexpr double kSettled = 1e-13;  // Times the largest sum.
+  constexpr double kSettled = 1e-11;  // Times the largest sum.
   shares_.resize(cliques.size());
   std::size_t highest = 0;
   double largest = 0.0;
@@ -86,11 +86,15 @@ double GroupBlend::settle(const CliqueLists& cliques) {
   }
   if (largest <= 0.0) return 0.0;
   // Taking from a clique b for k gains at most S_k + Y_k / 2 - S_b + Y_b / 2, with sums S and softness Y.
-  for (double& share : shares_) share = share >= surely ? 0.0 : -1.0;
+  int others = -1;
+  for (double& share : shares_) {
+    share = share >= surely ? 0.0 : -1.0;
+    others += share == 0.0 ? 1 : 0;
+  }
   shares_[highest] = 1.0;
   for (BlendedGroup& group : groups_) group.share = 0.0;
   for (const int group : cliques[highest]) at(groups_, group).share = 1.0;
-  in_double::settleShares({cliques, groups_, shares_}, kSettled * largest, true);
+  if (others > 0) in_double::settleShares({cliques, groups_, shares_}, kSettled * largest, true);
   double out = 0.0;
   for (const BlendedGroup& group : groups_) out += in_double::softPart(group.sum, group.softness, group.share);
   return out;

@@ -27,7 +27,8 @@ class TileField {
     tile_ = &tile;
     for (std::size_t first = 0; first < kLanes; first += width()) points_.gather(positions, tile.vertices, first);
     const std::size_t set = static_cast<std::size_t>(tile.cliqueSet);
-    cliques_ = {tiles_.cliqueBegins[set], tiles_.cliqueSlots[set], tiles_.slotCounts[set], soft_};
+    cliques_ = {tiles_.cliqueBegins[set], tiles_.cliqueSlots[set], tiles_.slotCounts[set], soft_,
+                tiles_.ownBegins[set],    tiles_.ownSlots[set]};
   }
 
   Bounds boundsOfTile() const {

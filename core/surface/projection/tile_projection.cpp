@@ -22,6 +22,7 @@ void makeRoom(const VertexTiles& tiles, std::size_t range, TileScratch& scratch)
   grow(scratch.lines, tiles.mostCandidates);
   grow(scratch.lanes.sums, tiles.mostSlots);
   grow(scratch.lanes.shares, tiles.mostCliques);
+  grow(scratch.lanes.softness, tiles.mostCliques);
   scratch.lanes.cliques.reserve(tiles.mostCliques);
   grow(scratch.spans, tiles.mostCandidates);
   grow(scratch.near, tiles.mostCandidates);

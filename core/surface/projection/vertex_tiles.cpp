@@ -117,6 +117,23 @@ void fillWeights(const VertexTile& tile, const ControlMesh& mesh, const Refineme
   }
 }
 
+/// What each clique has alone.
+void flattenOwn(const CliqueLists& cliques, std::size_t slotCount, VertexTiles& out) {
+  std::vector<std::size_t> holders(slotCount, 0);
+  for (const std::vector<int>& clique : cliques) {
+    for (const int slot : clique) ++holders[toIndex(slot)];
+  }
+  std::vector<int>& begins = out.ownBegins.emplace_back();
+  std::vector<int>& slots = out.ownSlots.emplace_back();
+  const auto isShared = [&](std::size_t count) { return count > 1 && count < cliques.size(); };
+  if (std::ranges::any_of(holders, isShared)) return;
+  begins.push_back(0);
+  for (const std::vector<int>& clique : cliques) {
+    std::ranges::copy_if(clique, std::back_inserter(slots), [&](int slot) { return holders[toIndex(slot)] == 1; });
+    begins.push_back(static_cast<int>(slots.size()));
+  }
+}
+
 void flattenCliques(const CandidateLists& lists, VertexTiles& out) {
   for (const CliqueLists& cliques : lists.cliqueSets) {
     std::vector<int> begins{0};
@@ -129,6 +146,7 @@ void flattenCliques(const CandidateLists& lists, VertexTiles& out) {
     out.mostSlots = std::max(out.mostSlots, count);
     out.mostCliques = std::max(out.mostCliques, cliques.size());
     out.slotCounts.push_back(count);
+    flattenOwn(cliques, count, out);
     out.cliqueBegins.push_back(std::move(begins));
     out.cliqueSlots.push_back(std::move(slots));
   }

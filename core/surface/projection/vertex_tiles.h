@@ -32,6 +32,8 @@ struct VertexTiles {
   std::vector<LaneFloats> weights;        ///< m_i of each candidate at each lane; 0 if the carrier does not see it.
   std::vector<std::vector<int>> cliqueBegins;  ///< Begins of each clique set; see LaneCliques.
   std::vector<std::vector<int>> cliqueSlots;
+  std::vector<std::vector<int>> ownBegins;  ///< See LaneCliques::own.
+  std::vector<std::vector<int>> ownSlots;
   std::vector<std::size_t> slotCounts;
   std::size_t mostCandidates = 0;
   std::size_t mostSlots = 0;

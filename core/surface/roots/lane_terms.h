@@ -56,6 +56,9 @@ struct LaneCliques {
   std::span<const int> slots;
   std::size_t slotCount = 0;
   bool soft = false;  ///< Some muscle has a soft groove.
+  /// The same without slots that all cliques have; empty if a slot is in several, but not in all.
+  std::span<const int> ownBegin{};
+  std::span<const int> ownSlots{};
 
   [[nodiscard]] bool empty() const { return begin.size() < 2; }
   [[nodiscard]] std::size_t count() const { return empty() ? 0 : begin.size() - 1; }
@@ -68,8 +71,9 @@ struct LaneScratch {
   std::vector<LaneShape> shapes;
   std::size_t shapeCount = 0;
   std::vector<SlotSums> sums;
-  std::vector<LaneFloats> shares;  ///< Of each clique; negative: it takes no part.
-  std::vector<int> cliques;        ///< Those that may have a share in some lane.
+  std::vector<LaneFloats> shares;    ///< Of each clique; negative: it takes no part.
+  std::vector<LaneFloats> softness;  ///< Of each clique's own groups.
+  std::vector<int> cliques;          ///< Those that may have a share in some lane.
 };
 
 }  // namespace sinew

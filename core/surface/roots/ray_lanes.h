@@ -231,31 +231,8 @@ class RayLanes {
 
   /// Soft grooves: finds the shares of the cliques for sums x_j and y_j of every slot, times the direction's sign.
   void share(std::size_t sums, std::size_t softness) const {
-    const LaneBlending blending{*this, sums, softness};
-    V largest = zero();
-    V highest = all(-1.0f);
-    V surely = zero();
-    for (std::size_t k = 0; k < cliques_.count(); ++k) {
-      const V sum = skin_.sense * sumOf(k, sums);
-      const V half = all(0.5f) * skin_.sense * sumOf(k, softness);
-      highest = select(hn::Gt(sum, largest), all(static_cast<float>(k)), highest);
-      largest = hn::Max(largest, sum);
-      surely = hn::Max(surely, sum - half);
-      store(sum + half, scratch_.shares[k]);
-    }
-    for (std::size_t slot = 0; slot < cliques_.slotCount; ++slot) store(zero(), scratch_.sums[slot].share);
-    scratch_.cliques.clear();
-    for (std::size_t k = 0; k < cliques_.count(); ++k) {
-      // Taking from a clique b for k gains at most S_k + Y_k / 2 - S_b + Y_b / 2, with sums S and softness Y.
-      const M mayShare = both(hn::Ge(load(scratch_.shares[k]), surely), hn::Gt(largest, zero()));
-      const M wins = hn::Eq(highest, all(static_cast<float>(k)));
-      if (!any(hn::Or(mayShare, wins))) continue;
-      const V whole = select(wins, all(1.0f), zero());
-      store(select(hn::Or(mayShare, wins), whole, all(-1.0f)), scratch_.shares[k]);
-      scratch_.cliques.push_back(static_cast<int>(k));
-      if (any(wins)) forEachSlot(k, [&](SlotSums& slot) HWY_ATTR { store(load(slot.share) + whole, slot.share); });
-    }
-    if (scratch_.cliques.size() > 1) settleShares(blending, all(kSettled) * largest, hn::Gt(largest, zero()));
+    if (cliques_.ownBegin.empty()) exchangeShares(sums, softness);
+    else levelShares(sums, softness);
   }
 
   /// softPart() of all slots with the shares found.
@@ -398,6 +375,91 @@ class RayLanes {
     return {sum.value + best, sum.slope + bestSlope};
   }
 
+  /// For cliques that share no group but those that all have. Where F is largest, a share changes it as much for every
+  /// clique that has one: by rate = x + y / 2 - y share. The sum of the shares falls with the rate, by straight pieces
+  /// that get less steep, so Newton's steps from below end at the rate for 1.
+  void levelShares(std::size_t sums, std::size_t softness) const {
+    const V sense = skin_.sense;
+    V rate = zero();
+    for (std::size_t k = 0; k < cliques_.count(); ++k) {
+      V x = zero();
+      V y = zero();
+      forEachOwnSlot(k, [&](const SlotSums& slot) HWY_ATTR {
+        x = x + load(slot.of[sums]);
+        y = y + load(slot.of[softness]);
+      });
+      // A float could not tell a narrower groove's sums apart.
+      const V soft = hn::Max(sense * y, all(4e-6f) * (sense * x));
+      const V half = all(0.5f) * soft;
+      rate = hn::Max(rate, sense * x - half);
+      store(sense * x + half, scratch_.shares[k]);
+      store(soft, scratch_.softness[k]);
+    }
+    scratch_.cliques.clear();
+    for (std::size_t k = 0; k < cliques_.count(); ++k) {
+      if (any(hn::Gt(load(scratch_.shares[k]), rate))) scratch_.cliques.push_back(static_cast<int>(k));
+    }
+    V have = zero();   // How many have a share,
+    V whole = zero();  // and its sum.
+    M open = hn::Ge(rate, zero());
+    for (std::size_t step = 0; any(open); ++step) {
+      V shares = zero();
+      V holders = zero();
+      V fall = zero();
+      for (const int clique : scratch_.cliques) {
+        const auto k = static_cast<std::size_t>(clique);
+        const V above = load(scratch_.shares[k]) - rate;
+        const V y = load(scratch_.softness[k]);
+        const M has = both(hn::Gt(above, zero()), hn::Gt(y, zero()));
+        shares = shares + select(has, above / y, zero());
+        holders = holders + select(has, all(1.0f), zero());
+        fall = fall + select(has, all(1.0f) / y, zero());
+      }
+      whole = select(open, shares, whole);
+      have = select(open, holders, have);
+      open = both(open, hn::Gt(shares, all(1.0f + 1e-6f)));
+      if (step > cliques_.count()) break;
+      rate = select(open, rate + (shares - all(1.0f)) / fall, rate);
+    }
+    for (std::size_t slot = 0; slot < cliques_.slotCount; ++slot) store(all(1.0f), scratch_.sums[slot].share);
+    for (std::size_t k = 0; k < cliques_.count(); ++k) {
+      const V above = load(scratch_.shares[k]) - rate;
+      const V y = load(scratch_.softness[k]);
+      const M has = both(hn::Gt(above, zero()), hn::Gt(y, zero()));
+      const V own = select(has, select(hn::Gt(have, all(1.0f)), above / (y * whole), all(1.0f)), zero());
+      forEachOwnSlot(k, [&](SlotSums& slot) HWY_ATTR { store(own, slot.share); });
+    }
+  }
+
+  /// In pairs, for any cliques.
+  void exchangeShares(std::size_t sums, std::size_t softness) const {
+    const LaneBlending blending{*this, sums, softness};
+    V largest = zero();
+    V highest = all(-1.0f);
+    V surely = zero();
+    for (std::size_t k = 0; k < cliques_.count(); ++k) {
+      const V sum = skin_.sense * sumOf(k, sums);
+      const V half = all(0.5f) * skin_.sense * sumOf(k, softness);
+      highest = select(hn::Gt(sum, largest), all(static_cast<float>(k)), highest);
+      largest = hn::Max(largest, sum);
+      surely = hn::Max(surely, sum - half);
+      store(sum + half, scratch_.shares[k]);
+    }
+    clearShares();
+    scratch_.cliques.clear();
+    for (std::size_t k = 0; k < cliques_.count(); ++k) {
+      // Taking from a clique b for k gains at most S_k + Y_k / 2 - S_b + Y_b / 2, with sums S and softness Y.
+      const M mayShare = both(hn::Ge(load(scratch_.shares[k]), surely), hn::Gt(largest, zero()));
+      const M wins = hn::Eq(highest, all(static_cast<float>(k)));
+      if (!any(hn::Or(mayShare, wins))) continue;
+      const V whole = select(wins, all(1.0f), zero());
+      store(select(hn::Or(mayShare, wins), whole, all(-1.0f)), scratch_.shares[k]);
+      scratch_.cliques.push_back(static_cast<int>(k));
+      if (any(wins)) forEachSlot(k, [&](SlotSums& slot) HWY_ATTR { store(load(slot.share) + whole, slot.share); });
+    }
+    if (scratch_.cliques.size() > 1) settleShares(blending, all(kSettled) * largest, hn::Gt(largest, zero()));
+  }
+
   HWY_NOINLINE Sample withShares(const Sample& sum) const {
     share(0, 2);
     return {sum.value + partOf(0, 2), sum.slope + partOf(1, 3)};
@@ -422,12 +484,23 @@ class RayLanes {
     V maxSlope = all(-kInfinity);
     V minSlope = all(kInfinity);
     V mayWin = zero();
+    if (cliques_.soft) clearShares();
     for (std::size_t k = 0; k < cliques_.count(); ++k) {
       const V most = select(outward, sumOf(k, kMax), zero() - sumOf(k, kMin));
-      const M wins = hn::Ge(cliques_.soft ? most + all(0.5f) * sumOf(k, kSoftest) : most, surely);
-      mayWin = mayWin + select(wins, all(1.0f), zero());
+      // An empty clique may tie with the others' least, but has no part then.
+      const M wins = cliques_.soft ? hn::Gt(most + all(0.5f) * sumOf(k, kSoftest), surely) : hn::Ge(most, surely);
+      if (cliques_.soft) {
+        const V one = select(wins, all(1.0f), zero());
+        mayWin = mayWin + one;
+        forEachSlotWithShares(k, [&](SlotSums& slot) HWY_ATTR { store(hn::Max(load(slot.share), one), slot.share); });
+      }
       maxSlope = select(wins, hn::Max(maxSlope, sumOf(k, kMaxSlope)), maxSlope);
       minSlope = select(wins, hn::Min(minSlope, sumOf(k, kMinSlope)), minSlope);
+    }
+    if (cliques_.soft) {
+      const M empty = hn::Eq(mayWin, zero());
+      maxSlope = select(empty, zero(), maxSlope);
+      minSlope = select(empty, zero(), minSlope);
     }
     if (cliques_.soft && any(hn::Gt(mayWin, all(1.0f)))) {
       return withSoftness(sum, hn::Gt(mayWin, all(1.0f)),
@@ -440,18 +513,20 @@ class RayLanes {
     return sum;
   }
 
-  /// @param ofCliques  bounds as for crisp grooves.  @param blend  lanes where several cliques may have a share.
+  /// @param ofCliques  bounds as for crisp grooves.  @param blend  lanes where several cliques may have a share: then
+  /// the slots that may have one between 0 and 1 have the share 1.
   HWY_NOINLINE LaneBounds withSoftness(LaneBounds sum, M blend, const LaneBounds& ofCliques) const {
-    share(kAtEnd, kSoftAtEnd);
     V softest = zero();
     V rises = zero();
     V falls = zero();
     for (std::size_t i = 0; i < cliques_.slotCount; ++i) {
       const SlotSums& slot = scratch_.sums[i];
-      softest = softest + load(slot.of[kSoftest]);
-      rises = rises + hn::Max(zero(), load(slot.of[kSoftMaxSlope]));
-      falls = falls + hn::Min(zero(), load(slot.of[kSoftMinSlope]));
+      const V may = load(slot.share);
+      softest = softest + may * load(slot.of[kSoftest]);
+      rises = rises + may * hn::Max(zero(), load(slot.of[kSoftMaxSlope]));
+      falls = falls + may * hn::Min(zero(), load(slot.of[kSoftMinSlope]));
     }
+    share(kAtEnd, kSoftAtEnd);
     const auto part = [&](V of) HWY_ATTR { return select(blend, all(0.125f) * of, zero()); };
     const V higher = select(hn::Gt(skin_.sense, zero()), zero(), part(softest));
     sum.value = sum.value + ofCliques.value - higher;
@@ -461,6 +536,21 @@ class RayLanes {
     return sum;
   }
 
+  void clearShares() const {
+    for (std::size_t slot = 0; slot < cliques_.slotCount; ++slot) store(zero(), scratch_.sums[slot].share);
+  }
+  template <class Visit>
+  HWY_INLINE void forEachOwnSlot(std::size_t clique, Visit visit) const {
+    for (int i = cliques_.ownBegin[clique]; i < cliques_.ownBegin[clique + 1]; ++i) {
+      visit(scratch_.sums[static_cast<std::size_t>(cliques_.ownSlots[static_cast<std::size_t>(i)])]);
+    }
+  }
+  /// Those of its slots whose share depends on the cliques'.
+  template <class Visit>
+  HWY_INLINE void forEachSlotWithShares(std::size_t clique, Visit visit) const {
+    if (cliques_.ownBegin.empty()) forEachSlot(clique, visit);
+    else forEachOwnSlot(clique, visit);
+  }
   template <class Visit>
   HWY_INLINE void forEachSlot(std::size_t clique, Visit visit) const {
     for (int i = cliques_.begin[clique]; i < cliques_.begin[clique + 1]; ++i) {

@@ -98,7 +98,8 @@ class SoftFall {
 
   /// F lies between the largest sum of a clique and that plus sum y_j / 8; its derivative between the cliques' least
   /// and largest, with sum y_j' / 8. Cliques that certainly have no share are left out.
-  FallBounds boundsOf(const SoftSums& sums) const {
+  FallBounds boundsOf(const SoftSums& sums) {
+    std::vector<BlendedGroup>& groups = scratch_.blend.reset(cliques_);  // Share 1: it may have one between 0 and 1.
     double surely = -kInfinity;
     for (const std::vector<int>& clique : cliques_) {
       double least = 0.0;
@@ -119,16 +120,19 @@ class SoftFall {
         add(ownSlope, slopesOf(at(sums.ofSlot, slot)));
         possibly += 0.5 * valuesOf(at(sums.softness, slot)).high;
       }
-      if (own.high + possibly < surely) continue;
+      if (own.high + possibly <= surely) continue;  // An empty clique may tie.
       ++mayWin;
+      for (const int slot : clique) at(groups, slot).share = 1.0;
       value = {std::max(value.low, own.low), std::max(value.high, own.high)};
       slope = {std::min(slope.low, ownSlope.low), std::max(slope.high, ownSlope.high)};
     }
+    if (mayWin == 0) slope = {};
     if (mayWin > 1) {
-      for (const Bernstein& softness : sums.softness) {
-        const Extent ofSoftness = slopesOf(softness);
+      for (std::size_t slot = 0; slot < groups.size(); ++slot) {
+        if (groups[slot].share == 0.0) continue;
+        const Extent ofSoftness = slopesOf(sums.softness[slot]);
         add(slope, {0.125 * std::min(0.0, ofSoftness.low), 0.125 * std::max(0.0, ofSoftness.high)});
-        value.high += 0.125 * valuesOf(softness).high;
+        value.high += 0.125 * valuesOf(sums.softness[slot]).high;
       }
     }
     add(value, valuesOf(sums.everywhere));
