@@ -61,9 +61,39 @@ void exchange(Blending blending, int first, int second, Real given) {
 
 std::vector<BlendedGroup>& GroupBlend::reset(const CliqueLists& cliques) {
   int last = 0;
-  for (const std::vector<int>& clique : cliques) last = std::max(last, clique.back());
+  areAlone_ = true;
+  for (const std::vector<int>& clique : cliques) {
+    last = std::max(last, clique.back());
+    areAlone_ = areAlone_ && clique.size() == 1;
+  }
   groups_.assign(toIndex(last + 1), {});
   return groups_;
+}
+
+void GroupBlend::levelShares(double rate) {
+  const auto softnessOf = [](const BlendedGroup& group) { return std::max(group.softness, 1e-12 * group.sum); };
+  const auto aboveOf = [&](const BlendedGroup& group) { return group.sum + 0.5 * softnessOf(group) - rate; };
+  double shares = 0.0;
+  int holders = 0;
+  for (std::size_t step = 0; step <= groups_.size(); ++step) {
+    shares = 0.0;
+    holders = 0;
+    double fall = 0.0;
+    for (const BlendedGroup& group : groups_) {
+      const double above = aboveOf(group);
+      if (above <= 0.0) continue;
+      ++holders;
+      shares += above / softnessOf(group);
+      fall += 1.0 / softnessOf(group);
+    }
+    if (shares <= 1.0 + 1e-13) break;
+    rate += (shares - 1.0) / fall;
+  }
+  for (BlendedGroup& group : groups_) {
+    const double above = std::max(0.0, aboveOf(group));
+    if (above > 0.0) group.share = holders == 1 ? 1.0 : above / (softnessOf(group) * shares);
+    else group.share = 0.0;
+  }
 }
 
 double GroupBlend::settle(const CliqueLists& cliques) {
@@ -94,7 +124,8 @@ double GroupBlend::settle(const CliqueLists& cliques) {
   shares_[highest] = 1.0;
   for (BlendedGroup& group : groups_) group.share = 0.0;
   for (const int group : cliques[highest]) at(groups_, group).share = 1.0;
-  if (others > 0) in_double::settleShares({cliques, groups_, shares_}, kSettled * largest, true);
+  if (others > 0 && areAlone_) levelShares(surely);
+  else if (others > 0) in_double::settleShares({cliques, groups_, shares_}, kSettled * largest, true);
   double out = 0.0;
   for (const BlendedGroup& group : groups_) out += in_double::softPart(group.sum, group.softness, group.share);
   return out;

@@ -25,7 +25,14 @@ class GroupBlend {
   double settle(const CliqueLists& cliques);
 
  private:
+  /// For cliques of one group each. Where F is largest, a share changes it as much for every group that has one: by
+  /// rate = x + y / 2 - y share. The sum of the shares falls with the rate, by straight pieces that get less steep, so
+  /// Newton's steps from below end at the rate for 1.
+  /// @param rate  the largest x - y / 2
+  void levelShares(double rate);
+
   std::vector<BlendedGroup> groups_;
+  bool areAlone_ = true;        ///< Every clique is one group.
   std::vector<double> shares_;  ///< Of each clique; negative: it certainly has none.
 };
 
