@@ -32,6 +32,9 @@ std::optional<std::string> poseMuscles(const std::shared_ptr<const Preparation>&
   const bool plain =
       std::ranges::all_of(out.field.primitives, [](const PosedPrimitive& one) { return one.influence.isPlain(); });
   if (!plain && !preparation->swells()) return "in replace, a muscle is not a plain ellipsoid";
+  const bool soft =
+      std::ranges::any_of(out.field.primitives, [](const PosedPrimitive& one) { return one.groove > 0.0f; });
+  if (soft) return "grooves between muscles are soft";
   return std::nullopt;
 }
 
