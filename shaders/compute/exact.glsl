@@ -53,7 +53,7 @@ void gatherTerms(vec3 from, vec3 direction) {
 // phi at t, and its slope.
 dvec2 sampleExact(double t) {
   dvec2 everywhere = dvec2(double(-iso), 0.0lf), best = dvec2(0.0lf);
-  for (int k = 0; k < cliqueCount; ++k) {
+  for (int k = 0; k < cliquesSeen; ++k) {
     dvec2 sum = dvec2(0.0lf);
     for (int i = 0; i < exactCount; ++i) {
       bool always = exact[i].slot == kEverySum;
@@ -194,10 +194,10 @@ double firstFall(Quartic q, double from, double within) {
 // Where the largest of the cliques' sums falls to 0: follows one until it falls, then whichever still stands.
 double firstFallOfMaximum(double begin, double end, double within) {
   double u = 0.0lf;
-  for (int change = 0; change <= 4 * cliqueCount; ++change) {
+  for (int change = 0; change <= 4 * cliquesSeen; ++change) {
     int highest = 0;
     double most = valueAt(cliqueOn(0, begin, end, 1.0lf), u);
-    for (int k = 1; k < cliqueCount; ++k) {
+    for (int k = 1; k < cliquesSeen; ++k) {
       double value = valueAt(cliqueOn(k, begin, end, 1.0lf), u);
       if (value > most) highest = k;
       most = max(most, value);
@@ -207,7 +207,7 @@ double firstFallOfMaximum(double begin, double end, double within) {
     if (fall == kNone) return kNone;
     u = max(fall, u);
     bool anotherStands = false;
-    for (int k = 0; k < cliqueCount; ++k) {
+    for (int k = 0; k < cliquesSeen; ++k) {
       anotherStands = anotherStands || (k != highest && valueAt(cliqueOn(k, begin, end, 1.0lf), u) > 1e-12lf);
     }
     if (!anotherStands) return u;
@@ -218,7 +218,7 @@ double firstFallOfMaximum(double begin, double end, double within) {
 // phi < 0 at the start: the first of the sums that reaches 0.
 double firstFallOfAny(double begin, double end, double within) {
   double first = kNone;
-  for (int k = 0; k < cliqueCount; ++k) {
+  for (int k = 0; k < cliquesSeen; ++k) {
     double fall = firstFall(cliqueOn(k, begin, end, -1.0lf), 0.0lf, within);
     if (fall != kNone && (first == kNone || fall < first)) first = fall;
   }

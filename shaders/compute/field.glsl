@@ -17,6 +17,7 @@ struct Primitive {
   vec4 section;    // nu S(y) = x + y y; z: half the core; w: 1 / the end's length.
   vec4 low;        // A box around the influence; w: 1: it is no ellipsoid.
   vec4 high;       // w: mean radius, of an ellipsoid too.
+  vec4 groove;     // kappa; y: 1: some muscle of the body has one.
 };
 struct Root {
   float way;         // Signed, along the line, before any limit; `replace`: unused.
@@ -36,9 +37,10 @@ layout(std430, binding = 3) readonly buffer Primitives { Primitive primitives[];
 const int kMostCliques = 64;
 const uint kEverySum = 0xffffffffu;  // In place of a slot: counts in every clique.
 
-int firstCandidate, endCandidate, firstClique, cliqueCount;
+int firstCandidate, endCandidate, firstClique, cliquesSeen;
 vec3 corners;        // Weights of the carrier's corners.
 int firstPrimitive;  // Of the body.
+bool softGrooves;    // Cliques share F, instead of the highest having it.
 
 void see(int vertex, int ofBody) {
   int carrier = refined[vertex].place.x;
@@ -48,8 +50,10 @@ void see(int vertex, int ofBody) {
   int sets = 2 * carriers + 1;
   int set = seen[carriers + 1 + carrier];
   firstClique = sets + cliqueSets + 1 + 2 * seen[sets + set];
-  cliqueCount = seen[sets + set + 1] - seen[sets + set];
+  cliquesSeen = seen[sets + set + 1] - seen[sets + set];
   firstPrimitive = ofBody * primitiveCount;
+  bool blends = cliquesSeen > 1 && firstCandidate < endCandidate;
+  softGrooves = blends && primitives[firstPrimitive].groove.y > 0.0;
 }
 
 // A bit a slot.
@@ -68,3 +72,4 @@ bool isShaped(Primitive p) { return p.low.w != 0.0; }
 float strengthOf(Primitive p) { return p.toUnit[0].w; }
 float blendWidthOf(Primitive p) { return p.toUnit[1].w; }
 float meanRadiusOf(Primitive p) { return p.high.w; }
+float grooveOf(Primitive p) { return p.groove.x; }

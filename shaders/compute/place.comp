@@ -10,6 +10,11 @@
 #include "compute/shape.glsl"
 #include "compute/potential.glsl"
 
+const float kSettled = 1e-6;
+#include "compute/blend.glsl"
+#include "core/geometry/formulas/blend.h"
+#include "compute/point.glsl"
+
 struct Vertex {
   vec4 position;  // World; w: the height.
   vec4 normal;

@@ -1,12 +1,13 @@
 // shaders/compute/ray.glsl: the field along a ray, and a bracket around its first change of sign that rounding
 // cannot have moved, in numbers of the type Real. As core/surface/roots/ray_lanes.h, one ray an invocation;
-// docs/performance.md proves it. Needs field.glsl, shape.glsl, formulas up to bounds.h, and of Real: kMostTerms,
+// docs/performance.md proves it. Needs field.glsl, shape.glsl, blend.glsl, formulas up to bounds.h, and of Real: kMostTerms,
 // kMostShapes, kValueRounding, kSlopeRounding, kMostMarches, kMostSteps, kLeastStretch: what is shorter is a root or a
 // touch.
 const float kFar = 1e30;
 
 struct Term {  // w(t) = peak - a (t - middle)^2, f(t) = factor g.
   Real a, middle, peak, factor;
+  float groove;
   uint slot;
   int shape;  // Index of the line through the shape that is meant instead; -1: an ellipsoid.
 };
@@ -54,10 +55,16 @@ bool addShape(int primitive, Primitive p, Real3 y, Real3 yd, Real factor, uint s
   if (termCount == kMostTerms || shapeCount == kMostShapes) return false;
   line.turnX = turnOf(yd.x, p.bendCurve.z, line.point.y, yd.y);
   line.turnZ = turnOf(yd.z, p.bendCurve.w, line.point.y, yd.y);
-  terms[termCount++] = Term(Real(0.0), middle, Real(0.0), factor, slot, shapeCount);
+  terms[termCount++] = Term(Real(0.0), middle, Real(0.0), factor, grooveOf(p), slot, shapeCount);
   shapePrimitives[shapeCount] = primitive;
   shapeLines[shapeCount++] = line;
   return true;
+}
+
+void blendTerms() {
+  uvec2 slots = uvec2(0u);
+  for (int i = 0; i < termCount; ++i) slots |= terms[i].slot == kEverySum ? uvec2(0u) : setOf(terms[i].slot);
+  blendAmong(slots);
 }
 
 // False: there are too many.
@@ -88,8 +95,9 @@ bool fillTerms(vec3 from, vec3 d) {
     Real a = scale * squared;
     if (!(peak > 0.0) || !(middle > 0.0 || peak - a * middle * middle > 0.0)) continue;
     fits = fits && termCount < kMostTerms;
-    if (fits) terms[termCount++] = Term(a, middle, peak, skin.sense * factor, slot, -1);
+    if (fits) terms[termCount++] = Term(a, middle, peak, skin.sense * factor, grooveOf(p), slot, -1);
   }
+  if (softGrooves) blendTerms();
   return fits;
 }
 
@@ -103,10 +111,32 @@ Sample potentialAt(Term term, Real t) {
   return Sample(max(Real(0.0), 1.0 - shapeRSquared(at)), dot(shapeHalfSlope(shape, at), line.along));
 }
 
+// With soft grooves.
+Sample sampleSoftRay(Real t) {
+  Real slopes[kMostTerms];
+  Sample psi = Sample(skinValue(skin, t), skinSlope(skin, t));
+  clearGroups();
+  for (int i = 0; i < termCount; ++i) {
+    Sample at = potentialAt(terms[i], t);
+    Real value = potential(terms[i].factor, at.value);
+    slopes[i] = terms[i].factor * potentialRate(at.value) * at.slope;
+    if (terms[i].slot == kEverySum) psi.value += value;
+    else if (at.value > 0.0) addToGroup(terms[i].slot, skin.sense * value, terms[i].groove);
+  }
+  psi.value += skin.sense * settleGroups();
+  for (int i = 0; i < termCount; ++i) {
+    if (terms[i].slot == kEverySum) psi.slope += slopes[i];
+    else if (slopes[i] != 0.0) psi.slope += slopes[i] * countedOf(terms[i].slot, terms[i].groove);
+  }
+  psi.slope *= -4.0;
+  return psi;
+}
+
 // psi and its slope.
 Sample sampleRay(Real t) {
+  if (softGrooves) return sampleSoftRay(t);
   Sample everywhere = Sample(Real(0.0), Real(0.0)), best = everywhere;
-  for (int k = 0; k < cliqueCount; ++k) {
+  for (int k = 0; k < cliquesSeen; ++k) {
     uvec2 clique = cliqueAt(k);
     Sample sum = Sample(Real(0.0), Real(0.0));
     for (int i = 0; i < termCount; ++i) {
@@ -142,11 +172,18 @@ struct Bounds {
   Real atEnd;
 };
 
-Bounds boundsOf(Real t0, Real t1) {
-  Bounds all;  // Of carves; magnitudes of everything.
+// Of the terms, slopes divided by 4: those that count everywhere, with the magnitudes of all, and what the cliques make
+// of theirs.
+struct TermSums {
+  Bounds everywhere;
+  Bounds together;
+};
+
+TermSums crispSumsOf(Real t0, Real t1) {
+  Bounds all;
   all.value = all.maxSlope = all.minSlope = all.values = all.slopes = all.atEnd = Real(0.0);
   Real value = Real(-kFar), atEnd = Real(-kFar), maxSlope = Real(-kFar), minSlope = Real(kFar);
-  for (int k = 0; k < cliqueCount; ++k) {
+  for (int k = 0; k < cliquesSeen; ++k) {
     uvec2 clique = cliqueAt(k);
     Real sumLow = Real(0.0), sumEnd = Real(0.0), sumMax = Real(0.0), sumMin = Real(0.0);
     for (int i = 0; i < termCount; ++i) {
@@ -174,9 +211,95 @@ Bounds boundsOf(Real t0, Real t1) {
     maxSlope = max(maxSlope, sumMax);
     minSlope = min(minSlope, sumMin);
   }
+  return TermSums(
+      all, Bounds(skin.sense * value, maxSlope, minSlope, Real(0.0), Real(0.0), skin.sense * atEnd));
+}
+
+// F is the largest of the cliques' sums, and with soft grooves up to sum y_j / 8 more: only those that may be the
+// largest somewhere bound the slope.
+Bounds softlyTogether(TermBounds own[kMostTerms]) {
+  bool outward = skin.sense > 0.0;
+  Real surely = Real(-kFar), value = surely, atEnd = surely;  // F is nowhere less than `surely`.
+  for (int k = 0; k < blendedCount; ++k) {
+    uvec2 clique = blended[k];
+    Real low = Real(0.0), high = Real(0.0), end = Real(0.0), softest = Real(0.0);
+    for (int i = 0; i < termCount; ++i) {
+      if (terms[i].slot == kEverySum || !holds(clique, terms[i].slot)) continue;
+      low += own[i].value.low;
+      high += own[i].value.high;
+      end += own[i].atEnd;
+      softest += terms[i].groove * own[i].most;
+    }
+    surely = max(surely, (outward ? low : -high) - 0.5 * softest);
+    value = max(value, skin.sense * low);
+    atEnd = max(atEnd, skin.sense * end);
+  }
+  Real maxSlope = Real(-kFar), minSlope = Real(kFar);
+  int mayWin = 0;
+  for (int k = 0; k < blendedCount; ++k) {
+    uvec2 clique = blended[k];
+    Real most = Real(0.0), softest = Real(0.0), sumMax = Real(0.0), sumMin = Real(0.0);
+    for (int i = 0; i < termCount; ++i) {
+      if (terms[i].slot == kEverySum || !holds(clique, terms[i].slot)) continue;
+      most += outward ? own[i].value.high : -own[i].value.low;
+      softest += terms[i].groove * own[i].most;
+      sumMax += own[i].slope.high;
+      sumMin += own[i].slope.low;
+    }
+    if (most + 0.5 * softest < surely) continue;
+    ++mayWin;
+    maxSlope = max(maxSlope, sumMax);
+    minSlope = min(minSlope, sumMin);
+  }
+  if (mayWin > 1) {
+    clearGroups();
+    for (int i = 0; i < termCount; ++i) {
+      if (terms[i].slot == kEverySum) continue;
+      if (own[i].atEnd != 0.0) addToGroup(terms[i].slot, skin.sense * own[i].atEnd, terms[i].groove);
+      if (!outward) value += 0.125 * terms[i].groove * own[i].most;
+    }
+    atEnd = settleGroups();
+    for (uvec2 slots = blendedSlots; holdsAny(slots);) {
+      uint slot = uint(takeSlot(slots));
+      Real rise = Real(0.0), fall = Real(0.0);
+      for (int i = 0; i < termCount; ++i) {
+        if (terms[i].slot != slot) continue;
+        rise += terms[i].groove * own[i].slope.high;
+        fall += terms[i].groove * own[i].slope.low;
+      }
+      maxSlope += 0.125 * max(Real(0.0), rise);
+      minSlope += 0.125 * min(Real(0.0), fall);
+    }
+  }
+  return Bounds(skin.sense * value, maxSlope, minSlope, Real(0.0), Real(0.0), skin.sense * atEnd);
+}
+
+TermSums softSumsOf(Real t0, Real t1) {
+  TermBounds own[kMostTerms];
+  Bounds all;
+  all.value = all.maxSlope = all.minSlope = all.values = all.slopes = all.atEnd = Real(0.0);
+  for (int i = 0; i < termCount; ++i) {
+    own[i] = termBounds(terms[i].factor, boundsOf(terms[i], t0, t1));
+    all.values += own[i].most;
+    all.slopes += max(abs(own[i].slope.high), abs(own[i].slope.low));
+    if (terms[i].slot != kEverySum) continue;
+    all.value += own[i].value.low;
+    all.atEnd += own[i].atEnd;
+    all.maxSlope += own[i].slope.high;
+    all.minSlope += own[i].slope.low;
+  }
+  return TermSums(all, softlyTogether(own));
+}
+
+Bounds boundsOf(Real t0, Real t1) {
+  TermSums sums;
+  if (softGrooves) sums = softSumsOf(t0, t1);
+  else sums = crispSumsOf(t0, t1);
+  Bounds all = sums.everywhere, together = sums.together;
   Real ofSkin = skinValue(skin, t1);
-  Bounds psi = Bounds(ofSkin + all.value + skin.sense * value, all.maxSlope + maxSlope, all.minSlope + minSlope,
-                      all.values + abs(ofSkin), all.slopes, ofSkin + all.atEnd + skin.sense * atEnd);
+  Bounds psi = Bounds(ofSkin + all.value + together.value, all.maxSlope + together.maxSlope,
+                      all.minSlope + together.minSlope, all.values + abs(ofSkin), all.slopes,
+                      ofSkin + all.atEnd + together.atEnd);
   Range radius = rangeOf(skinRadius(skin, t0), skinRadius(skin, t1));
   Range rate = rangeOf(skinRate(skin, t0), skinRate(skin, t1));
   Real fall = skin.inverseWidth * radius.high * rate.high;
@@ -234,7 +357,10 @@ void march(Real to, Real end, bool endsBelow, int stretches, inout Search search
       search = Search(low, high, true, false);
       return;
     }
-    bool clear = bounds.value > kValueRounding * bounds.values;
+    // With soft grooves the bound of the value alone does not become tight where stretches get short.
+    Real least = bounds.value;
+    if (softGrooves) least = max(least, bounds.atEnd - max(Real(0.0), bounds.maxSlope) * stretch);
+    bool clear = least > kValueRounding * bounds.values;
     bool passes = clear || bounds.minSlope >= enough || (falls && bounds.atEnd > 0.0);
     if (stretch > kLeastStretch && !passes) {
       high = low + 0.5 * stretch;

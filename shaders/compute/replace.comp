@@ -9,6 +9,11 @@
 #include "core/geometry/formulas/rise.h"
 #include "compute/shape.glsl"
 #include "compute/potential.glsl"
+
+const float kSettled = 1e-6;
+#include "compute/blend.glsl"
+#include "core/geometry/formulas/blend.h"
+#include "compute/point.glsl"
 #include "compute/exact.glsl"
 
 struct Vertex {

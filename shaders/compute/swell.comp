@@ -11,6 +11,10 @@
 #include "compute/shape.glsl"
 #include "compute/potential.glsl"
 
+const float kSettled = 1e-6;
+#include "compute/blend.glsl"
+#include "core/geometry/formulas/blend.h"
+
 const int kMostTerms = 24, kMostShapes = 8;  // More along one ray: it has no certificate.
 const float kValueRounding = 1e-5, kSlopeRounding = 1e-3, kLeastStretch = 0.0;
 const int kMostMarches = 20, kMostSteps = 24;
@@ -32,7 +36,8 @@ layout(std430, binding = 6) writeonly buffer Roots { Root roots[]; };
 vec3 skinAt(vec3 p) {
   float carved = 0.0, shares = 0.0, widths = 0.0, radii = 0.0;
   float sums[kMostCliques];
-  for (int k = 0; k < cliqueCount; ++k) sums[k] = 0.0;
+  for (int k = 0; k < cliquesSeen; ++k) sums[k] = 0.0;
+  if (softGrooves) clearGroups();
   for (int i = firstCandidate; i < endCandidate; ++i) {
     Candidate c = candidates[i];
     Primitive muscle = primitives[firstPrimitive + c.primitive];
@@ -47,12 +52,20 @@ vec3 skinAt(vec3 p) {
       carved += value;
       continue;
     }
-    for (int k = 0; k < cliqueCount; ++k) {
+    if (softGrooves) {
+      addToGroup(c.slot, value, grooveOf(muscle));
+      continue;
+    }
+    for (int k = 0; k < cliquesSeen; ++k) {
       if (holds(cliqueAt(k), c.slot)) sums[k] += value;
     }
   }
   float together = 0.0;
-  for (int k = 0; k < cliqueCount; ++k) together = max(together, sums[k]);
+  for (int k = 0; k < cliquesSeen; ++k) together = max(together, sums[k]);
+  if (softGrooves) {
+    blendAmong(groupSlots);
+    together = settleGroups();
+  }
   return vec3(together + carved, widths / shares, radii / shares);
 }
 
@@ -80,6 +93,8 @@ void main() {
     bool slowly = known && steep < way && boundsOf(steep, way).maxSlope > -sigma;
     if (known) height = sense * (slowly ? heightBelowOverhangs(0, way, sigma, here.y, true) : way);
   }
-  roots[at] = Root(sense * way, here.x, here.y, known ? kFound : meetsShape ? kUnsureShaped : kUnsure, height);
+  // Bounds serve soft grooves and any shape; swell_exact.comp knows maxima of quartics only.
+  int unsureState = meetsShape || softGrooves ? kUnsureShaped : kUnsure;
+  roots[at] = Root(sense * way, here.x, here.y, known ? kFound : unsureState, height);
   if (!known) leaveUnsure(uint(at));
 }

@@ -1,6 +1,6 @@
 #version 450 core
-// shaders/compute/swell_shaped.comp: the listed vertices whose rays may meet a muscle that is no ellipsoid: the
-// bounds of swell.comp in double precision, halved until they tell.
+// shaders/compute/swell_shaped.comp: the listed vertices whose rays may meet a muscle that is no ellipsoid, or with
+// soft grooves: the bounds of swell.comp in double precision, halved until they tell.
 #include "compute/items.glsl"
 #include "compute/field.glsl"
 
@@ -11,6 +11,10 @@
 #include "core/geometry/formulas/shape.h"
 #include "core/geometry/formulas/bounds.h"
 #include "compute/shape.glsl"
+
+const double kSettled = 1e-7lf;  // F errs by its square.
+#include "compute/blend.glsl"
+#include "core/geometry/formulas/blend.h"
 
 const int kMostTerms = 96, kMostShapes = 96;  // No place of the skin sees more, or the surface is the processor's.
 const double kValueRounding = 1e-13lf, kSlopeRounding = 1e-11lf;

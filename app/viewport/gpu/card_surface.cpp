@@ -74,9 +74,11 @@ std::optional<std::string> leftToProcessor(const Preparation& preparation, int b
   if (!preparation.swells() && preparation.poser->drivesMuscles()) {
     return "in replace, keys or drivers change muscles";
   }
+  if (!preparation.swells() && preparation.poser->drawn().grooves > 0.0f) {
+    return "in replace, grooves between muscles are soft";
+  }
   if (preparation.layered && preparation.layered->layers.hasCloth()) return "the character wears cloth";
   if (preparation.refined->creased) return "the surface has creases";
-  if (preparation.poser->drawn().grooves > 0.0f) return "grooves between muscles are soft";
   if (bodies > 1 && !preparation.character().morphTargets.empty()) return "a crowd's bodies have morph targets";
   return tooMany(*preparation.seen);
 }

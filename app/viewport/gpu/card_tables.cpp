@@ -34,7 +34,7 @@ std::optional<std::string> poseMuscles(const std::shared_ptr<const Preparation>&
   if (!plain && !preparation->swells()) return "in replace, a muscle is not a plain ellipsoid";
   const bool soft =
       std::ranges::any_of(out.field.primitives, [](const PosedPrimitive& one) { return one.groove > 0.0f; });
-  if (soft) return "grooves between muscles are soft";
+  if (soft && !preparation->swells()) return "in replace, grooves between muscles are soft";
   return std::nullopt;
 }
 
@@ -47,6 +47,7 @@ void fillMatrices(const Preparation& preparation, const Pose& pose, std::span<gl
 
 void fillPrimitives(const Preparation& preparation, const PosedField& field, std::span<card::Primitive> out) {
   const float blendWidth = swellSettings(preparation, field.rig->numbers.skinBlend).blendWidth;
+  const bool soft = std::ranges::any_of(field.primitives, [](const PosedPrimitive& one) { return one.groove > 0.0f; });
   for (std::size_t i = 0; i < field.primitives.size(); ++i) {
     const PosedPrimitive& muscle = field.primitives[i];
     const UnitBallMap& ball = muscle.influence;
@@ -57,7 +58,8 @@ void fillPrimitives(const Preparation& preparation, const PosedField& field, std
         {},
         {},
         {},
-        {0.0f, 0.0f, 0.0f, muscle.meanRadius}};
+        {0.0f, 0.0f, 0.0f, muscle.meanRadius},
+        {muscle.groove, soft ? 1.0f : 0.0f, 0.0f, 0.0f}};
     if (!ball.isPlain()) fillShape(ball.shape, out[i]);
   }
 }

@@ -58,8 +58,9 @@ struct Primitive {
   glm::vec4 section{0.0f};  ///< lateral, taper, core, inverseEnd
   glm::vec4 low{0.0f};      ///< w: 1 for such a shape.
   glm::vec4 high{0.0f};     ///< w: mean radius, also of ellipsoids.
+  glm::vec4 groove{0.0f};   ///< kappa; 1 if some muscle of the body has one.
 };
-static_assert(sizeof(Primitive) == 128);
+static_assert(sizeof(Primitive) == 144);
 
 struct Ring {
   std::int32_t begin = 0, end = 0;                ///< Neighbors.

@@ -2,6 +2,7 @@
 #include "app/viewport/gpu/card_surface.h"
 
 #include <algorithm>
+#include <array>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -90,7 +91,6 @@ TEST_F(GpuSurface, MatchesTheProcessorOnMuscleSets) {
     const Preset preset = loadPreset(file).value();
     scene.rig = fitPreset({}, preset, {}, *scene.character, makeMirrorPlan(*scene.character)).value().rig;
     scene.rig.smoothing.detail = DetailKind::kAdaptive;
-    scene.rig.surface.grooves = 0.0f;
     EXPECT_GT(scene.rig.groups.size(), 25u) << name;
     (void)compare(scene, spreadPoses(*scene.character, moments(1)));
   }
@@ -114,6 +114,51 @@ TEST_F(GpuSurface, MatchesTheProcessorOnRandomRigs) {
       rig.surface.mode = SurfaceMode::kSwell;
       const std::string name = (shapedChance > 0.0f ? "shapes, seed " : "seed ") + std::to_string(seed);
       unsure += compare({name, character, rig}, {randomPose(character->skeleton, 0.6f, 0.3f, seed)}).unsure;
+    }
+    EXPECT_GT(unsure, 0) << "the path in double precision is not tried";
+  }
+}
+
+/// Grooves of new documents, and wide ones.
+constexpr std::array kGrooves{0.015f, 0.05f};
+
+std::string softName(const std::string& name, float grooves) {
+  return name + ", grooves " + std::to_string(grooves).substr(0, 5);
+}
+
+TEST_F(GpuSurface, MatchesTheProcessorWithSoftGrooves) {
+  for (const float grooves : kGrooves) {
+    for (const char* name : {"humanoid", "tangle", "horse-flex"}) {
+      TrialScene scene = bundledTrialScene(name);
+      scene.rig.surface.grooves = grooves;
+      scene.name = softName(name, grooves);
+      (void)compare(scene, spreadPoses(*scene.character, moments(1)));
+    }
+  }
+}
+
+// Groups none of which or some of which are linked, carves, muscles of any shape.
+TEST_F(GpuSurface, MatchesTheProcessorOnRandomRigsWithSoftGrooves) {
+  const auto character = makeTwoLegged();
+  for (const float grooves : kGrooves) {
+    int unsure = 0;
+    for (std::uint64_t seed = 0; seed < 12; ++seed) {
+      RigRecipe recipe = seed % 2 == 0 ? RigRecipe{} : kShortReach;
+      recipe.groups = 2 + static_cast<int>(seed % 7);
+      recipe.linkChance = seed % 4 == 0 ? 0.0f : 0.4f;
+      recipe.carveChance = 0.2f;
+      recipe.primitives = 24;
+      const bool shaped = seed % 3 == 1;
+      recipe.shapedChance = shaped ? 1.0f : 0.0f;
+      Rig rig = randomRig(*character, recipe, seed);
+      rig.smoothing.depth = 4;
+      rig.smoothing.detail = DetailKind::kUniform;
+      rig.surface.mode = SurfaceMode::kSwell;
+      rig.surface.grooves = grooves;
+      const char* const kind = shaped ? "shapes, seed " : "seed ";
+      unsure += compare({softName(kind + std::to_string(seed), grooves), character, rig},
+                        {randomPose(character->skeleton, 0.6f, 0.3f, seed)})
+                    .unsure;
     }
     EXPECT_GT(unsure, 0) << "the path in double precision is not tried";
   }

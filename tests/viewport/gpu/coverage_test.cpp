@@ -39,6 +39,12 @@ TEST(GpuCoverage, GivesTheReasonForTheProcessor) {
   scene.rig.smoothing.creaseAngle = 10.0f;
   EXPECT_EQ(reasonOf(scene), "the surface has creases");
 
+  scene.rig.smoothing.creaseAngle = kDefaultCreaseAngle;
+  scene.rig.surface.grooves = 0.015f;
+  EXPECT_EQ(reasonOf(scene), "") << "swell";
+  scene.rig = withMode(scene.rig, SurfaceMode::kReplace);
+  EXPECT_EQ(reasonOf(scene), "in replace, grooves between muscles are soft");
+
   EXPECT_EQ(reasonOf({"", dressedHumanoid(), bundledTrialScene("humanoid").rig}), "the character wears cloth");
 
   RigRecipe crowded;
