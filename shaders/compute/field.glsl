@@ -40,7 +40,12 @@ const uint kEverySum = 0xffffffffu;  // In place of a slot: counts in every cliq
 int firstCandidate, endCandidate, firstClique, cliquesSeen;
 vec3 corners;        // Weights of the carrier's corners.
 int firstPrimitive;  // Of the body.
-bool softGrooves;    // Cliques share F, instead of the highest having it.
+// Cliques share F, instead of the highest having it. Without SOFT the compiler leaves out what that takes.
+#ifdef SOFT
+bool softGrooves;
+#else
+const bool softGrooves = false;
+#endif
 
 void see(int vertex, int ofBody) {
   int carrier = refined[vertex].place.x;
@@ -52,8 +57,10 @@ void see(int vertex, int ofBody) {
   firstClique = sets + cliqueSets + 1 + 2 * seen[sets + set];
   cliquesSeen = seen[sets + set + 1] - seen[sets + set];
   firstPrimitive = ofBody * primitiveCount;
+#ifdef SOFT
   bool blends = cliquesSeen > 1 && firstCandidate < endCandidate;
   softGrooves = blends && primitives[firstPrimitive].groove.y > 0.0;
+#endif
 }
 
 // A bit a slot.

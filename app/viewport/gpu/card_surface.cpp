@@ -17,6 +17,7 @@ namespace {
 constexpr std::array<const char*, kStages> kFiles{
     "shaders/compute/skin.comp",         "shaders/compute/patch.comp",       "shaders/compute/patch.comp",
     "shaders/compute/replace.comp",      "shaders/compute/swell.comp",       "shaders/compute/swell_exact.comp",
+    "shaders/compute/swell_shaped.comp", "shaders/compute/place.comp",       "shaders/compute/swell.comp",
     "shaders/compute/swell_shaped.comp", "shaders/compute/place.comp",       "shaders/compute/near.comp",
     "shaders/compute/crease_front.comp", "shaders/compute/crease.comp",      "shaders/compute/slope.comp",
     "shaders/compute/lower.comp",        "shaders/compute/bend.comp",        "shaders/compute/weigh.comp",
@@ -32,8 +33,10 @@ Result<StagePrograms> StagePrograms::create() {
   if (epoxy_gl_version() < 45) return Error{"", "", "the graphics driver does not offer OpenGL 4.5: " + rendererName()};
   StagePrograms programs;
   for (std::size_t i = 0; i < kStages; ++i) {
-    const bool flat = static_cast<Stage>(i) == Stage::kFlatPatch;
-    Result<GlProgram> program = GlProgram::load({kFiles[i]}, {flat ? "REPLACE" : "SWELL"});
+    const auto stage = static_cast<Stage>(i);
+    std::vector<const char*> defines{stage == Stage::kFlatPatch ? "REPLACE" : "SWELL"};
+    if (stage >= Stage::kSoftSwell && stage <= Stage::kSoftPlace) defines.push_back("SOFT");
+    Result<GlProgram> program = GlProgram::load({kFiles[i]}, defines);
     if (!program) return program.error();
     programs.programs_[i] = std::move(program).value();
   }
@@ -297,10 +300,14 @@ void CardSurface::findRoots() const {
   constexpr card::ListHead kEmpty;
   glClearNamedBufferSubData(of(Buffer::kUnsure).id(), GL_RGBA32UI, 0, sizeof kEmpty, GL_RGBA_INTEGER, GL_UNSIGNED_INT,
                             &kEmpty);
-  run(Stage::kSwell, vertices, {kRefined, kSeen, kCandidates, kPrimitives, kLines, kUnsure, kRoots});
+  const bool soft = std::ranges::any_of(primitives_, [](const card::Primitive& one) { return one.groove.x > 0.0f; });
+  run(soft ? Stage::kSoftSwell : Stage::kSwell, vertices,
+      {kRefined, kSeen, kCandidates, kPrimitives, kLines, kUnsure, kRoots});
   runListed(Stage::kSwellExact, {kRefined, kSeen, kCandidates, kPrimitives, kLines, kUnsure, kRoots});
-  runListed(Stage::kSwellShaped, {kRefined, kSeen, kCandidates, kPrimitives, kLines, kUnsure, kRoots});
-  run(Stage::kPlace, vertices, {kRefined, kSeen, kCandidates, kPrimitives, kLines, kRoots, kSurface});
+  runListed(soft ? Stage::kSoftSwellShaped : Stage::kSwellShaped,
+            {kRefined, kSeen, kCandidates, kPrimitives, kLines, kUnsure, kRoots});
+  run(soft ? Stage::kSoftPlace : Stage::kPlace, vertices,
+      {kRefined, kSeen, kCandidates, kPrimitives, kLines, kRoots, kSurface});
 }
 
 void CardSurface::boundHeights() const {

@@ -30,6 +30,9 @@ enum class Stage {
   kSwellExact,
   kSwellShaped,
   kPlace,
+  kSoftSwell,  ///< The same with soft grooves.
+  kSoftSwellShaped,
+  kSoftPlace,
   kNear,
   kCreaseFront,
   kCrease,
