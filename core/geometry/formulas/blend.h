@@ -1,5 +1,5 @@
-// core/geometry/formulas/blend.h: shares of cliques for soft grooves (docs/design.md, Grooves). Needs a type Blending and
-// for it cliqueCount(), shareOf() of a clique, exchangeOf() and exchange() of two.
+// core/geometry/formulas/blend.h: shares of cliques for soft grooves (docs/design.md, Grooves). Needs a type Blending
+// and for it cliqueCount(), shareOf() of a clique, exchangeOf() and exchange() of two.
 
 /// What the second gives; negative: takes.
 formula Real givenShare(Exchange of, Real first, Real second) {

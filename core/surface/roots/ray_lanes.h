@@ -187,7 +187,7 @@ class RayLanes {
     const V to = hn::Min(rise.to, rise.end);
     search.low = select(open, from, search.low);
     search.high = select(open, to, search.high);
-    march(to, rise.end, outward, 20, open, search);  // Outwards, psi is -T at the end.
+    march(to, rise.end, outward, cliques_.soft ? 40 : 20, open, search);  // Outwards, psi is -T at the end.
     return search;
   }
 

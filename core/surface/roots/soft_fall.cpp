@@ -7,13 +7,11 @@
 
 #include "core/geometry/at.h"
 #include "core/geometry/formulas.h"
+#include "core/surface/roots/isolation.h"
 
 namespace sinew {
 namespace {
 
-constexpr int kMostHalvings = 40;  ///< Two roots closer than 1e-12 of the interval are a touch.
-constexpr int kMostNewtonSteps = 60;
-constexpr int kBisectionHalvings = 8;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// Bounds of a number.
@@ -172,11 +170,12 @@ class SoftFall {
       (value > 0.0 ? above : below) = value;
     };
     if (solver_ == BracketSolver::kBisection) {
-      for (int i = 0; i < kBisectionHalvings; ++i) narrow(0.5 * (low + high), valueAt(level, 0.5 * (low + high)).value);
+      for (int i = 0; i < isolation::kBisectionHalvings; ++i)
+        narrow(0.5 * (low + high), valueAt(level, 0.5 * (low + high)).value);
       return secant();
     }
     double u = secant();
-    for (int step = 0; step < kMostNewtonSteps; ++step) {
+    for (int step = 0; step < isolation::kMostNewtonSteps; ++step) {
       const ValueAndSlope here = valueAt(level, u);
       narrow(u, here.value);
       double next = u - here.value / here.slope;
@@ -198,7 +197,7 @@ class SoftFall {
 
 std::optional<double> firstSoftFall(const CliqueLists& cliques, double sense, double tolerance, BracketSolver solver,
                                     SoftFallScratch& scratch) {
-  return SoftFall(cliques, sense, tolerance, solver, scratch).find(0, kMostHalvings, 0.0, 1.0);
+  return SoftFall(cliques, sense, tolerance, solver, scratch).find(0, isolation::kMostHalvings, 0.0, 1.0);
 }
 
 }  // namespace sinew
