@@ -1,6 +1,7 @@
 // core/rig/field.h: the blending graph of groups, and the field F of posed primitives with its gradient.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <optional>
 #include <span>
@@ -61,6 +62,10 @@ struct PosedPrimitive {
   float groove = 0.0f;      ///< kappa, 0..2: how soft a groove it has beside muscles of other cliques.
 };
 
+[[nodiscard]] inline bool haveSoftGrooves(std::span<const PosedPrimitive> primitives) {
+  return std::ranges::any_of(primitives, [](const PosedPrimitive& one) { return one.groove > 0.0f; });
+}
+
 /// A primitive at one place of the skin.
 struct Candidate {
   int primitive = 0;
@@ -74,10 +79,9 @@ struct FieldSample {
   glm::vec3 gradient{0.0f};  ///< Per character unit, world space.
 };
 
-/// With crisp grooves grad F is that of the highest clique, or a mean of two that tie. kTie: difference to the highest
-/// clique below which another counts in the gradient, the more the nearer it is; if there are several, the one that
-/// changes the gradient most. Otherwise rounding would decide on the line between mirrored muscles, where the sums of
-/// both sides are equal.
+/// With crisp grooves, difference to the highest clique below which another counts in the gradient, the more the nearer
+/// it is; if there are several, the one that changes the gradient most. Otherwise rounding would decide on the line
+/// between mirrored muscles, where the sums of both sides are equal.
 inline constexpr float kTie = 1e-4f;
 
 /// Memory that is reused from point to point. One per thread.

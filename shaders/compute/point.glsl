@@ -41,12 +41,9 @@ vec4 fieldAt(vec3 x) {
   for (int i = firstCandidate; i < endCandidate; ++i) {
     Candidate c = candidates[i];
     Primitive p = primitives[firstPrimitive + c.primitive];
-    float weight = weightOf(c);
-    float w = 1.0 - rSquaredAt(p, x - p.center.xyz);
-    if (!(weight > 0.0) || !(w > 0.0) || p.center.w == 0.0) continue;
-    float factor = strengthOf(p) * weight;
-    vec4 part = vec4(potential(factor, w), -4.0 * factor * potentialRate(w) * halfSlopeAt(p, x - p.center.xyz));
-    if (factor < 0.0) {
+    vec4 part = partAt(c, p, x);
+    if (part == vec4(0.0)) continue;
+    if (strengthOf(p) < 0.0) {
       carved += part;
       continue;
     }

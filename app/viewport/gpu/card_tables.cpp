@@ -32,9 +32,8 @@ std::optional<std::string> poseMuscles(const std::shared_ptr<const Preparation>&
   const bool plain =
       std::ranges::all_of(out.field.primitives, [](const PosedPrimitive& one) { return one.influence.isPlain(); });
   if (!plain && !preparation->swells()) return "in replace, a muscle is not a plain ellipsoid";
-  const bool soft =
-      std::ranges::any_of(out.field.primitives, [](const PosedPrimitive& one) { return one.groove > 0.0f; });
-  if (soft && !preparation->swells()) return "in replace, grooves between muscles are soft";
+  if (haveSoftGrooves(out.field.primitives) && !preparation->swells())
+    return "in replace, grooves between muscles are soft";
   return std::nullopt;
 }
 
@@ -47,7 +46,7 @@ void fillMatrices(const Preparation& preparation, const Pose& pose, std::span<gl
 
 void fillPrimitives(const Preparation& preparation, const PosedField& field, std::span<card::Primitive> out) {
   const float blendWidth = swellSettings(preparation, field.rig->numbers.skinBlend).blendWidth;
-  const bool soft = std::ranges::any_of(field.primitives, [](const PosedPrimitive& one) { return one.groove > 0.0f; });
+  const bool soft = haveSoftGrooves(field.primitives);
   for (std::size_t i = 0; i < field.primitives.size(); ++i) {
     const PosedPrimitive& muscle = field.primitives[i];
     const UnitBallMap& ball = muscle.influence;

@@ -20,7 +20,7 @@ class TileField {
  protected:
   TileField(const VertexTiles& tiles, const FieldView& field, TileScratch& scratch)
       : tiles_(tiles), field_(field), scratch_(scratch) {
-    soft_ = std::ranges::any_of(field.primitives, [](const PosedPrimitive& one) { return one.groove > 0.0f; });
+    soft_ = haveSoftGrooves(field.primitives);
   }
 
   void start(const VertexTile& tile, std::span<const glm::vec3> positions) {
