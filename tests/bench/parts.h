@@ -44,6 +44,9 @@ struct Report {
 /// How far flat triangles lie off the surface with uniform and with adaptive detail, and what both cost.
 [[nodiscard]] Result<Report> reportDetail(Files files, const Effort& effort);
 
+/// How much of the surface is shaded otherwise than a much finer one. Frames: moments of each clip.
+[[nodiscard]] Result<Report> reportShading(Files files, const Effort& effort);
+
 /// Frames of a drag with adaptive detail, and the frame after it. Frames: muscles; a round is a drag of each.
 [[nodiscard]] Result<Report> reportSettling(Files files, const Effort& effort);
 

@@ -25,7 +25,7 @@ struct Part {
   const char* summary;
   const char* file;    ///< Help of FILE; null: reads none.
   const char* frames;  ///< Help of --frames; null: one file at most, and neither --frames nor --json.
-  const char* rounds;  ///< Help of --rounds.
+  const char* rounds;  ///< Help of --rounds; null: there are none.
   Effort usual;
   Result<Report> (*report)(Files files, const Effort& effort);
   std::vector<const char*> bundled = {};  ///< Where no file is given, these of assets.
@@ -86,6 +86,14 @@ const std::vector<Part> kParts = {
      {1000, 10},
      reportPops,
      {"humanoid.glb", "horse.glb", "humanoid.rig.json", "horse.rig.json", "humanoid-flex.rig.json"}},
+    {"shading",
+     "Measure how much of the surface is shaded otherwise than a much finer one",
+     kRigs,
+     "Moments of each clip (4)",
+     nullptr,
+     {4, 1},
+     reportShading,
+     {"humanoid.rig.json", "humanoid-flex.rig.json", "horse.rig.json", "demo.rig.json"}},
     {"stages",
      "Divide a frame's time among skin, patch, project, folds, normals",
      kRigs,
@@ -129,7 +137,7 @@ void addPart(CLI::App& app, const Part& part, Options& options) {
         ->type_name("FILE.json");
     addNumber(parser, "--frames", options.effort.frames, part.frames);
   }
-  addNumber(parser, "--rounds", options.effort.rounds, part.rounds);
+  if (part.rounds != nullptr) addNumber(parser, "--rounds", options.effort.rounds, part.rounds);
 }
 
 int run(const Part& part, Options options) {
