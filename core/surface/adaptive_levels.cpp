@@ -14,6 +14,7 @@
 #include "core/geometry/parallel.h"
 #include "core/rig/motion_clip.h"
 #include "core/rig/posed_rig.h"
+#include "core/surface/diagonals.h"
 #include "core/surface/patches/levels.h"
 #include "core/surface/patches/sample_points.h"
 #include "core/surface/sampling.h"
@@ -413,15 +414,23 @@ std::shared_ptr<const AdaptiveLevels> findLevels(const Preparation& next, std::s
     out->needed.triangles[t] = triangles[t] != 0 ? 1 : out->needed.triangles[t];
   }
   LevelSearch(next, *out, out->needed).run(std::move(edges), std::move(triangles));
-  if (former) out->checked = former->checked;
+  std::vector<Triangulation> diagonals;
+  if (former) {
+    out->checked = former->checked;
+    diagonals = former->diagonals;
+  }
   out->checked.resize(mesh.triangles.size());
+  diagonals.resize(mesh.triangles.size());
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    if (*(firstTriangle + static_cast<std::ptrdiff_t>(t))) out->checked[t].clear();
+    if (!*(firstTriangle + static_cast<std::ptrdiff_t>(t))) continue;
+    out->checked[t].clear();
+    diagonals[t] = {};
   }
   const float within = kCheckMargin * tolerance * next.character().height;
   RefinementLevels levels = withSides(mesh, out->needed);
   if (next.layers() && next.layers()->hasCloth()) ClothSplitter(next, levels).run();
   out->levels = levelsThatFit(next, out->from.poses, within, std::move(levels), out->checked);
+  out->diagonals = alignedDiagonals(next, out->from.poses, within, out->levels, std::move(diagonals));
   return out;
 }
 

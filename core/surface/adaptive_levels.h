@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/surface/patches/split_triangle.h"
+#include "core/surface/patches/triangulation.h"
 #include "core/surface/preparation.h"
 #include "sinew/character/pose.h"
 #include "sinew/surface/refinement.h"
@@ -55,7 +56,8 @@ struct LevelSources {
 
 /// Levels and their sources: a function of character and rig, not of the pose or of former edits.
 struct AdaptiveLevels {
-  RefinementLevels levels;  ///< Graded (patches/levels.h) and checked.
+  RefinementLevels levels;               ///< Graded (patches/levels.h) and checked.
+  std::vector<Triangulation> diagonals;  ///< [T] alignedDiagonals() at these levels.
 
   // To search again, after an edit, only where it has changed something.
   RefinementLevels needed;  ///< Before grading.

@@ -163,10 +163,12 @@ RefinementLevels inRegion(const ControlMesh& mesh, RefinementLevels levels, cons
 
 Refinement refineBody(const Preparation& next, const ControlMesh& drawn) {
   if (next.region.empty()) {
-    return next.detail ? refine(drawn, next.detail->levels) : refine(drawn, next.smoothing.depth);
+    return next.detail ? refine(drawn, next.detail->levels, next.detail->diagonals)
+                       : refine(drawn, next.smoothing.depth);
   }
   RefinementLevels whole = next.detail ? next.detail->levels : uniformLevels(drawn, next.smoothing.depth);
-  return refine(drawn, inRegion(drawn, std::move(whole), next.region));
+  const RefinementLevels levels = inRegion(drawn, std::move(whole), next.region);
+  return next.detail ? refine(drawn, levels, next.detail->diagonals) : refine(drawn, levels);
 }
 
 std::shared_ptr<const RefinedMesh> refineMesh(const Preparation& next, const Preparation* former) {
@@ -174,7 +176,8 @@ std::shared_ptr<const RefinedMesh> refineMesh(const Preparation& next, const Pre
   const ControlMesh& mesh = tables.character->mesh;
   const std::shared_ptr<const ControlMesh> creased = creasedMesh(mesh, next.smoothing.creaseAngle, former);
   const bool sameLevels = former && former->region == next.region &&
-                          (next.detail ? former->detail && former->detail->levels == next.detail->levels
+                          (next.detail ? former->detail && former->detail->levels == next.detail->levels &&
+                                             former->detail->diagonals == next.detail->diagonals
                                        : !former->detail && former->smoothing.depth == next.smoothing.depth);
   if (sameLevels && former->refined->creased == creased && former->layered == next.layered) return former->refined;
   auto refined = std::make_shared<RefinedMesh>();

@@ -12,6 +12,7 @@
 #include "core/geometry/parallel.h"
 #include "core/surface/patches/levels.h"
 #include "core/surface/patches/sample_points.h"
+#include "core/surface/patches/triangulation.h"
 #include "core/surface/sampling.h"
 
 namespace sinew {
@@ -22,13 +23,6 @@ constexpr int kSplitCheckRounds = 6;
 constexpr int kSplitCheckSamples = 12;  ///< Along each side.
 constexpr std::size_t kMany = 8'000;    ///< Meshes with more triangles, which are small, need fewer samples.
 constexpr int kSplitCheckFewSamples = 6;
-
-SplitLevels splitOf(const ControlMesh& mesh, const RefinementLevels& levels, int t) {
-  SplitLevels out;
-  out.inside = at(levels.triangles, t);
-  for (std::size_t i = 0; i < 3; ++i) out.sides[i] = at(levels.edges, at(mesh.triangles, t).edges[i]);
-  return out;
-}
 
 /// Where a sample lies in a triangle's split.
 struct Located {

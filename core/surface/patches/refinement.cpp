@@ -10,6 +10,7 @@
 #include "core/geometry/index_table.h"
 #include "core/surface/patches/sample_points.h"
 #include "core/surface/patches/split_triangle.h"
+#include "core/surface/patches/triangulation.h"
 #include "sinew/rig/rig.h"
 
 namespace sinew {
@@ -31,8 +32,12 @@ std::vector<int> mostFirst(std::span<const int> begin) {
 /// if both have the same two wedges. docs/design.md, Refinement.
 class Builder {
  public:
-  Builder(const ControlMesh& mesh, const RefinementLevels& levels)
-      : mesh_(mesh), levels_(levels), colored_(hasColors(mesh)), runs_(3 * mesh.triangles.size()) {
+  Builder(const ControlMesh& mesh, const RefinementLevels& levels, std::span<const Triangulation> triangulations)
+      : mesh_(mesh),
+        levels_(levels),
+        triangulations_(triangulations),
+        colored_(hasColors(mesh)),
+        runs_(3 * mesh.triangles.size()) {
     assert(levels.edges.size() == mesh.edges.size() && levels.triangles.size() == mesh.triangles.size());
   }
 
@@ -80,12 +85,8 @@ class Builder {
     const ControlTriangle& triangle = at(mesh_.triangles, t);
     points_.assign(triangle.vertices.begin(), triangle.vertices.end());
     drawPoints_.assign(triangle.wedges.begin(), triangle.wedges.end());
-    SplitLevels levels;
-    levels.inside = at(levels_.triangles, t);
-    for (std::size_t side = 0; side < 3; ++side) {
-      levels.sides[side] = at(levels_.edges, triangle.edges[side]);
-      placeSide(triangle, side);
-    }
+    const SplitLevels levels = splitOf(mesh_, levels_, t);
+    for (std::size_t side = 0; side < 3; ++side) placeSide(triangle, side);
     const auto corner = [&](std::size_t c) { return at(mesh_.positions, triangle.vertices[c]); };
     // Most meshes have one level: all triangles are split alike.
     if (!levels.isUniform() || splitUniformly_ != levels.inside) {
@@ -93,13 +94,21 @@ class Builder {
       splitUniformly_ = levels.isUniform() ? levels.inside : 0;
     }
     placeInside(triangle);
-    for (const std::array<int, 3>& small : split_.triangles()) {
+    const bool isOwn = !triangulations_.empty() && at(triangulations_, t).levels == levels;
+    if (isOwn && !at(triangulations_, t).triangles.empty()) addTriangles(t, at(triangulations_, t).triangles);
+    else addTriangles(t, split_.triangles());
+    out_.triangleBegin.push_back(static_cast<int>(out_.triangles.size()));
+  }
+
+  /// @param small  points of the split
+  void addTriangles(int t, const auto& small) {
+    for (const auto& [a, b, c] : small) {
+      const auto refined = [&](int point) { return at(points_, point); };
       const auto drawn = [&](int point) { return static_cast<std::uint32_t>(at(drawPoints_, point)); };
-      out_.triangles.push_back({at(points_, small[0]), at(points_, small[1]), at(points_, small[2])});
-      out_.drawTriangles.push_back({drawn(small[0]), drawn(small[1]), drawn(small[2])});
+      out_.triangles.push_back({refined(a), refined(b), refined(c)});
+      out_.drawTriangles.push_back({drawn(a), drawn(b), drawn(c)});
       out_.controlOf.push_back(t);
     }
-    out_.triangleBegin.push_back(static_cast<int>(out_.triangles.size()));
   }
 
   void placeSide(const ControlTriangle& triangle, std::size_t side) {
@@ -164,6 +173,7 @@ class Builder {
 
   const ControlMesh& mesh_;
   const RefinementLevels& levels_;
+  std::span<const Triangulation> triangulations_;
   bool colored_ = false;
   Refinement out_;
   IndexTable runs_;  ///< Finds drawRuns by their wedges, which identify the edge.
@@ -182,7 +192,7 @@ RefinementLevels uniformLevels(const ControlMesh& mesh, int depth) {
 
 Refinement refine(const ControlMesh& mesh, int depth) {
   assert(depth >= 1 && depth <= kMaxDepth);
-  Refinement refinement = Builder(mesh, uniformLevels(mesh, depth)).build();
+  Refinement refinement = Builder(mesh, uniformLevels(mesh, depth), {}).build();
   refinement.depth = depth;  // For an empty mesh too.
   return refinement;
 }
@@ -208,7 +218,19 @@ Refinement samplePoints(const ControlMesh& mesh, const RefinementLevels& samples
   return out;
 }
 
-Refinement refine(const ControlMesh& mesh, const RefinementLevels& levels) { return Builder(mesh, levels).build(); }
+Refinement refine(const ControlMesh& mesh, const RefinementLevels& levels) { return refine(mesh, levels, {}); }
+
+Refinement refine(const ControlMesh& mesh, const RefinementLevels& levels,
+                  std::span<const Triangulation> triangulations) {
+  return Builder(mesh, levels, triangulations).build();
+}
+
+SplitLevels splitOf(const ControlMesh& mesh, const RefinementLevels& levels, int triangle) {
+  SplitLevels out;
+  out.inside = at(levels.triangles, triangle);
+  for (std::size_t i = 0; i < 3; ++i) out.sides[i] = at(levels.edges, at(mesh.triangles, triangle).edges[i]);
+  return out;
+}
 
 std::int64_t refinedVertexCount(const ControlMesh& mesh, int depth) {
   const std::int64_t n = depth;
