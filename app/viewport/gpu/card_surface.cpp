@@ -361,9 +361,8 @@ void CardSurface::makeNormals() const {
   constexpr Buffer kTeeth = kBends;
   if (preparation_->softensRims()) {
     constexpr Buffer kRims = kBends;
-    constexpr Buffer kMeans = kFolded;
-    run(Stage::kRims, vertices, {kRings, kNeighbors, kPatches, kSurface, kMarks, kRims, kMeans});
-    run(Stage::kSoften, vertices, {kRings, kNeighbors, kPatches, kSurface, kRims, kMeans});
+    run(Stage::kRims, vertices, {kRings, kNeighbors, kSurface, kMarks, kRims});
+    run(Stage::kSoften, vertices, {kSurface, kRims});
   }
   run(Stage::kHold, vertices, {kRings, kCorners, kTriangles, kPatches, kSurface, kMarks, kTurns});
   run(Stage::kTeeth, vertices, {kRings, kNeighbors, kMarks, kTurns, kTeeth});

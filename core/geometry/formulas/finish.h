@@ -45,16 +45,9 @@ formula Real foldRelaxation(Real weight) { return num(1.5) / max(num(1.0), weigh
 
 // Shading normals. A delta is the field's normal less the patch's.
 
-constant float kMeanFrom = 0.2f;
-/// Where normals differ, the ring's mean replaces a normal in part.  @param apart  largest difference to a neighbor's
-formula Real meanShare(Real apart) { return smoothstep(num(kMeanFrom), num(0.45), apart); }
-constant float kSoftening = 0.8f;  ///< Largest weight of the mean.
-
-constant float kRimFrom = 0.05f;
-/// Weight with which the second difference is taken from deltas at rims.  @param mean  meanShare()
-formula Real rimWeight(Real apart, Real mean) {
-  return num(0.44) * (smoothstep(num(kRimFrom), num(0.2), apart) * (num(1.0) - mean));
-}
+constant float kRimFrom = 0.2f;
+/// Weight of the ring's mean in a normal at a rim.  @param apart  largest difference of normals to a neighbor's
+formula Real rimWeight(Real apart) { return num(0.4) * smoothstep(num(kRimFrom), num(0.45), apart); }
 
 constant float kTeethFrom = 0.22f;
 /// The same where normals alternate from vertex to vertex; 0 where delta is, and continuous from there.

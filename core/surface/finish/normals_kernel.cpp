@@ -170,22 +170,33 @@ HWY_INLINE SixNeighbors differences(const NormalsInputs& inputs, const int* ring
   return {two(0), two(2), two(4)};
 }
 
-/// Sets `first` to (M - 1) delta. Returns the square of the largest difference between delta and a neighbor's.
-HWY_INLINE float setFirst(const NormalsInputs& inputs, int vertex) {
-  const float* place = placeOf<&NormalsVertex::delta>(inputs, vertex);
+struct RingDifference {
+  Vector mean;     ///< (M - 1) of the numbers.
+  float furthest;  ///< Squared, from a neighbor's.
+};
+
+template <OfVertex kWhat>
+HWY_INLINE RingDifference ringDifference(const NormalsInputs& inputs, int vertex) {
+  const float* place = placeOf<kWhat>(inputs, vertex);
   const Pair own = Pair::join(place, place);
   Pair sum = Pair::all(0.0f);
   Pair most = sum;
   const std::span<const int> ring = inputs.rings->at(vertex);
   for (std::size_t i = 0; i < ring.size(); i += VertexRings::kMultiple) {
-    const SixNeighbors by = differences<&NormalsVertex::delta>(inputs, ring.data() + i, own);
+    const SixNeighbors by = differences<kWhat>(inputs, ring.data() + i, own);
     sum = sum + ((by.a + by.b) + by.c);
     most = max(most, sums(by.a * by.a, by.b * by.b, by.c * by.c, by.c * by.c));
   }
   const Vector share = Vector::all(inputs.rings->share[static_cast<std::size_t>(vertex)]);
-  (share * (lower(sum) + upper(sum))).store(inputs.vertices[vertex].first.data());
   const Vector furthest = max(lower(most), upper(most));
-  return first(max(max(furthest, spread<1>(furthest)), spread<2>(furthest)));
+  return {share * (lower(sum) + upper(sum)), first(max(max(furthest, spread<1>(furthest)), spread<2>(furthest)))};
+}
+
+/// Sets `first` to (M - 1) delta. Returns the square of the largest difference between delta and a neighbor's.
+HWY_INLINE float setFirst(const NormalsInputs& inputs, int vertex) {
+  const RingDifference of = ringDifference<&NormalsVertex::delta>(inputs, vertex);
+  of.mean.store(inputs.vertices[vertex].first.data());
+  return of.furthest;
 }
 
 /// delta - weight (M - 1)^2 delta
@@ -203,74 +214,39 @@ HWY_INLINE Vector withoutSecond(const NormalsInputs& inputs, int vertex, float w
   return Vector::load(placeOf<&NormalsVertex::delta>(inputs, vertex)) - second;
 }
 
-void setNormal(const NormalsInputs& inputs, int vertex, const Vector& delta) {
+/// @param added  to `normal`, then normalized.
+void setNormal(const NormalsInputs& inputs, int vertex, const glm::vec3& normal, const Vector& added) {
   alignas(16) std::array<float, 4> of;
-  delta.store(of.data());
-  const auto v = static_cast<std::size_t>(vertex);
-  const glm::vec3 direction = inputs.patchNormals[v] + glm::vec3(of[0], of[1], of[2]);
+  added.store(of.data());
+  const glm::vec3 direction = normal + glm::vec3(of[0], of[1], of[2]);
   const float squared = direction.x * direction.x + direction.y * direction.y + direction.z * direction.z;
-  if (squared > 1e-12f) inputs.normals[v] = (1.0f / std::sqrt(squared)) * direction;
+  if (squared > 1e-12f) inputs.normals[static_cast<std::size_t>(vertex)] = (1.0f / std::sqrt(squared)) * direction;
 }
 
-/// Reads the field's normals and their deltas.
-void takeTurns(const NormalsInputs& inputs, std::size_t begin, std::size_t end) {
-  const Rows normals(inputs.normals);
-  const Rows patchNormals(inputs.patchNormals);
-  constexpr std::array<float, 4> kZero{};
+void takeNormals(const NormalsInputs& inputs, std::size_t begin, std::size_t end) {
   for (const int vertex : std::span(inputs.moved->corners).subspan(begin, end - begin)) {
-    const Pair normal = Pair::join(normals.at(vertex), normals.at(vertex));
-    const Pair both = normal - Pair::join(patchNormals.at(vertex), kZero.data());
-    xyzAndW(both, Pair::all(0.0f))
-        .store(inputs.vertices[vertex].delta.data());  // Fourth numbers of Rows are undefined.
+    const glm::vec3& normal = inputs.normals[static_cast<std::size_t>(vertex)];
+    inputs.vertices[vertex].normal = {normal.x, normal.y, normal.z, 0.0f};
   }
 }
 
-/// setFirst(), and `mean` where normals differ enough.
-HWY_INLINE float setFirstAndMean(const NormalsInputs& inputs, int vertex) {
-  const auto both = [&](int v) HWY_ATTR { return Pair::load(inputs.vertices[v].delta.data()); };
-  const Pair own = both(vertex);
-  Pair sum = Pair::all(0.0f);
-  Pair most = sum;
-  const std::span<const int> ring = inputs.rings->at(vertex);
-  for (std::size_t i = 0; i < ring.size(); i += VertexRings::kMultiple) {
-    const auto by = [&](std::size_t k) HWY_ATTR { return both(ring[i + k]) - own; };
-    const Pair a = by(0), b = by(1), c = by(2), d = by(3), e = by(4), f = by(5);
-    sum = sum + (((a + b) + (c + d)) + (e + f));
-    most = max(most, max(sums(a * a, b * b, c * c, c * c), sums(d * d, e * e, f * f, f * f)));
-  }
-  most = max(max(most, spread<1>(most)), spread<2>(most));
-  const Pair means = Pair::all(inputs.rings->share[static_cast<std::size_t>(vertex)]) * sum;
-  NormalsVertex& out = inputs.vertices[vertex];
-  lower(means).store(out.first.data());
-  const float apart = first(upper(most));  // Squared, between normals.
-  if (apart > kMeanFrom * kMeanFrom) {
-    const float mean = in_float::meanShare(std::sqrt(apart));
-    (Vector::all(kSoftening * mean) * upper(means)).store(out.mean.data());
-    out.mean[3] = mean;
-  }
-  return first(lower(most));
-}
-
-/// Vertices with a delta or normal that differs enough from a neighbor's.
+/// Vertices with a normal that differs enough from a neighbor's.
 std::size_t findRims(const NormalsInputs& inputs, std::size_t begin, std::size_t end) {
   std::size_t count = 0;
   for (std::size_t at = begin; at < end; ++at) {
     const int vertex = inputs.moved->near[at];
-    const float squared = setFirstAndMean(inputs, vertex);
-    inputs.teeth[begin + count] = vertex;
-    inputs.weights[begin + count] = squared;
-    count += squared > kRimFrom * kRimFrom || inputs.vertices[vertex].mean[3] > 0.0f ? 1 : 0;
+    const RingDifference of = ringDifference<&NormalsVertex::normal>(inputs, vertex);
+    if (!(of.furthest > kRimFrom * kRimFrom)) continue;
+    (Vector::all(in_float::rimWeight(std::sqrt(of.furthest))) * of.mean).store(inputs.vertices[vertex].mean.data());
+    inputs.teeth[begin + count++] = vertex;
   }
   return count;
 }
 
 void softenRims(const NormalsInputs& inputs, std::size_t begin, std::size_t count) {
-  for (std::size_t rim = begin; rim < begin + count; ++rim) {
-    const int vertex = inputs.teeth[rim];
-    const float* mean = placeOf<&NormalsVertex::mean>(inputs, vertex);
-    const float second = in_float::rimWeight(std::sqrt(inputs.weights[rim]), mean[3]);
-    const Vector added = xyzAndW(Vector::load(mean), Vector::all(0.0f));
-    setNormal(inputs, vertex, withoutSecond(inputs, vertex, second) + added);
+  for (const int vertex : inputs.teeth.subspan(begin, count)) {
+    const Vector mean = Vector::load(placeOf<&NormalsVertex::mean>(inputs, vertex));
+    setNormal(inputs, vertex, inputs.normals[static_cast<std::size_t>(vertex)], mean);
   }
 }
 
@@ -313,11 +289,13 @@ void removeTeeth(const NormalsInputs& inputs, std::size_t begin, std::size_t cou
   for (std::size_t tooth = begin; tooth < begin + count; ++tooth) {
     const int vertex = inputs.teeth[tooth];
     const float weight = inputs.weights[tooth];
-    if (weight != 0.0f) setNormal(inputs, vertex, withoutSecond(inputs, vertex, weight));
+    if (weight == 0.0f) continue;
+    const glm::vec3& patchNormal = inputs.patchNormals[static_cast<std::size_t>(vertex)];
+    setNormal(inputs, vertex, patchNormal, withoutSecond(inputs, vertex, weight));
   }
 }
 
-NormalsKernel kernelHere() { return {takeTurns, findRims, softenRims, findFaces, hold, findTeeth, removeTeeth}; }
+NormalsKernel kernelHere() { return {takeNormals, findRims, softenRims, findFaces, hold, findTeeth, removeTeeth}; }
 
 }  // namespace sinew::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

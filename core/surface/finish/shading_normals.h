@@ -20,16 +20,13 @@ struct alignas(32) CornerNormals {
   std::array<float, 8> of;
 };
 
-/// Scratch of one vertex in one cache line, 0 before and after. Fourth numbers are 0 unless noted.
+/// Scratch of one vertex in one cache line, 0 before and after. Fourth numbers are 0.
 struct alignas(64) NormalsVertex {
-  std::array<float, 4> delta{};   ///< normal - n_patch: the field's, then held to the faces.
-  std::array<float, 4> normal{};  ///< The field's. Softening reads it and `delta` as eight numbers.
+  std::array<float, 4> delta{};   ///< normal - n_patch, held to the faces.
+  std::array<float, 4> normal{};  ///< The field's.
   std::array<float, 4> first{};   ///< (M - 1) delta
-  std::array<float, 4> mean{};    ///< Added to the normal by the ring's mean; fourth: 0..1, how far the mean replaces
-                                  ///< the second step.
+  std::array<float, 4> mean{};    ///< What softening adds to the normal.
 };
-
-static_assert(offsetof(NormalsVertex, normal) == sizeof(NormalsVertex::delta));
 
 /// Vertex arrays are [V']; all but `rings` are used only at moved.corners. The kernel allocates nothing.
 struct NormalsInputs {
@@ -44,13 +41,13 @@ struct NormalsInputs {
   NormalsVertex* vertices = nullptr;
   float* turns = nullptr;    ///< Squared delta, the larger of the field's and the faces'; 0 before and after.
   std::span<int> teeth;      ///< [moved.corners] scratch: vertices found by each block, at its place. First rims.
-  std::span<float> weights;  ///< [moved.corners] of the same vertices.
+  std::span<float> weights;  ///< [moved.corners] of the teeth.
 };
 
 /// Stages, in this order. Threads can share each of them, as its parts write to different places. A part goes from
 /// begin to end in the named span of `moved`.
 struct NormalsKernel {
-  void (*takeTurns)(const NormalsInputs& inputs, std::size_t begin, std::size_t end);         ///< moved.corners
+  void (*takeNormals)(const NormalsInputs& inputs, std::size_t begin, std::size_t end);       ///< moved.corners
   std::size_t (*findRims)(const NormalsInputs& inputs, std::size_t begin, std::size_t end);   ///< moved.near
   void (*softenRims)(const NormalsInputs& inputs, std::size_t begin, std::size_t count);      ///< Vertices found there.
   void (*faces)(const NormalsInputs& inputs, std::size_t begin, std::size_t end);             ///< moved.refined
@@ -64,9 +61,8 @@ struct NormalsKernel {
 /// Limits the field's normals to what the mesh can show, in steps on delta = normal - n_patch, the change that muscles
 /// make to the patch's normal.
 ///
-/// 0. With adaptive detail only: along a muscle's rim the field's normal rotates within an edge, and deltas alternate
-///    where the rim runs across the mesh. Alternation is removed as in step 2, nearly all of it from small differences
-///    on, which show from close by; the more neighbors differ, the more the ring's mean takes over.
+/// 0. With adaptive detail only: where a vertex's normal differs much from a neighbor's, as across a muscle's rim, it
+///    moves towards the ring's mean.
 /// 1. The field has more detail than the mesh: where a muscle's rim is narrower than an edge, its gradient rotates
 ///    between two vertices while the triangle between them is flat, and interpolated shading shows saw teeth. With N
 ///    the normal of the faces around a vertex (weighted by the corners' angles) and delta' the change of n_patch by the

@@ -50,7 +50,6 @@ class Raised {
     std::vector<glm::vec3> out = fieldNormals;
     std::vector<NormalsVertex> vertices(out.size());
     std::vector<int> rims(moved_.corners.size());
-    std::vector<float> weights(moved_.corners.size());
     NormalsInputs inputs;
     inputs.rings = &rings_;
     inputs.moved = &moved_;
@@ -58,9 +57,8 @@ class Raised {
     inputs.normals = out;
     inputs.vertices = vertices.data();
     inputs.teeth = rims;
-    inputs.weights = weights;
     const NormalsKernel kernel = normalsKernel(set);
-    kernel.takeTurns(inputs, 0, moved_.corners.size());
+    kernel.takeNormals(inputs, 0, moved_.corners.size());
     kernel.softenRims(inputs, 0, kernel.findRims(inputs, 0, moved_.near.size()));
     return out;
   }
@@ -252,19 +250,12 @@ double step(double from, double to, double x) {
 }
 
 /// Definition of docs/design.md in double precision.
-std::vector<glm::dvec3> softenedByDefinition(const Refinement& refinement, const std::vector<glm::vec3>& patch,
-                                             const std::vector<glm::vec3>& field) {
+std::vector<glm::dvec3> softenedByDefinition(const Refinement& refinement, const std::vector<glm::vec3>& field) {
   const std::vector<glm::dvec3> normals(field.begin(), field.end());
-  std::vector<glm::dvec3> turns;
-  for (std::size_t v = 0; v < field.size(); ++v) turns.push_back(normals[v] - glm::dvec3(patch[v]));
-  const Around ofNormals = around(refinement, normals);
-  const Around ofTurns = around(refinement, turns);
-  const Around second = around(refinement, ofTurns.difference);
+  const Around of = around(refinement, normals);
   std::vector<glm::dvec3> out;
   for (std::size_t v = 0; v < field.size(); ++v) {
-    const double mean = step(0.2, 0.45, ofNormals.most[v]);
-    const double weight = 0.44 * step(0.05, 0.2, ofTurns.most[v]) * (1.0 - mean);
-    out.push_back(glm::normalize(normals[v] - weight * second.difference[v] + 0.8 * mean * ofNormals.difference[v]));
+    out.push_back(glm::normalize(normals[v] + 0.4 * step(0.2, 0.45, of.most[v]) * of.difference[v]));
   }
   return out;
 }
@@ -278,8 +269,7 @@ TEST(ShadingNormals, AreSoftenedOnlyAtRimsAndAsDefined) {
   };
   sheet.shaded([&](const glm::vec3& p) { return bump.at(p); }, turned);
   const std::vector<bool> near = grown(sheet.refinement().triangles, movedBetween(sheet.patch(), sheet.positions), 1);
-  const std::vector<glm::dvec3> wanted =
-      softenedByDefinition(sheet.refinement(), sheet.patchNormals(), sheet.fieldNormals);
+  const std::vector<glm::dvec3> wanted = softenedByDefinition(sheet.refinement(), sheet.fieldNormals);
   for (const InstructionSet set : availableInstructionSets()) {
     if (set == InstructionSet::kScalar) continue;
     const std::vector<glm::vec3> softened = sheet.softened(set);
