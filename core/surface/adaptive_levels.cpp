@@ -225,9 +225,10 @@ constexpr float kWorthALook = 0.3f;            ///< Fraction of the tolerance fr
 constexpr float kWorthCosine = 0.99863f;       ///< 3 degrees.
 constexpr float kAdaptiveLevelsMargin = 0.7f;  ///< Of the tolerance, since inner points do not lie on samples.
 constexpr float kCheckMargin = 0.9f;           ///< Of the tolerance, for what lies between samples.
+constexpr float kSeenPiece = 8.0f;             ///< Tolerances: the normals of shorter pieces are not seen.
 
 /// Above the default tolerance normals may be off by more, as the chord of an arc that is as far off turns: by the root
-/// of the tolerance. Otherwise they would ask a dense mesh for as many vertices at any tolerance.
+/// of the tolerance.
 float widened(float cosine, float tolerance) {
   const float times = tolerance / kDefaultTolerance;
   return times > 1.0f ? std::cos(std::sqrt(times) * std::acos(cosine)) : cosine;
@@ -246,8 +247,9 @@ class LevelSearch {
       : next_(next), asked_(asked), mesh_(next.mesh()), needed_(needed) {
     const float height = next.character().height;
     const float tolerance = asked.from.tolerance;
-    tolerance_ = {kAdaptiveLevelsMargin * tolerance * height, widened(kNormalCosine, tolerance)};
-    look_ = {kWorthALook * tolerance_.distance, widened(kWorthCosine, tolerance)};
+    const float shortest = kSeenPiece * tolerance * height;
+    tolerance_ = {kAdaptiveLevelsMargin * tolerance * height, widened(kNormalCosine, tolerance), shortest};
+    look_ = {kWorthALook * tolerance_.distance, widened(kWorthCosine, tolerance), shortest};
     isLongEdge_.resize(mesh_.edges.size(), false);
     for (const ControlTriangle& triangle : mesh_.triangles) {
       const bool isLong = std::ranges::any_of(triangle.edges, [&](int e) {

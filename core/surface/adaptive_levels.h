@@ -67,8 +67,8 @@ struct AdaptiveLevels {
 };
 
 /// The least levels at which, in all detailPoses(), flat triangles stay within the tolerance of the finely sampled
-/// surface, and interpolated normals within 8 degrees of its own where it is smooth. Above the default tolerance these
-/// 8 degrees grow by the root of the ratio.
+/// surface, and interpolated normals within 8 degrees of its own where it is smooth and pieces are long enough to be
+/// seen. Above the default tolerance these 8 degrees grow by the root of the ratio.
 /// @param next  attached; its refinement, tiles, anchors and bind readings are not read
 /// @param tolerance  fraction of H.  @param former  of the same character, or null
 [[nodiscard]] std::shared_ptr<const AdaptiveLevels> findLevels(const Preparation& next, std::shared_ptr<const Rig> rig,

@@ -128,6 +128,7 @@ bool edgeFits(const FineSamples& s, int fine, int level, const LevelTolerance& t
     const std::size_t b = toIndex(from + step);
     const std::size_t at = toIndex(i);
     if (distanceToChord(s.positions[at], s.positions[a], s.positions[b]) > tolerance.distance) return false;
+    if (!(glm::distance(s.positions[a], s.positions[b]) > tolerance.shortest)) continue;
     const float share = static_cast<float>(i - from) / static_cast<float>(step);
     const glm::vec3 between = (1.0f - share) * s.normals[a] + share * s.normals[b];
     if (!turnsTooFar(between, s.normals[at], tolerance)) continue;
@@ -143,6 +144,11 @@ bool isWithin(float most, const glm::vec3& sample, const std::array<glm::vec3, 3
               const std::array<float, 3>& shares) {
   const glm::vec3 own = shares[0] * corners[0] + shares[1] * corners[1] + shares[2] * corners[2];
   return !(glm::distance(sample, own) > most) || !(distanceFromPiece(sample, corners, shares) > most);
+}
+
+bool isLonger(float than, const std::array<glm::vec3, 3>& corners) {
+  const auto& [a, b, c] = corners;
+  return glm::distance(a, b) > than || glm::distance(b, c) > than || glm::distance(c, a) > than;
 }
 
 /// Number of the sample at place k of row j of a triangle.
@@ -219,6 +225,7 @@ bool triangleFits(const FineSamples& s, int fine, int level, const LevelToleranc
                   own.shares)) {
       return false;
     }
+    if (!isLonger(tolerance.shortest, {s.positions[a], s.positions[b], s.positions[c]})) return true;
     const glm::vec3 between =
         own.shares[0] * s.normals[a] + own.shares[1] * s.normals[b] + own.shares[2] * s.normals[c];
     return !turnsTooFar(between, s.normals[own.at], tolerance) || !isSmoothAt(s, fine, own.j, own.k);

@@ -40,6 +40,7 @@ struct FineSamples {
 struct LevelTolerance {
   float distance = 0.0f;       ///< Between samples and the flat pieces, world units.
   float normalCosine = 0.99f;  ///< Between sampled and interpolated normals where the surface is smooth.
+  float shortest = 0.0f;       ///< Only the distance counts on pieces that are not longer.
 };
 
 /// Distance of a sample from a flat piece: from the point of its barycentric coordinates or the plane, the lesser one.
