@@ -14,11 +14,13 @@
 
 #include "core/character/bindings.h"
 #include "core/character/range_of_motion.h"
+#include "core/files/rig_json_parts.h"
 #include "core/geometry/normals.h"
 #include "core/geometry/weld.h"
 #include "core/rig/mesh_layers.h"
 #include "core/rig/motion_clip.h"
 #include "core/rig/rig_edit.h"
+#include "core/rig/validation.h"
 
 namespace sinew::app {
 namespace {
@@ -195,7 +197,10 @@ void putRig(std::ostream& out, const InspectFacts& facts) {
   std::vector<std::string> groups;
   for (const Group& group : rig.groups) groups.push_back(group.name);
   std::vector<std::string> links;
-  for (const auto& [a, b] : rig.links) links.push_back(a + " - " + b);
+  for (const auto& [ends, amount] : rig.links) {
+    links.push_back(ends[0] + " - " + ends[1]);
+    if (amount < 1.0f) links.back() += " (" + numberText(100.0f * amount) + " %)";
+  }
   out << "  character   " << facts.document.characterFile.string() << '\n';
   out << "  primitives  " << rig.primitives.size();
   if (facts.rig.shaped > 0) out << ", " << facts.rig.shaped << " of them shaped";
@@ -337,7 +342,7 @@ void addRig(Json& json, const InspectFacts& facts) {
   json.set("character", facts.document.characterFile.string());
   json.set("primitives", count(rig.primitives.size()));
   json.set("groups", jsonList(rig.groups, [](const Group& group) { return group.name; }));
-  json.set("links", jsonList(rig.links, [](const auto& link) { return jsonList(link); }));
+  json.set("links", jsonList(rig.links, linkNode));
   json.set("lines", jsonList(facts.rig.lines));
   json.set("shapes", count(facts.rig.shaped));
   json.set("keys", count(facts.rig.keys)).set("keyed_numbers", count(facts.rig.keyed));

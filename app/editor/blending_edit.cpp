@@ -3,7 +3,7 @@
 #include "app/editor/blending_edit.h"
 
 #include <algorithm>
-#include <array>
+#include <cmath>
 #include <utility>
 
 #include "app/document/shown_names.h"
@@ -89,30 +89,36 @@ Tint groupTint(const Rig& rig, const std::string& group) { return groupTint(rig,
 
 Tint territoryTint() { return tintOf(kTerritoryColor); }
 
-bool areLinked(const Rig& rig, const std::string& a, const std::string& b) {
-  return std::ranges::any_of(rig.links, [&](const std::array<std::string, 2>& link) {
-    return (link[0] == a && link[1] == b) || (link[0] == b && link[1] == a);
-  });
-}
-
-std::vector<std::vector<bool>> linkTable(const Rig& rig) {
-  std::vector<std::vector<bool>> table(rig.groups.size(), std::vector<bool>(rig.groups.size(), false));
-  for (const auto& [a, b] : rig.links) {
-    const int i = findGroup(rig, a);
-    const int j = findGroup(rig, b);
+std::vector<std::vector<float>> linkTable(const Rig& rig) {
+  std::vector<std::vector<float>> table(rig.groups.size(), std::vector<float>(rig.groups.size(), 0.0f));
+  for (const auto& [groups, amount] : rig.links) {
+    const int i = findGroup(rig, groups[0]);
+    const int j = findGroup(rig, groups[1]);
     if (i < 0 || j < 0) continue;
-    at(at(table, i), j) = true;
-    at(at(table, j), i) = true;
+    const float most = std::max(at(at(table, i), j), amount);
+    at(at(table, i), j) = at(at(table, j), i) = most;
   }
   return table;
 }
 
+std::string percentText(float amount) { return std::to_string(std::lround(100.0f * amount)) + " %"; }
+
+std::string linkLabel(const Rig& rig, int groupA, int groupB, float amount) {
+  const std::string both = nameOfGroup(rig, groupA) + " and " + nameOfGroup(rig, groupB);
+  if (amount == 0.0f) return "Unlink " + both;
+  return "Link " + both + (amount < 1.0f ? " by " + percentText(amount) : "");
+}
+
 void toggleLink(EditorState& state, int groupA, int groupB) {
   const Rig& rig = state.document.rig();
-  const std::string a = nameOfGroup(rig, groupA);
-  const std::string b = nameOfGroup(rig, groupB);
-  const bool linked = areLinked(rig, a, b);
-  edit(state, (linked ? "Unlink " : "Link ") + a + " and " + b, setLink(rig, groupA, groupB, !linked));
+  const bool linked = linkAmount(rig, nameOfGroup(rig, groupA), nameOfGroup(rig, groupB)) > 0.0f;
+  setLinkAmount(state, groupA, groupB, linked ? 0.0f : 1.0f);
+}
+
+void setLinkAmount(EditorState& state, int groupA, int groupB, float amount) {
+  const Rig& rig = state.document.rig();
+  const float rounded = std::round(100.0f * std::clamp(amount, 0.0f, 1.0f)) / 100.0f;
+  edit(state, linkLabel(rig, groupA, groupB, rounded), setLink(rig, groupA, groupB, rounded));
 }
 
 void addEmptyGroup(EditorState& state) {

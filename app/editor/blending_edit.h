@@ -33,12 +33,17 @@ void toggleTerritoryBone(EditorState& state, int bone);  ///< One undo step, or 
 [[nodiscard]] Tint groupTint(const Rig& rig, const std::string& group);  ///< By name; muted for an unknown group.
 [[nodiscard]] Tint territoryTint();
 
-[[nodiscard]] bool areLinked(const Rig& rig, const std::string& a, const std::string& b);
-[[nodiscard]] std::vector<std::vector<bool>> linkTable(const Rig& rig);  ///< [groups][groups] areLinked() for all.
+[[nodiscard]] std::vector<std::vector<float>> linkTable(const Rig& rig);  ///< [groups][groups] linkAmount() for all.
+
+/// What an edit did that ended with this amount: "Link legs and torso".
+[[nodiscard]] std::string linkLabel(const Rig& rig, int groupA, int groupB, float amount);
+[[nodiscard]] std::string percentText(float amount);  ///< "40 %"
 
 // Each is one undo step or a refusal.
 
 void toggleLink(EditorState& state, int groupA, int groupB);
+/// In whole percents; 0 unlinks.
+void setLinkAmount(EditorState& state, int groupA, int groupB, float amount);
 void addEmptyGroup(EditorState& state);   ///< Adds an empty group and starts typing its name.
 void groupSelection(EditorState& state);  ///< Moves the selected muscles to a new group and starts typing its name.
 bool renameGroupTo(EditorState& state, GroupId group, const std::string& name);

@@ -1,6 +1,7 @@
 // app/editor/document_view.h: state of the editor that resets with each document.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
@@ -110,8 +111,9 @@ struct BlendingState {
   std::map<GroupId, glm::vec2> places;  ///< Nodes, design pixels; kept for removed groups.
   glm::vec2 pan{0.0f};                  ///< Of the graph, design pixels.
   float zoom = 1.0f;
-  bool fitWanted = true;  ///< Fit all nodes into the canvas.
-  GroupId linkFrom;       ///< A link is being dragged from this group; 0: none.
+  bool fitWanted = true;               ///< Fit all nodes into the canvas.
+  GroupId linkFrom;                    ///< A link is being dragged from this group; 0: none.
+  std::array<GroupId, 2> shownLink{};  ///< Whose amount the graph's menu shows.
 };
 
 /// The track of one clip.

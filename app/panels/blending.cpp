@@ -12,6 +12,7 @@
 #include "app/editor/blending_edit.h"
 #include "app/editor/commands.h"
 #include "app/editor/outliner.h"
+#include "app/panels/field_edit.h"
 #include "core/geometry/at.h"
 #include "core/rig/field.h"
 #include "core/rig/rig_edit.h"
@@ -169,8 +170,9 @@ void drawCounts(PanelUi& ui) {
   mutedLine(ui, text);
   ui.widgets.note("blending/cliques");
   tooltip(ui,
-          "Muscles of one group always add up; linked groups blend. A blend is a set of groups that are all linked to "
-          "one another (a clique of the graph); where several blends reach, the strongest counts. At most " +
+          "Muscles of one group always add up; linked groups blend, wholly or in part. A blend is a set of groups that "
+          "are all linked to one another (a clique of the graph); where several blends reach, the strongest counts. At "
+          "most " +
               std::to_string(kMaxCliques) + ".");
 }
 
@@ -223,6 +225,37 @@ std::string groupText(const Rig& rig, int group) {
   const std::string& name = at(rig.groups, group).name;
   const std::size_t count = membersOf(rig, name).size();
   return name + ": " + (count == 1 ? "1 muscle" : std::to_string(count) + " muscles");
+}
+
+std::string linkText(const std::string& a, const std::string& b, float amount) {
+  const std::string both = a + " and " + b;
+  if (amount == 0.0f) return both + " do not blend: the stronger wins. Click to link.";
+  return both + " blend" + (amount < 1.0f ? " by " + percentText(amount) : "") + ". Click to unlink.";
+}
+
+void linkMenu(PanelUi& ui, int a, int b) {
+  const auto shown = [&](const Rig& rig) {
+    return 100.0f * linkAmount(rig, at(rig.groups, a).name, at(rig.groups, b).name);
+  };
+  const Rig& rig = ui.state.document.rig();
+  mutedText((at(rig.groups, a).name + " and " + at(rig.groups, b).name).c_str());
+  float percent = shown(rig);
+  Typing typing;
+  NumberLook look;
+  look.format = "%.0f %%";
+  look.least = 0.0f;
+  look.most = 100.0f;
+  look.step = 10.0f;
+  look.typing = &typing;
+  ImGui::SetNextItemWidth(ui.px(160));
+  const bool edited = numberSlider(ui, "##amount", percent, look);
+  beginFieldEdit(ui, "blending/amount", "Link");
+  if (edited) setLinkAmount(ui.state, a, b, percent / 100.0f);
+  if (!typing.refusal.empty()) refuse(ui.state, errorAt({}, typing.refusal));
+  endFieldEdit(ui, linkLabel(rig, a, b, shown(ui.state.document.rig()) / 100.0f));
+  tooltip(ui,
+          "How much the two groups blend: 0 % is a groove between them, 100 % adds them up. Drag, or double-click to "
+          "type");
 }
 
 void startGroupRename(EditorState& state, GroupId group) {

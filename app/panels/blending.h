@@ -32,6 +32,9 @@ void groupRenameField(PanelUi& ui, float width);
 void startGroupRename(EditorState& state, GroupId group);
 /// Accepts muscles that are dropped on a group; inside BeginDragDropTarget.
 void takeDroppedMuscles(PanelUi& ui, const std::string& group);
+/// How much two groups blend, and what a click does.
+[[nodiscard]] std::string linkText(const std::string& a, const std::string& b, float amount);
+void linkMenu(PanelUi& ui, int a, int b);  ///< How much two groups blend; between BeginPopup and EndPopup.
 [[nodiscard]] std::string groupText(const Rig& rig, int group);  ///< "legs: 4 muscles"
 
 }  // namespace sinew::app

@@ -36,8 +36,9 @@ struct Graph {
   PanelUi& ui;
   std::shared_ptr<const Rig> rig;
   std::vector<std::array<int, 2>> edges;
-  std::vector<glm::vec2> at;  ///< [groups] screen.
-  glm::vec2 low{0.0f};        ///< The canvas's, screen.
+  std::vector<float> amounts;  ///< [edges]
+  std::vector<glm::vec2> at;   ///< [groups] screen.
+  glm::vec2 low{0.0f};         ///< The canvas's, screen.
   glm::vec2 size{0.0f};
   float scale = 1.0f;  ///< Screen units per design pixel of the graph.
   Hit hit;
@@ -158,7 +159,8 @@ std::string hintOf(const Graph& graph) {
   if (hit.part == Part::kRim) return "Drag from the rim to another group to link the two.";
   if (hit.part != Part::kEdge) return "";
   const auto& [a, b] = graph.edges[static_cast<std::size_t>(hit.edge)];
-  return graph.name(a) + " and " + graph.name(b) + " blend. Click to unlink.";
+  return linkText(graph.name(a), graph.name(b), graph.amounts[static_cast<std::size_t>(hit.edge)]) +
+         "\nRight-click to set how much.";
 }
 
 // Dragging ----------------------------------------------------------------------------------------------------------
@@ -206,7 +208,7 @@ void end(Graph& graph) {
   if (grip() == Grip::kLink) {
     const int from = findGroup(*graph.rig, state.linkFrom);
     const bool other = from >= 0 && hit.group >= 0 && hit.group != from;
-    if (other && !areLinked(*graph.rig, graph.name(from), graph.name(hit.group))) {
+    if (other && linkAmount(*graph.rig, graph.name(from), graph.name(hit.group)) == 0.0f) {
       toggleLink(graph.ui.state, from, hit.group);
     } else if (hit.group == from && from >= 0) {
       state.group = state.linkFrom;
@@ -229,6 +231,32 @@ void zoom(Graph& graph, const glm::vec2& mouse) {
   state.pan += offset / state.zoom - offset / before;
 }
 
+void openMenu(Graph& graph) {
+  if (graph.hit.group >= 0) {
+    graph.state().group = graph.id(graph.hit.group);
+    ImGui::OpenPopup("node-menu");
+  } else if (graph.hit.part == Part::kEdge) {
+    const auto& [a, b] = graph.edges[static_cast<std::size_t>(graph.hit.edge)];
+    graph.state().shownLink = {graph.id(a), graph.id(b)};
+    ImGui::OpenPopup("link-menu");
+  }
+}
+
+void drawMenus(Graph& graph) {
+  const Rig& rig = graph.ui.state.document.rig();
+  if (ImGui::BeginPopup("node-menu")) {
+    const int group = findGroup(rig, graph.state().group);
+    if (group >= 0) groupMenu(graph.ui, group);
+    ImGui::EndPopup();
+  }
+  if (ImGui::BeginPopup("link-menu")) {
+    const int a = findGroup(rig, graph.state().shownLink[0]);
+    const int b = findGroup(rig, graph.state().shownLink[1]);
+    if (a >= 0 && b >= 0) linkMenu(graph.ui, a, b);
+    ImGui::EndPopup();
+  }
+}
+
 void takeInput(Graph& graph) {
   ImGui::SetCursorScreenPos(point(graph.low));
   ImGui::PushItemFlag(ImGuiItemFlags_NoNav, true);
@@ -248,14 +276,8 @@ void takeInput(Graph& graph) {
     if (graph.hit.group >= 0) takeDroppedMuscles(graph.ui, graph.name(graph.hit.group));
     ImGui::EndDragDropTarget();
   }
-  if (over && ImGui::IsMouseReleased(1) && graph.hit.group >= 0) {
-    graph.state().group = graph.id(graph.hit.group);
-    ImGui::OpenPopup("node-menu");
-  }
-  if (!ImGui::BeginPopup("node-menu")) return;
-  const int group = findGroup(graph.ui.state.document.rig(), graph.state().group);
-  if (group >= 0) groupMenu(graph.ui, group);
-  ImGui::EndPopup();
+  if (over && ImGui::IsMouseReleased(1)) openMenu(graph);
+  drawMenus(graph);
 }
 
 // Drawing -----------------------------------------------------------------------------------------------------------
@@ -277,10 +299,11 @@ void drawEdges(const Graph& graph, ImDrawList& list) {
   for (std::size_t e = 0; e < graph.edges.size(); ++e) {
     const auto& [a, b] = graph.edges[e];
     const bool hovered = graph.hit.part == Part::kEdge && graph.hit.edge == static_cast<int>(e);
-    const Tint color = hovered ? palette::kError : palette::kMuted.faded(0.75f);
+    const float amount = graph.amounts[e];
+    const Tint color = hovered ? palette::kError : palette::kMuted.faded(0.25f + 0.5f * amount);
     const LinkCurve curve = curveOf(graph, graph.edges[e]);
     for (const glm::vec2& place : curve) list.PathLineTo(point(place));
-    list.PathStroke(color.packed(), ImDrawFlags_None, graph.ui.px(hovered ? 3.0f : 2.0f));
+    list.PathStroke(color.packed(), ImDrawFlags_None, graph.ui.px((hovered ? 1.5f : 0.5f) + 1.5f * amount));
     const glm::vec2 middle = curve[curve.size() / 2];
     const float half = graph.ui.px(4);
     if (hovered) list.AddCircleFilled(point(middle), half, color.packed(), 12);
@@ -364,10 +387,12 @@ void drawBlendingGraph(PanelUi& ui, float height) {
   ImGui::BeginChild("blending-graph", {0.0f, height}, false,
                     ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
   ImGui::PopStyleColor();
-  Graph graph{ui, ui.state.document.commands.sharedRig(), {}, {}, {}, {}, 1.0f, {}};
-  for (const auto& [a, b] : graph.rig->links) {
-    const std::array<int, 2> edge{findGroup(*graph.rig, a), findGroup(*graph.rig, b)};
-    if (edge[0] >= 0 && edge[1] >= 0) graph.edges.push_back(edge);
+  Graph graph{ui, ui.state.document.commands.sharedRig(), {}, {}, {}, {}, {}, 1.0f, {}};
+  for (const auto& [groups, amount] : graph.rig->links) {
+    const std::array<int, 2> edge{findGroup(*graph.rig, groups[0]), findGroup(*graph.rig, groups[1])};
+    if (edge[0] < 0 || edge[1] < 0) continue;
+    graph.edges.push_back(edge);
+    graph.amounts.push_back(amount);
   }
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   const ImVec2 room = ImGui::GetContentRegionAvail();

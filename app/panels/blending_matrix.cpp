@@ -1,4 +1,9 @@
-// app/panels/blending_matrix.cpp: the blending matrix: a row for each group, and cells that link two groups.
+// app/panels/blending_matrix.cpp: the blending matrix: a row for each group, and cells that link two groups, wholly or
+// in part.
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+#include <imgui_internal.h>  // ClearActiveID, which 1.86 keeps to itself.
 
 #include <algorithm>
 #include <cmath>
@@ -7,6 +12,7 @@
 
 #include "app/editor/blending_edit.h"
 #include "app/panels/blending.h"
+#include "app/panels/field_edit.h"
 #include "app/ui/code_points.h"
 #include "app/ui/reading_order.h"
 #include "core/geometry/at.h"
@@ -17,15 +23,17 @@ namespace {
 
 constexpr float kLargestCell = 26.0f;  // Design pixels.
 constexpr float kSmallestCell = 15.0f;
+constexpr float kWholeDrag = 120.0f;  ///< Drags a link from 0 to 1.
+constexpr float kDragStep = 0.1f;     ///< With Ctrl.
 
 /// The matrix while it is drawn. Row i has the cells 0..i; the last, on the diagonal, is the group itself.
 struct Matrix {
   PanelUi& ui;
   std::shared_ptr<const Rig> rig;
-  std::vector<std::vector<bool>> linked;
-  std::vector<int> members;  ///< [groups]
-  ImVec2 names;              ///< Corner of the names; scrolls vertically.
-  ImVec2 cells;              ///< Corner of cell (0, 0); scrolls in both directions.
+  std::vector<std::vector<float>> amounts;  ///< linkTable()
+  std::vector<int> members;                 ///< [groups]
+  ImVec2 names;                             ///< Corner of the names; scrolls vertically.
+  ImVec2 cells;                             ///< Corner of cell (0, 0); scrolls in both directions.
   float nameWidth = 0.0f;
   float cell = 0.0f;
   ImVec4 clip;   ///< The visible part of the cells: left, top, right, bottom.
@@ -45,7 +53,7 @@ Tint between(const Tint& a, const Tint& b) { return {0.5f * (a.r + b.r), 0.5f * 
 
 Matrix lay(PanelUi& ui) {
   Matrix matrix{ui, ui.state.document.commands.sharedRig(), {}, {}, {}, {}, 0.0f, 0.0f, {}, -1, -1};
-  matrix.linked = linkTable(*matrix.rig);
+  matrix.amounts = linkTable(*matrix.rig);
   for (const Group& group : matrix.rig->groups) {
     matrix.members.push_back(static_cast<int>(membersOf(*matrix.rig, group.name).size()));
   }
@@ -103,9 +111,41 @@ void nameItems(Matrix& matrix) {
 
 std::string cellHint(const Matrix& matrix, int i, int j) {
   if (i == j) return groupText(*matrix.rig, i) + ", which always blend with each other";
-  const bool linked = at(at(matrix.linked, i), j);
-  return matrix.name(j) + " and " + matrix.name(i) +
-         (linked ? " blend. Click to unlink." : " do not blend: the stronger wins. Click to link.");
+  return linkText(matrix.name(j), matrix.name(i), at(at(matrix.amounts, i), j)) +
+         "\nDrag sideways to set how much, right-click for the number.";
+}
+
+std::string cellId(const Matrix& matrix, int i, int j) {
+  return "blending/cell/" + matrix.name(i) + "/" + matrix.name(j);
+}
+
+/// Drags the amount of the link sideways, and toggles it by a click: one undo step.
+void linkCell(Matrix& matrix, int i, int j, bool pressed) {
+  PanelUi& ui = matrix.ui;
+  const CommandStack& commands = ui.state.document.commands;
+  ImGuiStorage& memory = *ImGui::GetStateStorage();
+  const ImGuiID dragged = ImGui::GetID("dragged");
+  beginFieldEdit(ui, cellId(matrix, i, j), "Link");
+  if (ImGui::IsItemActivated()) memory.SetBool(dragged, false);
+  if (ImGui::IsItemActive() && ImGui::IsKeyPressed(GLFW_KEY_ESCAPE, false)) {
+    ImGui::ClearActiveID();  // The button is still down.
+    return endFieldEdit(ui);
+  }
+  if (ImGui::IsItemActive() && (memory.GetBool(dragged) || ImGui::IsMouseDragging(0, ui.px(3)))) {
+    memory.SetBool(dragged, true);
+    const float way = ImGui::GetMouseDragDelta(0, 0.0f).x / ui.px(kWholeDrag);
+    const float from = linkAmount(commands.rigOfStep(), matrix.name(i), matrix.name(j));
+    const float step = ImGui::GetIO().KeyCtrl ? kDragStep : 0.0f;
+    setLinkAmount(ui.state, i, j, toStep(from + way, step, 0.0f, 1.0f));
+    tooltipWhile(ui, true, percentText(linkAmount(commands.rig(), matrix.name(i), matrix.name(j))));
+  }
+  if (pressed && !memory.GetBool(dragged)) toggleLink(ui.state, i, j);
+  if (ImGui::IsItemDeactivated())
+    endFieldEdit(ui, linkLabel(*matrix.rig, i, j, linkAmount(commands.rig(), matrix.name(i), matrix.name(j))));
+  if (ImGui::BeginPopupContextItem("amount")) {
+    linkMenu(ui, i, j);
+    ImGui::EndPopup();
+  }
 }
 
 void cellItem(Matrix& matrix, int i, int j) {
@@ -113,18 +153,20 @@ void cellItem(Matrix& matrix, int i, int j) {
   ImGui::PushID(i);
   ImGui::PushID(j);
   const bool pressed = ImGui::InvisibleButton("cell", {matrix.cell, matrix.cell});
-  ImGui::PopID();
-  ImGui::PopID();
-  matrix.ui.widgets.note("blending/cell/" + matrix.name(i) + "/" + matrix.name(j));
-  if (ImGui::IsItemHovered()) {
+  if (ImGui::IsItemHovered() || (i != j && ImGui::IsItemActive())) {
     matrix.row = i;
     matrix.column = j;
-    tooltip(matrix.ui, cellHint(matrix, i, j));
+    if (!ImGui::IsItemActive()) tooltip(matrix.ui, cellHint(matrix, i, j));
     if (i == j && ImGui::IsMouseDoubleClicked(0)) startGroupRename(matrix.ui.state, matrix.id(i));
   }
-  if (!pressed) return;
-  if (i == j) choose(matrix, i);
-  else toggleLink(matrix.ui.state, i, j);
+  if (i != j) {
+    linkCell(matrix, i, j, pressed);
+  } else {
+    matrix.ui.widgets.note(cellId(matrix, i, i));
+    if (pressed) choose(matrix, i);
+  }
+  ImGui::PopID();
+  ImGui::PopID();
 }
 
 /// Items of the cells, clipped beside the names.
@@ -146,6 +188,21 @@ void drawDiagonal(const Matrix& matrix, ImDrawList& list, int group, const ImVec
                palette::kBackground.packed(), text.c_str());
 }
 
+/// Filled as far as the groups blend: with a dot where they add up, else with the percents if there is room.
+void drawLink(const Matrix& matrix, ImDrawList& list, const Tint& tint, float amount, const ImVec2& low,
+              const ImVec2& high) {
+  const ImVec2 middle{0.5f * (low.x + high.x), 0.5f * (low.y + high.y)};
+  list.AddRectFilled(low, {low.x + amount * (high.x - low.x), high.y}, tint.faded(0.42f).packed(), matrix.ui.px(4),
+                     amount < 1.0f ? ImDrawFlags_RoundCornersLeft : ImDrawFlags_RoundCornersAll);
+  if (amount == 1.0f) return list.AddCircleFilled(middle, 0.2f * matrix.cell, tint.packed(), 14);
+  const std::string text = std::to_string(std::lround(100.0f * amount));
+  const float size = std::min(0.5f * (high.y - low.y), 0.8f * ImGui::GetFontSize());
+  const ImVec2 extent = ImGui::GetFont()->CalcTextSizeA(size, FLT_MAX, 0.0f, text.c_str());
+  if (extent.x > high.x - low.x) return;
+  list.AddText(ImGui::GetFont(), size, {middle.x - 0.5f * extent.x, middle.y - 0.5f * extent.y},
+               palette::kText.packed(), text.c_str());
+}
+
 void drawCell(Matrix& matrix, ImDrawList& list, int i, int j) {
   const ImVec2 corner = matrix.corner(i, j);
   if (corner.x + matrix.cell < matrix.clip.x || corner.x > matrix.clip.z) return;
@@ -154,13 +211,13 @@ void drawCell(Matrix& matrix, ImDrawList& list, int i, int j) {
   const ImVec2 high{corner.x + matrix.cell - inset, corner.y + matrix.cell - inset};
   if (i == j) {
     drawDiagonal(matrix, list, i, low, high);
-  } else if (at(at(matrix.linked, i), j)) {
-    const Tint mixed = between(groupTint(*matrix.rig, i), groupTint(*matrix.rig, j));
-    list.AddRectFilled(low, high, mixed.faded(0.42f).packed(), matrix.ui.px(4));
-    list.AddCircleFilled({0.5f * (low.x + high.x), 0.5f * (low.y + high.y)}, 0.2f * matrix.cell, mixed.packed(), 14);
   } else {
+    const float amount = at(at(matrix.amounts, i), j);
     const bool across = i == matrix.row || j == matrix.column;
-    list.AddRectFilled(low, high, (across ? palette::kLine : palette::kBackground).packed(), matrix.ui.px(4));
+    if (amount < 1.0f)
+      list.AddRectFilled(low, high, (across ? palette::kLine : palette::kBackground).packed(), matrix.ui.px(4));
+    const Tint mixed = between(groupTint(*matrix.rig, i), groupTint(*matrix.rig, j));
+    if (amount > 0.0f) drawLink(matrix, list, mixed, amount, low, high);
   }
   if (i == matrix.row && j == matrix.column) {
     list.AddRect(low, high, palette::kText.packed(), matrix.ui.px(4), 0, matrix.ui.px(1.5f));

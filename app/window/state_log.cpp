@@ -13,6 +13,7 @@
 #include "app/ui/keyboard_focus.h"
 #include "app/viewport/render/scene.h"
 #include "core/files/json/json.h"
+#include "core/files/rig_json_parts.h"
 
 namespace sinew::app {
 namespace {
@@ -84,12 +85,6 @@ Json groupState(const Rig& rig) {
     groups.set(group.name, static_cast<int>(std::ranges::count(rig.primitives, group.name, &Primitive::group)));
   }
   return groups;
-}
-
-Json linkState(const Rig& rig) {
-  Json links = Json::array();
-  for (const auto& [a, b] : rig.links) links.push(Json::array().push(a).push(b));
-  return links;
 }
 
 Json symmetryState(const Document& document) {
@@ -331,7 +326,7 @@ std::string stateText(const EditorState& state, const WidgetLog& widgets, const 
       .set("pose", poseState(state))
       .set("visibility", visibilityState(state))
       .set("groups", groupState(state.document.rig()))
-      .set("links", linkState(state.document.rig()))
+      .set("links", jsonList(state.document.rig().links, linkNode))
       .set("territory", state.view.tools.territoryMode ? state.document.activeName() : std::string())
       .set("depth", state.hasCharacter() ? state.live->depth() : smoothing.depth)
       .set("tolerance", state.hasCharacter() ? state.live->tolerance() : smoothing.tolerance)

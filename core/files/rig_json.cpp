@@ -104,7 +104,8 @@ int versionOf(const Rig& rig) {
     return !p.placement.shape.isPlain() || p.amount != 1.0f || !p.animated.empty();
   });
   const bool plain = rig.lines.empty() && rig.channels.empty() && rig.surface.animated.empty() && rig.layers.empty();
-  return plain && !newer && std::ranges::all_of(rig.morphs, isIdle) ? 1 : 2;
+  const bool whole = std::ranges::all_of(rig.links, [](const Link& link) { return link.amount == 1.0f; });
+  return plain && !newer && whole && std::ranges::all_of(rig.morphs, isIdle) ? 1 : 2;
 }
 
 Error inFile(Error error, const std::filesystem::path& file) {
@@ -122,7 +123,7 @@ std::string rigToJson(const Rig& rig) {
       .set("surface", surfaceNode(rig.surface))
       .set("smoothing", smoothingNode(rig.smoothing))
       .set("groups", jsonList(rig.groups, groupNode))
-      .set("links", jsonList(rig.links, [](const auto& link) { return jsonList(link); }));
+      .set("links", jsonList(rig.links, linkNode));
   if (!rig.clipFiles.empty()) root.set("clips", jsonList(rig.clipFiles));
   if (!rig.slots.empty()) root.set("slots", slotsNode(rig.slots));
   if (!rig.layers.empty()) root.set("layers", layersNode(rig.layers));
@@ -213,12 +214,16 @@ Group readGroup(Reader& reader, const Json& node, const Place& place) {
   return {readNeededText(reader, node, place, "name"), unknownKeys(node, {"name"})};
 }
 
-std::array<std::string, 2> readLink(Reader& reader, const Json& node, const Place& place) {
-  if (node.kind != Kind::kArray || node.children.size() != 2) {
-    reader.expect(place, "an array of two groups' names", node);
+Link readLink(Reader& reader, const Json& node, const Place& place) {
+  const std::size_t size = node.kind == Kind::kArray ? node.children.size() : 0;
+  if (size != 2 && size != 3) {
+    reader.expect(place, "an array of two groups' names, and an amount if it is not 1", node);
     return {};
   }
-  return {reader.text(node.children[0], Reader::at(place, 0)), reader.text(node.children[1], Reader::at(place, 1))};
+  const auto nameAt = [&](std::size_t i) { return reader.text(node.children[i], Reader::at(place, i)); };
+  Link link{{nameAt(0), nameAt(1)}};
+  if (size == 3) link.amount = reader.number(node.children[2], Reader::at(place, 2));
+  return link;
 }
 
 /// The numbers of one key: a single number or a list.

@@ -307,6 +307,12 @@ std::vector<AnimatedNumber> readAnimated(Reader& reader, const Json& owner, cons
   return readList(reader, owner, place, "animated", "animated number", readNumber);
 }
 
+Json linkNode(const Link& link) {
+  Json node = jsonList(link.groups);
+  if (link.amount != 1.0f) node.push(link.amount);
+  return node;
+}
+
 Json channelNode(const RigChannel& channel) {
   ObjectWriter writer;
   writer.set("name", channel.name);

@@ -6,6 +6,7 @@
 #include "core/files/json/json.h"
 #include "sinew/rig/animated_number.h"
 #include "sinew/rig/muscle_line.h"
+#include "sinew/rig/rig.h"
 
 namespace sinew {
 
@@ -16,6 +17,7 @@ namespace sinew {
 void setAnimated(ObjectWriter& writer, const std::vector<AnimatedNumber>& animated);
 [[nodiscard]] std::vector<AnimatedNumber> readAnimated(Reader& reader, const Json& owner, const Place& place);
 
+[[nodiscard]] Json linkNode(const Link& link);  ///< Omits an amount of 1.
 [[nodiscard]] Json channelNode(const RigChannel& channel);
 [[nodiscard]] RigChannel readChannel(Reader& reader, const Json& node, const Place& place);
 

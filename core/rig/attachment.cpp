@@ -13,8 +13,10 @@ namespace sinew {
 namespace {
 
 Result<const BlendingGraph*> graphOf(const Rig& rig, BlendingGraphMemo& graphs) {
-  std::vector<std::array<int, 2>> links;
-  for (const auto& [a, b] : rig.links) links.push_back({findGroup(rig, a), findGroup(rig, b)});
+  std::vector<GroupLink> links;
+  for (const auto& [groups, amount] : rig.links) {
+    links.push_back({findGroup(rig, groups[0]), findGroup(rig, groups[1]), amount});
+  }
   return graphs.graph(static_cast<int>(rig.groups.size()), links);
 }
 

@@ -25,8 +25,9 @@ using Groups = std::vector<int>;  // sorted
 /// graph can have 3^(n/3) maximal cliques (Moon and Moser 1965), hence the limit. docs/design.md, Many muscles.
 class CliqueSearch {
  public:
-  CliqueSearch(std::vector<Groups> neighbors, std::vector<Groups>& found)
-      : neighbors_(std::move(neighbors)), found_(found) {}
+  /// @param most  how many there may be.
+  CliqueSearch(std::vector<Groups> neighbors, int most, std::vector<Groups>& found)
+      : neighbors_(std::move(neighbors)), most_(static_cast<std::size_t>(most)), found_(found) {}
 
   /// False: too many.
   bool run() {
@@ -66,7 +67,7 @@ class CliqueSearch {
 
   bool extend(Groups& clique, Groups candidates, Groups excluded) {
     if (candidates.empty() && excluded.empty()) {
-      if (found_.size() == static_cast<std::size_t>(kMaxCliques)) return false;
+      if (found_.size() == most_) return false;
       Groups sorted = clique;
       std::ranges::sort(sorted);
       found_.push_back(std::move(sorted));
@@ -88,33 +89,54 @@ class CliqueSearch {
   }
 
   std::vector<Groups> neighbors_;
+  std::size_t most_;
   std::vector<Groups>& found_;
 };
 
 }  // namespace
 
-Result<BlendingGraph> makeBlendingGraph(int groupCount, std::span<const std::array<int, 2>> links) {
+namespace {
+
+/// For every group those that it is linked to by at least an amount.
+std::vector<Groups> neighborsOf(int groupCount, std::span<const GroupLink> links, float amount) {
   std::vector<Groups> neighbors(static_cast<std::size_t>(groupCount));
-  for (const auto& [a, b] : links) {
-    if (a == b) continue;
-    at(neighbors, a).push_back(b);
-    at(neighbors, b).push_back(a);
+  for (const GroupLink& link : links) {
+    if (link.a == link.b || link.amount < amount) continue;
+    at(neighbors, link.a).push_back(link.b);
+    at(neighbors, link.b).push_back(link.a);
   }
   for (Groups& list : neighbors) {
     std::ranges::sort(list);
     list.erase(std::unique(list.begin(), list.end()), list.end());
   }
+  return neighbors;
+}
+
+}  // namespace
+
+Result<BlendingGraph> makeBlendingGraph(int groupCount, std::span<const GroupLink> links) {
+  std::vector<float> amounts{1.0f};
+  for (const GroupLink& link : links) {
+    if (link.a != link.b) amounts.push_back(link.amount);
+  }
+  std::ranges::sort(amounts);
+  amounts.erase(std::unique(amounts.begin(), amounts.end()), amounts.end());
   BlendingGraph graph;
   graph.groupCount = groupCount;
-  if (groupCount > 0 && !CliqueSearch(std::move(neighbors), graph.cliques).run()) {
-    return errorAt("links", "the blending graph has more than " + std::to_string(kMaxCliques) +
-                                " maximal sets of mutually linked groups; merge groups or remove links");
+  int left = kMaxCliques;
+  for (const float amount : amounts) {
+    GraphLevel& level = graph.levels.emplace_back(amount);
+    if (groupCount > 0 && !CliqueSearch(neighborsOf(groupCount, links, amount), left, level.cliques).run()) {
+      return errorAt("links", "the blending graph has more than " + std::to_string(kMaxCliques) +
+                                  " maximal sets of mutually linked groups; merge groups or remove links");
+    }
+    left -= static_cast<int>(level.cliques.size());
+    std::ranges::sort(level.cliques);
   }
-  std::ranges::sort(graph.cliques);
   return graph;
 }
 
-Result<const BlendingGraph*> BlendingGraphMemo::graph(int groupCount, std::span<const std::array<int, 2>> links) {
+Result<const BlendingGraph*> BlendingGraphMemo::graph(int groupCount, std::span<const GroupLink> links) {
   if (!graph_ || graph_->groupCount != groupCount || !std::ranges::equal(links_, links)) {
     Result<BlendingGraph> made = makeBlendingGraph(groupCount, links);
     if (!made) return made.error();
@@ -124,9 +146,11 @@ Result<const BlendingGraph*> BlendingGraphMemo::graph(int groupCount, std::span<
   return &*graph_;
 }
 
-std::vector<std::vector<int>> cliquesAmong(const BlendingGraph& graph, std::span<const int> presentGroups) {
+namespace {
+
+CliqueLists cliquesAmong(const CliqueLists& cliques, std::span<const int> presentGroups) {
   std::vector<Groups> cut;
-  for (const Groups& clique : graph.cliques) {
+  for (const Groups& clique : cliques) {
     Groups left;
     std::ranges::set_intersection(clique, presentGroups, std::back_inserter(left));
     if (!left.empty()) cut.push_back(std::move(left));
@@ -139,7 +163,31 @@ std::vector<std::vector<int>> cliquesAmong(const BlendingGraph& graph, std::span
         std::ranges::any_of(maximal, [&](const Groups& larger) { return std::ranges::includes(larger, set); });
     if (!contained) maximal.push_back(set);
   }
+  for (Groups& clique : maximal) {
+    for (int& group : clique) {
+      group = static_cast<int>(std::ranges::lower_bound(presentGroups, group) - presentGroups.begin());
+    }
+  }
   return maximal;
+}
+
+}  // namespace
+
+CliqueLevels cliquesAmong(const BlendingGraph& graph, std::span<const int> presentGroups) {
+  CliqueLevels levels;
+  double begin = 0.0;  // Of the last level's amounts,
+  double end = 0.0;    // and their end.
+  for (const GraphLevel& level : graph.levels) {
+    CliqueLists cliques = cliquesAmong(level.cliques, presentGroups);
+    if (levels.empty() || levels.back().cliques != cliques) {
+      levels.push_back({0.0, std::move(cliques)});
+      begin = end;
+    }
+    end = static_cast<double>(level.amount);
+    levels.back().weight = end - begin;
+  }
+  const bool allAddUp = levels.size() == 1 && levels.front().cliques.size() < 2;
+  return allAddUp ? CliqueLevels() : levels;
 }
 
 namespace {
@@ -199,6 +247,17 @@ void poseField(std::span<const FieldPrimitive> primitives, std::span<const glm::
 
 namespace {
 
+/// The highest sum of a clique, with its gradient.
+FieldSample highest(const CliqueLists& cliques, FieldScratch& scratch) {
+  scratch.ofClique.assign(cliques.size(), {});
+  for (std::size_t k = 0; k < cliques.size(); ++k) {
+    for (const int slot : cliques[k]) {
+      if (static_cast<std::size_t>(slot) < scratch.ofSlot.size()) add(scratch.ofClique[k], at(scratch.ofSlot, slot));
+    }
+  }
+  return highest(scratch.ofClique);
+}
+
 /// F's maximum over shares of the cliques, with its gradient.
 FieldSample softest(const CliqueLists& cliques, FieldScratch& scratch) {
   const std::vector<FieldSample>& sums = scratch.ofSlot;
@@ -220,7 +279,7 @@ FieldSample softest(const CliqueLists& cliques, FieldScratch& scratch) {
 }  // namespace
 
 FieldSample sampleField(std::span<const PosedPrimitive> primitives, std::span<const Candidate> candidates,
-                        const CliqueLists& cliques, const glm::vec3& point, FieldScratch& scratch) {
+                        const CliqueLevels& levels, const glm::vec3& point, FieldScratch& scratch) {
   FieldSample carved;
   FieldSample linked;
   std::vector<FieldSample>& ofSlot = scratch.ofSlot;
@@ -232,7 +291,7 @@ FieldSample sampleField(std::span<const PosedPrimitive> primitives, std::span<co
     const FieldSample part = sampleCandidate(primitive, candidate.weight, point);
     if (primitive.strength < 0.0f) {
       add(carved, part);
-    } else if (cliques.empty()) {
+    } else if (levels.empty()) {
       add(linked, part);
     } else {
       const auto slot = static_cast<std::size_t>(candidate.slot);
@@ -243,27 +302,20 @@ FieldSample sampleField(std::span<const PosedPrimitive> primitives, std::span<co
       add(softness[slot], {primitive.groove * part.value, primitive.groove * part.gradient});
     }
   }
-  if (!softness.empty()) {
-    FieldSample out = softest(cliques, scratch);
-    add(out, carved);
-    return out;
+  FieldSample out = linked;
+  for (const CliqueLevel& level : levels) {
+    const FieldSample part = softness.empty() ? highest(level.cliques, scratch) : softest(level.cliques, scratch);
+    const float weight = static_cast<float>(level.weight);
+    add(out, {weight * part.value, weight * part.gradient});
   }
-  std::vector<FieldSample>& ofClique = scratch.ofClique;
-  ofClique.assign(cliques.size(), {});
-  for (std::size_t k = 0; k < cliques.size(); ++k) {
-    for (const int slot : cliques[k]) {
-      if (static_cast<std::size_t>(slot) < ofSlot.size()) add(ofClique[k], at(ofSlot, slot));
-    }
-  }
-  FieldSample out = cliques.empty() ? linked : highest(ofClique);
   add(out, carved);
   return out;
 }
 
 FieldSample sampleField(std::span<const PosedPrimitive> primitives, std::span<const Candidate> candidates,
-                        const CliqueLists& cliques, const glm::vec3& point) {
+                        const CliqueLevels& levels, const glm::vec3& point) {
   FieldScratch scratch;
-  return sampleField(primitives, candidates, cliques, point, scratch);
+  return sampleField(primitives, candidates, levels, point, scratch);
 }
 
 }  // namespace sinew

@@ -18,32 +18,57 @@ namespace sinew {
 /// Largest number of maximal cliques; nobody draws such a graph on purpose. docs/design.md.
 inline constexpr int kMaxCliques = 4096;
 
-/// The blending graph after Guy & Wyvill 1995: the field is the maximum over cliques of sums. docs/design.md.
+/// Two groups and how much they blend, above 0, at most 1.
+struct GroupLink {
+  int a = 0;
+  int b = 0;
+  float amount = 1.0f;
+
+  friend bool operator==(const GroupLink&, const GroupLink&) = default;
+};
+
+/// The graph without links below an amount.
+struct GraphLevel {
+  float amount = 1.0f;
+  CliqueLists cliques;  ///< Of groups: maximal, each sorted; the list is sorted. Every group is in at least one.
+};
+
+/// The blending graph after Guy & Wyvill 1995: the field is the maximum over cliques of sums; with links in part, the
+/// mean of these over all amounts that a link may have to have. docs/design.md.
 struct BlendingGraph {
   int groupCount = 0;
-  std::vector<std::vector<int>> cliques;  ///< Maximal, each sorted; the list is sorted. Every group is in at least one.
+  std::vector<GraphLevel> levels;  ///< For each amount of a link, ascending; the last is that of 1. Not empty.
 };
 
 /// Enumerates the maximal cliques (Bron & Kerbosch 1973, with pivoting).
-/// @param links pairs of groups < groupCount; order and repeats do not matter, a group linked to itself is ignored.
+/// @param links  between groups < groupCount; order does not matter, of repeats the largest amount counts, a group
+/// linked to itself is ignored.
 /// Error: more than kMaxCliques.
-[[nodiscard]] Result<BlendingGraph> makeBlendingGraph(int groupCount, std::span<const std::array<int, 2>> links);
+[[nodiscard]] Result<BlendingGraph> makeBlendingGraph(int groupCount, std::span<const GroupLink> links);
 
 /// Remembers the last graph, so that repeated calls do not enumerate its cliques again.
 class BlendingGraphMemo {
  public:
   /// makeBlendingGraph(); valid until the next call. An error keeps the graph before.
-  [[nodiscard]] Result<const BlendingGraph*> graph(int groupCount, std::span<const std::array<int, 2>> links);
+  [[nodiscard]] Result<const BlendingGraph*> graph(int groupCount, std::span<const GroupLink> links);
 
  private:
   std::optional<BlendingGraph> graph_;
-  std::vector<std::array<int, 2>> links_;  ///< Links of graph_.
+  std::vector<GroupLink> links_;  ///< Links of graph_.
 };
 
-/// The cliques restricted to `presentGroups` (sorted), without those that others contain. Where only these groups
-/// reach, the field is the same as with the whole graph, since positive parts are >= 0.
-[[nodiscard]] std::vector<std::vector<int>> cliquesAmong(const BlendingGraph& graph,
-                                                         std::span<const int> presentGroups);
+/// One part of the field at a place.
+struct CliqueLevel {
+  double weight = 1.0;
+  CliqueLists cliques;  ///< Of slots.
+};
+/// The parts of the field at a place, whose weights add up to 1: several where groups are linked in part. Empty: all
+/// groups add up.
+using CliqueLevels = std::vector<CliqueLevel>;
+
+/// The cliques restricted to `presentGroups` (sorted), without those that others contain, as slots: their indices
+/// there. Where only these groups reach, the field is the same as with the whole graph, since positive parts are >= 0.
+[[nodiscard]] CliqueLevels cliquesAmong(const BlendingGraph& graph, std::span<const int> presentGroups);
 
 /// A primitive resolved for the field (core/rig/attachment.h).
 struct FieldPrimitive {
@@ -101,11 +126,11 @@ void poseField(std::span<const FieldPrimitive> primitives, std::span<const glm::
 /// F(x) = max over cliques of the sum of its positive m_i f_i, plus the sum of all carving m_i f_i (<= 0). Carves are
 /// outside the maximum, since inside any unlinked group would undo a carve by max(..., 0), and culling would change
 /// values. Without carves, or with all groups linked, it makes no difference. With soft grooves the maximum is over
-/// shares of the cliques (core/rig/group_blend.h). docs/design.md.
+/// shares of the cliques (core/rig/group_blend.h). Of several levels the maxima's mean counts. docs/design.md.
 [[nodiscard]] FieldSample sampleField(std::span<const PosedPrimitive> primitives, std::span<const Candidate> candidates,
-                                      const CliqueLists& cliques, const glm::vec3& point, FieldScratch& scratch);
+                                      const CliqueLevels& levels, const glm::vec3& point, FieldScratch& scratch);
 /// For single points.
 [[nodiscard]] FieldSample sampleField(std::span<const PosedPrimitive> primitives, std::span<const Candidate> candidates,
-                                      const CliqueLists& cliques, const glm::vec3& point);
+                                      const CliqueLevels& levels, const glm::vec3& point);
 
 }  // namespace sinew

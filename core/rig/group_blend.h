@@ -5,7 +5,7 @@
 
 namespace sinew {
 
-/// Groups that add up at a place: one list of slots for each clique, ascending; empty: all groups add up.
+/// Groups that add up: one ascending list for each clique.
 using CliqueLists = std::vector<std::vector<int>>;
 
 struct BlendedGroup {

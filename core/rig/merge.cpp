@@ -49,8 +49,8 @@ Rig excerpt(const Rig& rig, std::span<const int> primitives) {
   for (const Group& group : rig.groups) {
     if (groups.contains(group.name)) part.groups.push_back(group);
   }
-  for (const auto& link : rig.links) {
-    if (groups.contains(link[0]) && groups.contains(link[1])) part.links.push_back(link);
+  for (const Link& link : rig.links) {
+    if (groups.contains(link.groups[0]) && groups.contains(link.groups[1])) part.links.push_back(link);
   }
   return part;
 }
@@ -65,8 +65,9 @@ Result<void> addGroups(Rig& rig, const Rig& from) {
   for (const Group& group : from.groups) {
     if (findGroup(rig, group.name) < 0) rig.groups.push_back({group.name, {}});
   }
-  for (const auto& link : from.links) {
-    if (findGroup(rig, link[0]) >= former || findGroup(rig, link[1]) >= former) rig.links.push_back(link);
+  for (const Link& link : from.links) {
+    const auto isNew = [&](const std::string& group) { return findGroup(rig, group) >= former; };
+    if (std::ranges::any_of(link.groups, isNew)) rig.links.push_back(link);
   }
   return static_cast<int>(rig.groups.size()) > former ? validateLinks(rig) : Result<void>();
 }

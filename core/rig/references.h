@@ -60,8 +60,8 @@ void eachReference(MuscleLine& line, Visit visit) {
 
 template <class Visit>
 void eachReference(Rig& rig, Visit visit) {
-  for (auto& link : rig.links) {
-    for (std::string& group : link) visit(Named::kGroup, group);
+  for (Link& link : rig.links) {
+    for (std::string& group : link.groups) visit(Named::kGroup, group);
   }
   eachReference(rig.surface.animated, visit);
   for (MuscleLine& line : rig.lines) eachReference(line, visit);

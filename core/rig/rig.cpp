@@ -74,6 +74,14 @@ int findMorph(const Rig& rig, const std::string& name) {
   return findNamed(std::span<const MorphWeight>(rig.morphs), name);
 }
 
+float linkAmount(const Rig& rig, const std::string& a, const std::string& b) {
+  float amount = 0.0f;
+  for (const Link& link : rig.links) {
+    if (link.joins(a, b)) amount = std::max(amount, link.amount);  // Files may contain it twice.
+  }
+  return amount;
+}
+
 const MuscleLine* lineOf(const Rig& rig, const Primitive& primitive) {
   const int line = primitive.line.empty() ? -1 : findLine(rig, primitive.line);
   return line < 0 ? nullptr : &rig.lines[static_cast<std::size_t>(line)];

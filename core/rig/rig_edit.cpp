@@ -221,10 +221,6 @@ void pairUp(Rig& rig, int index, int twin) {
   primitiveAt(rig, twin).mirror = primitiveAt(rig, index).name;
 }
 
-bool joins(const std::array<std::string, 2>& link, const std::string& a, const std::string& b) {
-  return (link[0] == a && link[1] == b) || (link[0] == b && link[1] == a);
-}
-
 }  // namespace
 
 Result<void> append(Rig& rig, Primitive primitive) {
@@ -338,21 +334,26 @@ Result<Rig> removeGroup(Rig rig, int group) {
                    "groups");
   }
   rig.groups.erase(rig.groups.begin() + group);
-  std::erase_if(rig.links, [&](const auto& link) { return link[0] == name || link[1] == name; });
+  std::erase_if(rig.links, [&](const Link& link) { return std::ranges::find(link.groups, name) != link.groups.end(); });
   return rig;
 }
 
-Result<Rig> setLink(Rig rig, int groupA, int groupB, bool linked) {
+Result<Rig> setLink(Rig rig, int groupA, int groupB, float amount) {
   const std::string& a = groupAt(rig, groupA).name;
   const std::string& b = groupAt(rig, groupB).name;
   if (groupA == groupB)
     return errorAt("links", "a group cannot be linked to itself; its primitives always blend", "link");
-  const bool already = std::ranges::any_of(rig.links, [&](const auto& link) { return joins(link, a, b); });
-  if (already == linked) return rig;
-  if (linked) {
-    rig.links.push_back({a, b});
+  if (!(amount >= 0.0f && amount <= 1.0f)) {
+    return errorAt("links", "expected an amount from 0 to 1, got " + numberText(amount), "link");
+  }
+  if (linkAmount(rig, a, b) == amount) return rig;
+  const auto joins = [&](const Link& link) { return link.joins(a, b); };
+  const auto first = std::ranges::find_if(rig.links, joins);
+  if (first == rig.links.end()) {
+    rig.links.push_back({{a, b}, amount});
   } else {
-    std::erase_if(rig.links, [&](const auto& link) { return joins(link, a, b); });
+    first->amount = amount;
+    rig.links.erase(std::remove_if(first + (amount > 0.0f ? 1 : 0), rig.links.end(), joins), rig.links.end());
   }
   // Also after removing a link, which may increase the number of cliques.
   if (const auto valid = validateLinks(rig); !valid) return valid.error();

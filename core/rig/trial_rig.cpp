@@ -68,7 +68,7 @@ Placement placementAt(const Character& character, const Bone& bone, const Segmen
 Rig trialRig(const Character& character, int muscles, std::uint64_t seed) {
   Rig rig;
   for (const char* group : {"a", "b", "c"}) rig.groups.push_back({group, {}});
-  rig.links = {{"a", "b"}, {"b", "c"}};
+  rig.links = {{{"a", "b"}}, {{"b", "c"}}};
   const std::vector<Skin> skins = skinsOf(character);
   for (int i = 0; i < muscles && !skins.empty(); ++i) {
     const Skin& skin = skins[static_cast<std::size_t>(i) % skins.size()];

@@ -158,23 +158,27 @@ Result<void> validateMirror(const std::vector<Twinned>& items, std::size_t i, co
 }
 
 Result<void> validateLinksAmong(const Rig& rig, const NameIndex& groups, BlendingGraphMemo& graphs) {
-  std::vector<std::array<int, 2>> links;
+  std::vector<GroupLink> links;
   links.reserve(rig.links.size());
   for (std::size_t i = 0; i < rig.links.size(); ++i) {
-    std::array<int, 2> link{};
+    const Link& link = rig.links[i];
+    const std::string subject = "link " + std::to_string(i + 1);
+    std::array<int, 2> ends{};
     for (std::size_t end = 0; end < 2; ++end) {
-      const auto group = groups.find(rig.links[i][end]);
+      const auto group = groups.find(link.groups[end]);
       if (group == groups.end()) {
         return errorAt(indexed("links", i) + indexed("", end),
-                       "expected the name of a group, but there is no \"" + rig.links[i][end] + '"',
-                       "link " + std::to_string(i + 1));
+                       "expected the name of a group, but there is no \"" + link.groups[end] + '"', subject);
       }
-      link[end] = static_cast<int>(group->second);
+      ends[end] = static_cast<int>(group->second);
     }
-    if (link[0] == link[1])
-      return errorAt(indexed("links", i), "expected two different groups, got \"" + rig.links[i][0] + "\" twice",
-                     "link " + std::to_string(i + 1));
-    links.push_back(link);
+    if (ends[0] == ends[1])
+      return errorAt(indexed("links", i), "expected two different groups, got \"" + link.groups[0] + "\" twice",
+                     subject);
+    if (!(link.amount > 0.0f && link.amount <= 1.0f))
+      return errorAt(indexed("links", i) + indexed("", 2),
+                     "expected an amount above 0, at most 1, got " + numberText(link.amount), subject);
+    links.push_back({ends[0], ends[1], link.amount});
   }
   if (const auto graph = graphs.graph(static_cast<int>(rig.groups.size()), links); !graph) {
     return errorAt("links", graph.error().reason, "links");

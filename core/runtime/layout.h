@@ -462,8 +462,10 @@ void fields(A& a, typename A::template Ref<Group> value) {
 }
 
 template <class A>
-void fields(A& a, typename A::template Ref<std::array<std::string, 2>> value) {
-  for (auto& name : value) a.text(name);
+void fields(A& a, typename A::template Ref<Link> value) {
+  auto& [groups, amount] = value;
+  for (auto& name : groups) a.text(name);
+  a.floats(amount);
 }
 
 template <class A>
@@ -530,7 +532,7 @@ void fields(A& a, typename A::template Ref<Rig> value) {
   fields(a, surface);
   fields(a, smoothing);
   a.list(groups, kTextBytes);
-  a.list(links, 2 * kTextBytes);
+  a.list(links, 2 * kTextBytes + 4);
   a.list(channels, 2 * kTextBytes + kCountBytes + 1);
   a.section("lines");
   a.list(lines, 90);

@@ -72,7 +72,7 @@ SmoothingReport reportOf(const Preparation& p) {
   report.refinedTriangles = static_cast<int>(p.refinement().triangles.size());
   report.refinedVertices = p.refinement().vertexCount;
   report.primitives = p.shownPrimitives;
-  report.cliques = static_cast<int>(p.attached->attachment.graph.cliques.size());
+  report.cliques = static_cast<int>(p.attached->attachment.graph.levels.front().cliques.size());
   return report;
 }
 

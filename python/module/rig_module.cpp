@@ -146,15 +146,24 @@ void removeGroupNamed(RigHandle& handle, const py::object& name) {
   handle.replace(removeGroup(handle.rig(), handle.groupNamed(textFrom(name, "group"))));
 }
 
-/// Groups that there are not yet are made when they are linked.
-void setLinked(RigHandle& handle, const py::object& one, const py::object& other, bool linked) {
+/// Groups that there are not yet are made when they are linked. @param howMuch  0 unlinks.
+void setLinkOf(RigHandle& handle, const py::object& one, const py::object& other, const py::object& howMuch) {
   const std::string a = textFrom(one, "group");
   const std::string b = textFrom(other, "group");
   if (a == b) refuse(subjectOf("group", a), "is one with itself already; expected two different groups");
+  const float amount = numberFrom(howMuch, "amount");
+  const bool linked = amount != 0.0f;
   Rig edited = linked ? withGroup(withGroup(handle.rig(), a), b) : handle.rig();
   const int first = linked ? findGroup(edited, a) : handle.groupNamed(a);
   const int second = linked ? findGroup(edited, b) : handle.groupNamed(b);
-  handle.replace(setLink(std::move(edited), first, second, linked));
+  handle.replace(setLink(std::move(edited), first, second, amount));
+}
+
+float linkAmountOf(const RigHandle& handle, const py::object& one, const py::object& other) {
+  const auto nameOf = [&](const py::object& group) -> const std::string& {
+    return at(handle.rig().groups, handle.groupNamed(textFrom(group, "group"))).name;
+  };
+  return linkAmount(handle.rig(), nameOf(one), nameOf(other));
 }
 
 void renameGroupTo(RigHandle& handle, const py::object& name, const py::object& newName) {
@@ -176,7 +185,7 @@ py::tuple groupsOf(const RigHandle& handle) {
 
 py::tuple linksOf(const RigHandle& handle) {
   py::list links;
-  for (const auto& link : handle.rig().links) links.append(py::make_tuple(link[0], link[1]));
+  for (const Link& link : handle.rig().links) links.append(py::make_tuple(link.groups[0], link.groups[1]));
   return py::tuple(links);
 }
 
@@ -282,7 +291,8 @@ void defineRig(py::module_& module) {
       .def("_remove", removeMuscle)
       .def("_remove_group", removeGroupNamed)
       .def("_rename_group", renameGroupTo)
-      .def("_set_linked", setLinked)
+      .def("_set_link", setLinkOf)
+      .def("_link_amount", linkAmountOf)
       .def("_shapes", shapeWeightsOf)
       .def("_set_shape", setShapeWeight)
       .def("_save", [](RigHandle& handle, const py::object& path) { handle.save(pathFrom(path, "path")); })

@@ -132,13 +132,18 @@ class Rig(_sinew.Rig):
         """Removes a muscle, and its line if that carries no other. A twin stays, single."""
         self._remove(_name(muscle))
 
-    def link(self, group, other):
-        """Lets the muscles of two groups blend. Groups that there are not yet are made."""
-        self._set_linked(group, other, True)
+    def link(self, group, other, amount=1.0):
+        """Lets the muscles of two groups blend: 1 adds them up, less blends in part, 0 parts them. Groups that there
+        are not yet are made."""
+        self._set_link(group, other, amount)
+
+    def link_amount(self, group, other):
+        """How much two groups blend, 0 to 1; 0: they are not linked."""
+        return self._link_amount(group, other)
 
     def unlink(self, group, other):
         """Parts two groups."""
-        self._set_linked(group, other, False)
+        self._set_link(group, other, 0.0)
 
     def rename_group(self, group, name):
         """Gives a group another name."""

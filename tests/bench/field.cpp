@@ -51,7 +51,7 @@ struct Kind {
   double checksum = 0.0;
 
   void round(const std::vector<Candidate>& candidates) {
-    const CliqueLists sumsAlone;
+    const CliqueLevels sumsAlone;
     Stopwatch watch;
     for (int i = 0; i < kPoints; ++i) {
       checksum += static_cast<double>(sampleField(primitives, candidates, sumsAlone, spread(i)).value);

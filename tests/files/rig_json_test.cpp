@@ -183,6 +183,21 @@ TEST(RigJson, GroovesAreWrittenOnlyIfSoft) {
   EXPECT_EQ(rigToJson(rig), crisp);
 }
 
+TEST(RigJson, AmountsOfLinksAreWrittenOnlyIfInPart) {
+  Rig rig;
+  rig.character = "fox.glb";
+  rig.groups = {{"legs", {}}, {"torso", {}}, {"arms", {}}};
+  rig.links = {{{"legs", "torso"}, 1.0f}};
+  const std::string whole = rigToJson(rig);
+  EXPECT_NE(whole.find("[\"legs\", \"torso\"]"), std::string::npos) << whole;
+  EXPECT_NE(whole.find("\"version\": 1,"), std::string::npos) << "as programs without amounts write and read it";
+  rig.links.push_back({{"torso", "arms"}, 0.4f});
+  const std::string part = rigToJson(rig);
+  EXPECT_NE(part.find("[\"torso\", \"arms\", 0.4]"), std::string::npos) << part;
+  EXPECT_NE(part.find("\"version\": 2,"), std::string::npos);
+  EXPECT_EQ(rigFromJson(part).value(), rig);
+}
+
 TEST(RigJson, AutoDepthIsWrittenOnlyIfOn) {
   const auto loaded = loadRig(dataFile("v1-auto.rig.json"));
   ASSERT_TRUE(loaded.ok()) << loaded.error().text();
@@ -300,6 +315,10 @@ INSTANTIATE_TEST_SUITE_P(
         BadRig{"[\"hind legs\", \"torso\"] ]", "[\"hind legs\"] ]", "links[0]", "two groups' names"},
         BadRig{"[\"hind legs\", \"torso\"] ]", "[\"hind legs\", \"tail\"] ]", "links[0][1]", "there is no \"tail\""},
         BadRig{"[\"hind legs\", \"torso\"] ]", "[\"torso\", \"torso\"] ]", "links[0]", "two different groups"},
+        BadRig{"\"torso\"] ]", "\"torso\", 0] ]", "links[0][2]", "an amount above 0, at most 1, got 0"},
+        BadRig{"\"torso\"] ]", "\"torso\", 1.5] ]", "links[0][2]", "at most 1, got 1.5"},
+        BadRig{"\"torso\"] ]", "\"torso\", \"half\"] ]", "links[0][2]", "expected a number, got \"half\""},
+        BadRig{"\"torso\"] ]", "\"torso\", 0.5, 1] ]", "links[0]", "and an amount if it is not 1"},
         BadRig{"\"name\": \"navel\"", "\"name\": \"thigh L\"", "primitives[2].name", "primitives[0]"},
         BadRig{"\"name\": \"navel\", ", "", "primitives[2].name", "the key is missing"},
         BadRig{"\"bone\": \"b_Spine01_02\", ", "", "primitives[2].bone", "the key is missing"},

@@ -137,14 +137,21 @@ def surface(t, rig, name):
 
 
 def keep_arms_off(t, editor, rig):
-    """Linked, arms melt into the torso; unlinked in the matrix they do not, and the surface is another one."""
+    """Linked, arms melt into the torso; linked in part less; unlinked they do not. Each is another surface."""
     toggle_cell(editor, "legs", "torso", [["legs", "torso"]])
     toggle_cell(editor, "arms", "torso", [["arms", "torso"], ["legs", "torso"]])
     editor.saved_rig()
-    melted = surface(t, rig, "melted.obj")
+    surfaces = [surface(t, rig, "melted.obj")]
+    cell = editor.widget("blending/cell/arms/torso")
+    editor.drag(cell, (cell[0] - 50, cell[1]))
+    state = editor.wait_until("a link in part", lambda s: any(len(link) == 3 for link in s["links"]))
+    editor.saved_rig()
+    t.check_equal("the file has the amount", json.loads(rig.read_text())["links"], state["links"])
+    surfaces.append(surface(t, rig, "part.obj"))
     toggle_cell(editor, "arms", "torso", [["legs", "torso"]])
     editor.saved_rig()
-    t.check("unlinked, the surface is another one", surface(t, rig, "apart.obj") != melted)
+    surfaces.append(surface(t, rig, "apart.obj"))
+    t.check_equal("three different surfaces", len(set(surfaces)), 3)
 
 
 def check_file(t, role, path):

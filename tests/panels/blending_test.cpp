@@ -4,6 +4,7 @@
 #include "tests/support/editor/headless_editor.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "app/editor/blending_edit.h"
 #include "app/panels/blending.h"
@@ -27,7 +28,8 @@ class Blending : public HeadlessEditor {
     ASSERT_TRUE(shown("blending/cell/torso/legs"));
   }
   [[nodiscard]] const Rig& rig() const { return state.document.rig(); }
-  [[nodiscard]] bool linked(const std::string& a, const std::string& b) const { return areLinked(rig(), a, b); }
+  [[nodiscard]] float amount(const std::string& a, const std::string& b) const { return linkAmount(rig(), a, b); }
+  [[nodiscard]] bool linked(const std::string& a, const std::string& b) const { return linkAmount(rig(), a, b) > 0.0f; }
   void hover(const std::string& id) {
     queue.move(center(id));
     settle();
@@ -50,6 +52,65 @@ TEST_F(Blending, CellLinksAndUnlinksInOneStepEach) {
   undo(state);
   EXPECT_TRUE(linked("legs", "torso"));
   EXPECT_FALSE(linked("legs", "arms"));
+}
+
+TEST_F(Blending, DraggingACellSidewaysSetsHowMuchGroupsBlend) {
+  drag("blending/cell/arms/legs", {60.0f * state.frame.uiScale, 0.0f});
+  EXPECT_NEAR(amount("legs", "arms"), 0.5f, 0.05f);
+  EXPECT_EQ(steps(), 1u);
+  const float half = amount("legs", "arms");
+  EXPECT_EQ(state.document.commands.label(1), "Link arms and legs by " + percentText(half));
+  EXPECT_EQ(100.0f * half, std::round(100.0f * half)) << "whole percents";
+  drag("blending/cell/arms/legs", {-24.0f * state.frame.uiScale, 0.0f});
+  EXPECT_NEAR(amount("legs", "arms"), half - 0.2f, 0.03f) << "from where it was";
+  drag("blending/cell/arms/legs", {-400.0f, 0.0f});
+  EXPECT_FALSE(linked("legs", "arms"));
+  drag("blending/cell/arms/legs", {400.0f, 0.0f});
+  EXPECT_EQ(amount("legs", "arms"), 1.0f);
+  EXPECT_EQ(steps(), 4u);
+  for (int i = 0; i < 3; ++i) undo(state);
+  EXPECT_EQ(amount("legs", "arms"), half);
+  click("blending/cell/arms/legs");
+  EXPECT_FALSE(linked("legs", "arms")) << "a click unlinks, however little they blend";
+  EXPECT_TRUE(allValid());
+}
+
+TEST_F(Blending, DragOfACellIsTakenBackByEsc) {
+  queue.move(center("blending/cell/torso/legs"));
+  settle();
+  queue.button(0, true);
+  settle();
+  queue.move(center("blending/cell/torso/legs") - glm::vec2(50.0f, 0.0f));
+  settle();
+  EXPECT_LT(amount("legs", "torso"), 1.0f);
+  press(kEscape);
+  queue.button(0, false);
+  settle();
+  EXPECT_EQ(amount("legs", "torso"), 1.0f);
+  EXPECT_EQ(steps(), 0u);
+}
+
+TEST_F(Blending, HowMuchGroupsBlendIsTypedInMatrixAndGraph) {
+  click("blending/cell/torso/legs", 1);
+  ASSERT_TRUE(shown("blending/amount"));
+  doubleClick("blending/amount");
+  press(kKeyA, true);
+  type("40");
+  press(kEnter);
+  EXPECT_EQ(amount("legs", "torso"), 0.4f);
+  EXPECT_EQ(steps(), 1u);
+  press(kEscape);
+  click("blending/view/graph");
+  click(shown("blending/edge/legs/torso") ? "blending/edge/legs/torso" : "blending/edge/torso/legs", 1);
+  ASSERT_TRUE(shown("blending/amount"));
+  doubleClick("blending/amount");
+  press(kKeyA, true);
+  type("75");
+  press(kEnter);
+  EXPECT_EQ(amount("legs", "torso"), 0.75f);
+  EXPECT_EQ(steps(), 2u);
+  undo(state);
+  EXPECT_EQ(amount("legs", "torso"), 0.4f);
 }
 
 TEST_F(Blending, HoveredCellHighlightsTheMusclesOfBothGroups) {
@@ -163,7 +224,7 @@ TEST_F(Blending, MuscleIsDraggedFromTheOutlinerOntoAGroup) {
 TEST_F(Blending, SixtyGroupsFitInBothViews) {
   Rig many = rig();
   for (int i = 0; i < 57; ++i) many = addGroup(many, "group number " + std::to_string(i)).value();
-  for (int i = 0; i + 1 < 60; ++i) many = setLink(many, i, i + 1, true).value();
+  for (int i = 0; i + 1 < 60; ++i) many = setLink(many, i, i + 1, 1.0f).value();
   state.document.commands.apply("Many", many);
   settle();
   EXPECT_TRUE(shown("blending/cell/torso/legs"));
@@ -182,7 +243,7 @@ TEST_F(Blending, TooManyCliquesAreRefusedWithAReason) {
   for (int i = 0; i < 24 && refusal.empty(); ++i) {
     for (int j = 0; j < i; ++j) {
       if (i / 3 == j / 3) continue;
-      Result<Rig> next = setLink(many, i, j, true);
+      Result<Rig> next = setLink(many, i, j, 1.0f);
       if (!next) {
         refusal = next.error().reason;
         break;

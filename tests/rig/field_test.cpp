@@ -31,7 +31,7 @@ TEST(Field, ChainBlendsWithTheMiddleOnly) {
   const glm::vec3 x(0.3f, 0.5f, 0.1f);
   std::array<float, 3> f{};
   for (std::size_t i = 0; i < 3; ++i) f[i] = sampleField(three, std::span(all).subspan(i, 1), {}, x).value;
-  const CliqueLists chain{{0, 1}, {1, 2}};
+  const CliqueLevels chain{{1.0, {{0, 1}, {1, 2}}}};
   EXPECT_NEAR(sampleField(three, all, chain, x).value, f[1] + std::max(f[0], f[2]), 1e-6f);
   EXPECT_NEAR(sampleField(three, all, {}, x).value, f[0] + f[1] + f[2], 1e-6f);
 }
@@ -39,7 +39,7 @@ TEST(Field, ChainBlendsWithTheMiddleOnly) {
 TEST(Field, CarveIgnoresUnlinkedGroups) {
   const std::vector<PosedPrimitive> two{sphere({0, 0, 0}, 1, -1.0f), sphere({9, 0, 0}, 1)};
   const std::vector<Candidate> all{{0, 1.0f, 0}, {1, 1.0f, 1}};
-  const CliqueLists unlinked{{0}, {1}};
+  const CliqueLevels unlinked{{1.0, {{0}, {1}}}};
   const glm::vec3 x(0.2f, 0.1f, 0);
   const float alone = sampleField(two, std::span(all).first(1), {}, x).value;
   EXPECT_LT(alone, 0.0f);
@@ -55,7 +55,7 @@ TEST(Field, GradientMatchesDifferences) {
     some.push_back(sphere({unit(random), unit(random), unit(random)}, 0.6f, i == 5 ? -0.7f : 1.0f));
     all.push_back({i, 0.5f + 0.5f * unit(random), i % 3});
   }
-  const CliqueLists cliques{{0, 1}, {1, 2}};
+  const CliqueLevels cliques{{1.0, {{0, 1}, {1, 2}}}};
   int compared = 0;
   for (int round = 0; round < 2000; ++round) {
     const glm::vec3 x(unit(random), unit(random), unit(random));
@@ -84,7 +84,7 @@ TEST(Field, GradientBetweenMirroredMusclesLiesInThePlane) {
   const std::vector<Candidate> all{{0, 1.0f, 0}, {1, 1.0f, 1}, {1, 0.0f, 2}, {1, 1e-6f, 3}};
   // The second one is in three cliques, next to a group that adds nothing here and one that adds almost nothing: they
   // must not count as another one.
-  const CliqueLists unlinked{{0}, {1, 2}, {1}, {1, 3}};
+  const CliqueLevels unlinked{{1.0, {{0}, {1, 2}, {1}, {1, 3}}}};
   const auto gradientAt = [&](float x) { return sampleField(two, all, unlinked, {x, 0.5f, 0.1f}).gradient; };
   const glm::vec3 between = gradientAt(0.0f);
   const glm::vec3 beside = gradientAt(0.01f);
@@ -106,7 +106,7 @@ TEST(Field, GradientBetweenMirroredMusclesLiesInThePlane) {
 TEST(Field, GradientNearARimIgnoresDistantMuscles) {
   const std::vector<PosedPrimitive> two{sphere({0, 0, 0}, 1), sphere({100, 0, 0}, 1)};
   const std::vector<Candidate> all{{0, 1.0f, 0}, {1, 1.0f, 1}};
-  const CliqueLists unlinked{{0}, {1}};
+  const CliqueLevels unlinked{{1.0, {{0}, {1}}}};
   for (const float x : {1.0f, 1.40f, 1.409f, 1.413f, 1.4141f}) {
     const glm::vec3 point(x, 0, 0);
     EXPECT_EQ(sampleField(two, all, unlinked, point).gradient,

@@ -41,7 +41,7 @@ struct RigMerge : testing::Test {
   RigMerge() {
     calves.character = "legs.glb";
     calves.groups = {{"legs", {}}, {"torso", {}}};
-    calves.links = {{"legs", "torso"}};
+    calves.links = {{{"legs", "torso"}, 0.7f}};
     calves = addLine(calves, lineNamed("calf L")).value();
     Primitive calf;
     calf.name = "calf L";

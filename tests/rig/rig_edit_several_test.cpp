@@ -49,7 +49,7 @@ TEST(RigEditSeveral, OneRefusalRefusesAllAndNamesThePlace) {
 
 TEST(RigEditSeveral, DissolvedGroupMovesItsMusclesToTheOther) {
   Rig rig = moveToNewGroup(rigOf(4), std::vector<int>{1, 2}, "legs").value();
-  rig = setLink(rig, 0, 1, true).value();
+  rig = setLink(rig, 0, 1, 1.0f).value();
   EXPECT_EQ(membersOf(rig, "legs"), (std::vector<int>{1, 2}));
   EXPECT_FALSE(dissolveGroup(rig, 1, 1).ok());
   const Rig left = dissolveGroup(rig, 1, 0).value();

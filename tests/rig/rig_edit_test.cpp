@@ -77,8 +77,8 @@ std::optional<Rig> randomEdit(test::Random& random, const Rig& rig) {
     case 10:
       return value(removeGroup(rig, index(random, rig.groups.size())));
     case 11:
-      return value(
-          setLink(rig, index(random, rig.groups.size()), index(random, rig.groups.size()), random.chance(0.6f)));
+      return value(setLink(rig, index(random, rig.groups.size()), index(random, rig.groups.size()),
+                           random.chance(0.6f) ? random.uniform(0.1f, 1.0f) : 0.0f));
     case 12:
       return clearMirror(rig, index(random, n));
     default:
@@ -180,7 +180,7 @@ TEST(RigEdit, RenamingAGroupUpdatesMembersAndLinks) {
   const auto rig = renameGroup(sample(), 0, "hind legs");
   ASSERT_TRUE(rig.ok());
   EXPECT_EQ(rig->primitives[1].group, "hind legs");
-  EXPECT_EQ(rig->links[0][0], "hind legs");
+  EXPECT_EQ(rig->links[0].groups[0], "hind legs");
   EXPECT_FALSE(renameGroup(sample(), 0, "torso").ok());
   EXPECT_TRUE(renameGroup(sample(), 0, "legs").value() == sample());
 }
@@ -197,11 +197,25 @@ TEST(RigEdit, OnlyEmptyGroupsAreRemovedWithTheirLinks) {
 TEST(RigEdit, LinksAreSetAndClearedOnce) {
   Rig rig = sample();
   rig.links.push_back({"torso", "legs"});  // Files may contain it twice.
-  EXPECT_TRUE(setLink(rig, 1, 0, false)->links.empty());
-  EXPECT_EQ(setLink(rig, 1, 0, true)->links.size(), 2u);
-  const auto unlinked = setLink(sample(), 0, 1, false);
-  EXPECT_EQ(setLink(unlinked.value(), 0, 1, true)->links.size(), 1u);
-  EXPECT_FALSE(setLink(sample(), 0, 0, true).ok());
+  EXPECT_TRUE(setLink(rig, 1, 0, 0.0f)->links.empty());
+  EXPECT_EQ(setLink(rig, 1, 0, 1.0f)->links.size(), 2u);
+  const auto unlinked = setLink(sample(), 0, 1, 0.0f);
+  EXPECT_EQ(setLink(unlinked.value(), 0, 1, 1.0f)->links.size(), 1u);
+  EXPECT_FALSE(setLink(sample(), 0, 0, 1.0f).ok());
+}
+
+TEST(RigEdit, LinksHaveAnAmount) {
+  Rig rig = sample();
+  rig.links.push_back({{"torso", "legs"}, 0.25f});
+  EXPECT_EQ(linkAmount(rig, "torso", "legs"), 1.0f) << "of two the larger";
+  rig = setLink(rig, 1, 0, 0.5f).value();
+  EXPECT_EQ(rig.links, (std::vector<Link>{{{"legs", "torso"}, 0.5f}})) << "in its place, once";
+  EXPECT_EQ(linkAmount(rig, "torso", "legs"), 0.5f);
+  EXPECT_EQ(linkAmount(rig, "torso", "arms"), 0.0f);
+  EXPECT_TRUE(setLink(rig, 0, 1, 0.0f)->links.empty());
+  for (const float amount : {-0.1f, 1.01f, kNan}) {
+    EXPECT_NE(setLink(rig, 0, 1, amount).error().reason.find("from 0 to 1"), std::string::npos) << amount;
+  }
 }
 
 TEST(RigEdit, SettingsAreValidated) {

@@ -84,6 +84,10 @@ TEST(Validation, ErrorsNameTheirSubjectInPlainLanguage) {
               r.links = {{"arms", "arms"}};
             }),
             "Link 1: expected two different groups, got \"arms\" twice");
+  EXPECT_EQ(saidOf([](Rig& r) {
+              r.links = {{{"arms", "legs"}, 1.5f}};
+            }),
+            "Link 1: expected an amount above 0, at most 1, got 1.5");
   EXPECT_EQ(saidOf([](Rig& r) { r.surface.iso = 2.0f; }), "Tightness: expected a number from 0.001 to 0.999, got 2");
   EXPECT_EQ(saidOf([](Rig& r) { r.smoothing.depth = 0; }).substr(0, 6), "Depth:");
 }

@@ -2,6 +2,8 @@
 
 #include <array>
 #include <cstdio>
+#include <numeric>
+#include <vector>
 
 #include <gtest/gtest.h>
 #include <glm/geometric.hpp>
@@ -80,6 +82,30 @@ TEST(BlendingSurface, LinkedGroupsSum) {
   EXPECT_GT(most, 0.01f) << "where both reach, the blend rises over the higher of the two";
 }
 
+TEST(BlendingSurface, ALinkInPartLiesBetweenGrooveAndSum) {
+  const CharacterPtr strip = makeStrip();
+  Rig rig = only(threeBalls(*strip), "AB");
+  for (const float grooves : {0.0f, 0.02f}) {
+    rig.surface.grooves = grooves;
+    rig.links.clear();
+    std::vector<Surface> rising{surfaceOf(strip, rig)};
+    for (const float amount : {0.001f, 0.25f, 0.5f, 0.75f, 0.999f, 1.0f}) {
+      rig.links = {{{"A", "B"}, amount}};
+      rising.push_back(surfaceOf(strip, rig));
+    }
+    std::array<float, 6> most{};
+    for (std::size_t i = 0; i < most.size(); ++i) {
+      for (std::size_t v = 0; v < rising[i].displacement.size(); ++v) {
+        ASSERT_GE(rising[i + 1].displacement[v], rising[i].displacement[v] - 1e-5f) << "vertex " << v;
+        most[i] = std::max(most[i], rising[i + 1].displacement[v] - rising[i].displacement[v]);
+      }
+    }
+    EXPECT_LT(most[0], 1e-3f * strip->height);
+    EXPECT_LT(most[5], 1e-3f * strip->height);
+    for (const std::size_t i : {1u, 2u, 3u, 4u}) EXPECT_GT(most[i], 1e-3f * strip->height) << i;
+  }
+}
+
 // A - B - C: both neighbors blend with B, never with each other.
 TEST(BlendingSurface, ChainIsTheMaximumOfItsPairs) {
   const CharacterPtr strip = makeStrip();
@@ -104,6 +130,9 @@ TEST(BlendingSurface, ChainIsTheMaximumOfItsPairs) {
 class PosedField {
  public:
   PosedField(const TrialScene& scene, const Pose& pose) : attachment_(attach(scene.rig, *scene.character).value()) {
+    std::vector<int> groups(scene.rig.groups.size());
+    std::iota(groups.begin(), groups.end(), 0);
+    levels_ = cliquesAmong(attachment_.graph, groups);
     poseField(attachment_.primitives, pose.boneInWorld, 0.0f, posed_);
     for (std::size_t i = 0; i < posed_.size(); ++i) {
       candidates_.push_back({static_cast<int>(i), 1.0f, attachment_.primitives[i].group});
@@ -113,7 +142,7 @@ class PosedField {
   }
 
   [[nodiscard]] float at(const glm::vec3& point) const {
-    return sampleField(posed_, candidates_, attachment_.graph.cliques, point).value;
+    return sampleField(posed_, candidates_, levels_, point).value;
   }
   [[nodiscard]] glm::vec3 anywhere(Random& random) const {
     return {random.uniform(bounds_.low.x, bounds_.high.x), random.uniform(bounds_.low.y, bounds_.high.y),
@@ -122,6 +151,7 @@ class PosedField {
 
  private:
   Attachment attachment_;
+  CliqueLevels levels_;
   std::vector<PosedPrimitive> posed_;
   std::vector<Candidate> candidates_;
   Bounds bounds_;

@@ -307,6 +307,33 @@ TEST(Oracle, NarrowestGroovesMatch) {
   expectAgreement("two-legged, narrowest grooves", tallyOf(character, rig, 3, 1500));
 }
 
+TEST(Oracle, LinksInPartMatch) {
+  for (const SurfaceMode mode : {SurfaceMode::kSwell, SurfaceMode::kReplace}) {
+    std::uint64_t seed = 20;
+    for (const CharacterPtr& character : {makeLimb(), makeTwoLegged()}) {
+      for (const float grooves : {0.0f, 0.02f}) {
+        for (const ProjectionKind projection : kEveryProjection) {
+          RigRecipe recipe = recipeOf(30);
+          recipe.linkChance = 0.7f;
+          recipe.partChance = 0.7f;
+          recipe.shapedChance = grooves > 0.0f ? 0.2f : 0.0f;
+          recipe.radiusHigh = 0.14f;
+          if (mode == SurfaceMode::kReplace) {
+            recipe.carveChance = 0.05f;
+            recipe.radiusLow = 0.06f;
+          }
+          Rig rig = randomRig(*character, recipe, ++seed);
+          rig.surface.mode = mode;
+          rig.surface.grooves = grooves;
+          expectAgreement(character->name + ", links in part, grooves " + std::to_string(grooves) + ", " +
+                              nameOf(mode) + ", " + nameOf(projection),
+                          tallyOf(character, rig, 3, longRun() ? 2500 : 400, projection));
+        }
+      }
+    }
+  }
+}
+
 TEST(Oracle, OtherAmountsMatch) {
   for (const SurfaceMode mode : {SurfaceMode::kSwell, SurfaceMode::kReplace}) {
     const CharacterPtr character = makeTwoLegged();

@@ -55,7 +55,9 @@ const std::vector<Edit>& edits() {
         return setGroupOf(rig, anyOf(rig, random), rig.groups[group].name).value();
       },
       [](const Rig& rig, Random& random, const Character&) {
-        return setLink(rig, 0, 1 + random.below(static_cast<int>(rig.groups.size()) - 1), random.chance(0.5f)).value();
+        return setLink(rig, 0, 1 + random.below(static_cast<int>(rig.groups.size()) - 1),
+                       random.chance(0.5f) ? random.uniform(0.1f, 1.0f) : 0.0f)
+            .value();
       },
       [](const Rig& rig, Random& random, const Character&) {
         SurfaceSettings surface = rig.surface;
@@ -129,7 +131,7 @@ TEST(RepeatedPrepare, ReattachesOnlyIfMoreThanShapesChanges) {
   EXPECT_TRUE(isAttachedAnew());
   rig = addGroup(rig, "another").value();
   EXPECT_TRUE(isAttachedAnew());
-  rig = setLink(rig, 0, static_cast<int>(rig.groups.size()) - 1, true).value();
+  rig = setLink(rig, 0, static_cast<int>(rig.groups.size()) - 1, 1.0f).value();
   EXPECT_TRUE(isAttachedAnew());
 }
 

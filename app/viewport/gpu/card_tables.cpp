@@ -121,10 +121,13 @@ void fillSeen(const CandidateLists& lists, CardTables& out) {
   out.seen.assign(lists.begin.begin(), lists.begin.end());
   out.seen.insert(out.seen.end(), lists.cliqueSet.begin(), lists.cliqueSet.end());
   std::vector<std::uint64_t> cliques;
-  for (const CliqueLists& set : lists.cliqueSets) {
+  for (const CliqueLevels& levels : lists.cliqueSets) {
     out.seen.push_back(static_cast<std::int32_t>(cliques.size()));
-    if (set.empty()) cliques.push_back(~std::uint64_t{0});  // Everything sums.
-    for (const std::vector<int>& clique : set) {
+    if (levels.empty()) {
+      cliques.push_back(~std::uint64_t{0});  // Everything sums.
+      continue;
+    }
+    for (const std::vector<int>& clique : levels.front().cliques) {
       std::uint64_t bits = 0;
       for (const int slot : clique) bits |= std::uint64_t{1} << static_cast<unsigned>(slot);
       cliques.push_back(bits);

@@ -74,12 +74,9 @@ class Gatherer {
   }
 
   int makeSet(const std::vector<int>& groups) {
-    CliqueLists cliques = cliquesAmong(attachment_.graph, groups);
-    if (cliques.size() < 2) return 0;
-    for (std::vector<int>& clique : cliques) {
-      for (int& group : clique) group = static_cast<int>(std::ranges::lower_bound(groups, group) - groups.begin());
-    }
-    out_.cliqueSets.push_back(std::move(cliques));
+    CliqueLevels levels = cliquesAmong(attachment_.graph, groups);
+    if (levels.empty()) return 0;
+    out_.cliqueSets.push_back(std::move(levels));
     return static_cast<int>(out_.cliqueSets.size()) - 1;
   }
 

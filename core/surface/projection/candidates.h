@@ -35,14 +35,14 @@ struct CarrierCandidate {
 struct CandidateLists {
   std::vector<int> begin;  ///< [V+E+T+1]
   std::vector<CarrierCandidate> items;
-  std::vector<int> cliqueSet;           ///< [V+E+T] index into cliqueSets.
-  std::vector<CliqueLists> cliqueSets;  ///< [0] is empty: all groups add up.
+  std::vector<int> cliqueSet;            ///< [V+E+T] index into cliqueSets.
+  std::vector<CliqueLevels> cliqueSets;  ///< [0] is empty: all groups add up.
 
   [[nodiscard]] std::span<const CarrierCandidate> of(int carrier) const {
     const int first = at(begin, carrier);
     return std::span(items).subspan(toIndex(first), toIndex(at(begin, carrier + 1) - first));
   }
-  [[nodiscard]] const CliqueLists& cliquesOf(int carrier) const { return at(cliqueSets, at(cliqueSet, carrier)); }
+  [[nodiscard]] const CliqueLevels& cliquesOf(int carrier) const { return at(cliqueSets, at(cliqueSet, carrier)); }
 };
 
 /// @param layers  pieces that are not skin see nothing; null: all is skin

@@ -188,7 +188,7 @@ class VertexReplacer {
   const FieldView& field_;
   const ReplaceSettings& settings_;
   VertexScratch& scratch_;
-  const CliqueLists* cliques_ = nullptr;
+  const CliqueLevels* cliques_ = nullptr;
   bool looksInwards_ = true;
 };
 

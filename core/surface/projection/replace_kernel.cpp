@@ -55,7 +55,7 @@ class TileReplacer : TileField {
 
   void move(const VertexTile& tile) {
     start(tile, inputs_.flat.positions);
-    if (!gatherNear()) return;
+    if (!gatherNear() || leaveInPart()) return;
     for (first_ = 0; first_ < kLanes; first_ += width()) moveLanes();
   }
 

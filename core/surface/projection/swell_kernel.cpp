@@ -50,7 +50,7 @@ class TileSweller : TileField {
 
   void move(const VertexTile& tile) {
     start(tile, inputs_.surface->positions);
-    if (!gatherNear()) return;
+    if (!gatherNear() || leaveInPart()) return;
     for (first_ = 0; first_ < kLanes; first_ += width()) moveLanes();
   }
 

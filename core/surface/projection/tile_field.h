@@ -31,6 +31,13 @@ class TileField {
                 tiles_.ownBegins[set],    tiles_.ownSlots[set]};
   }
 
+  /// Leaves the tile to the scalar path if it sees groups that are linked in part.
+  bool leaveInPart() {
+    if (!tiles_.inPart[static_cast<std::size_t>(tile_->cliqueSet)]) return false;
+    for (first_ = 0; first_ < kLanes; first_ += width()) giveUp(asked());
+    return true;
+  }
+
   Bounds boundsOfTile() const {
     V3 low = points_.load(0);
     V3 high = low;

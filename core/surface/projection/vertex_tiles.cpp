@@ -135,7 +135,9 @@ void flattenOwn(const CliqueLists& cliques, std::size_t slotCount, VertexTiles& 
 }
 
 void flattenCliques(const CandidateLists& lists, VertexTiles& out) {
-  for (const CliqueLists& cliques : lists.cliqueSets) {
+  for (const CliqueLevels& levels : lists.cliqueSets) {
+    const CliqueLists cliques = levels.size() == 1 ? levels.front().cliques : CliqueLists();
+    out.inPart.push_back(levels.size() > 1);
     std::vector<int> begins{0};
     std::vector<int> slots;
     for (const std::vector<int>& clique : cliques) {

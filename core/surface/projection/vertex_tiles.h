@@ -35,6 +35,7 @@ struct VertexTiles {
   std::vector<std::vector<int>> ownBegins;  ///< See LaneCliques::own.
   std::vector<std::vector<int>> ownSlots;
   std::vector<std::size_t> slotCounts;
+  std::vector<bool> inPart;  ///< Of each clique set: several levels, which only scalar code computes.
   std::size_t mostCandidates = 0;
   std::size_t mostSlots = 0;
   std::size_t mostCliques = 0;

@@ -18,11 +18,11 @@ void add(ValueAndSlope& sum, const ValueAndSlope& part) {
 
 }  // namespace
 
-void RayField::reset(double iso, const CliqueLists& cliques) {
+void RayField::reset(double iso, const CliqueLevels& levels) {
   terms_.clear();
   shaped_.clear();
   iso_ = iso;
-  cliques_ = &cliques;
+  levels_ = &levels;
   isSoft_ = false;
 }
 
@@ -100,7 +100,7 @@ inline ValueAndSlope RayField::sampleTerm(const RayTerm& term, double t) const {
 
 ValueAndSlope RayField::sample(double t, RayScratch& scratch) const {
   ValueAndSlope everywhere{-iso_, 0.0};
-  if (cliques_->empty()) {
+  if (levels_->empty()) {
     for (const RayTerm& term : terms_) add(everywhere, sampleTerm(term, t));
     return everywhere;
   }
@@ -120,30 +120,35 @@ ValueAndSlope RayField::sample(double t, RayScratch& scratch) const {
     scratch.softness.resize(ofSlot.size());
     add(scratch.softness[slot], {term.groove * part.value, term.groove * part.slope});
   }
-  if (isSoft_) {
-    ValueAndSlope out = softest(scratch);
-    add(out, everywhere);
-    return out;
+  ValueAndSlope out;
+  for (const CliqueLevel& level : *levels_) {
+    const ValueAndSlope part = isSoft_ ? softest(level.cliques, scratch) : highest(level.cliques, scratch);
+    add(out, {level.weight * part.value, level.weight * part.slope});
   }
+  add(out, everywhere);
+  return out;
+}
+
+ValueAndSlope RayField::highest(const CliqueLists& cliques, const RayScratch& scratch) {
+  const std::vector<ValueAndSlope>& ofSlot = scratch.ofSlot;
   ValueAndSlope best;
-  for (const std::vector<int>& clique : *cliques_) {
+  for (const std::vector<int>& clique : cliques) {
     ValueAndSlope sum;
     for (const int slot : clique) {
       if (static_cast<std::size_t>(slot) < ofSlot.size()) add(sum, at(ofSlot, slot));
     }
     if (sum.value > best.value) best = sum;
   }
-  add(best, everywhere);
   return best;
 }
 
-ValueAndSlope RayField::softest(RayScratch& scratch) const {
-  std::vector<BlendedGroup>& groups = scratch.soft.blend.reset(*cliques_);
+ValueAndSlope RayField::softest(const CliqueLists& cliques, RayScratch& scratch) {
+  std::vector<BlendedGroup>& groups = scratch.soft.blend.reset(cliques);
   for (std::size_t i = 0; i < scratch.ofSlot.size(); ++i) {
     groups[i].sum = scratch.ofSlot[i].value;
     groups[i].softness = scratch.softness[i].value;
   }
-  ValueAndSlope out{scratch.soft.blend.settle(*cliques_), 0.0};
+  ValueAndSlope out{scratch.soft.blend.settle(cliques), 0.0};
   for (std::size_t i = 0; i < scratch.ofSlot.size(); ++i) {
     out.slope += in_double::softPart(scratch.ofSlot[i].slope, scratch.softness[i].slope, groups[i].share);
   }
@@ -193,14 +198,14 @@ Polynomial polynomialOf(const RayField& field, const RayTerm& term, double begin
 
 bool isActive(const RayTerm& term, double t) { return t > term.enter && t < term.leave; }
 
-/// out.sums: phi on one interval as polynomials, one per clique, all multiplied by the sign of phi at the ray's start.
+/// out.sums: phi's polynomials on one interval (isMaximum()), all multiplied by the sign of phi at the ray's start.
 template <class Polynomial>
 void fillSums(const RayField& field, double begin, double end, double sign, PolynomialSums<Polynomial>& out) {
   std::vector<Polynomial>& ofSlot = out.ofSlot;
   const double middle = 0.5 * (begin + end);
   Polynomial everywhere;
   everywhere.addConstant(-field.iso());
-  const bool oneSum = field.cliques().empty();
+  const bool oneSum = field.levels().empty();
   ofSlot.clear();
   for (const RayTerm& term : field.terms()) {
     if (!isActive(term, middle)) continue;
@@ -214,16 +219,17 @@ void fillSums(const RayField& field, double begin, double end, double sign, Poly
     ofSlot[slot].addScaled(part, term.factor);
   }
   out.sums.clear();
-  for (const std::vector<int>& clique : field.cliques()) {
-    Polynomial sum = everywhere;
-    for (const int slot : clique) {
-      if (static_cast<std::size_t>(slot) < ofSlot.size()) {
-        sum.addScaled(at(ofSlot, slot), 1.0);
+  if (oneSum) {
+    out.sums.push_back(everywhere);
+  } else {
+    for (const std::vector<int>& clique : field.levels().front().cliques) {
+      Polynomial sum = everywhere;
+      for (const int slot : clique) {
+        if (static_cast<std::size_t>(slot) < ofSlot.size()) sum.addScaled(at(ofSlot, slot), 1.0);
       }
+      out.sums.push_back(sum);
     }
-    out.sums.push_back(sum);
   }
-  if (oneSum) out.sums.push_back(everywhere);
   for (Polynomial& sum : out.sums) {
     for (double& coefficient : sum.b) coefficient *= sign;
   }
@@ -233,7 +239,7 @@ void fillSums(const RayField& field, double begin, double end, double sign, Poly
 void fillSoftSums(const RayField& field, double begin, double end, SoftFallScratch& scratch) {
   if (scratch.halves.empty()) scratch.halves.emplace_back();
   SoftSums& out = scratch.halves.front();
-  const std::size_t count = scratch.blend.reset(field.cliques()).size();
+  const std::size_t count = scratch.blend.reset(field.levels().front().cliques).size();
   out.everywhere = {};
   out.everywhere.addConstant(-field.iso());
   out.ofSlot.assign(count, {});
@@ -335,10 +341,10 @@ std::optional<double> firstChange(const RayField& field, double begin, double en
     const Search search{method, tolerance / length};
     const double from = breaks[i];
     const double to = breaks[i + 1];
-    if (field.isSoft()) {
+    if (!field.isMaximum()) {
       fillSoftSums(field, from, to, scratch.soft);
       const auto root =
-          firstSoftFall(field.cliques(), fromPositive ? 1.0 : -1.0, search.tolerance, solverOf(method), scratch.soft);
+          firstSoftFall(field.levels(), fromPositive ? 1.0 : -1.0, search.tolerance, solverOf(method), scratch.soft);
       if (root) return from + *root * length;
       continue;
     }

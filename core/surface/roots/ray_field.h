@@ -36,7 +36,7 @@ struct RayTerm {
 template <class Polynomial>
 struct PolynomialSums {
   std::vector<Polynomial> ofSlot;
-  std::vector<Polynomial> sums;  ///< One per clique.
+  std::vector<Polynomial> sums;  ///< One per clique of the only level.
 };
 
 /// Memory reused from ray to ray, so that nothing is allocated; carries nothing over. One per thread.
@@ -52,23 +52,23 @@ struct RayScratch {
 /// phi(t) = skin(t) + F(p + t d) - T. Refilled from ray to ray, so that nothing is allocated.
 class RayField {
  public:
-  void reset(double iso, const CliqueLists& cliques);  ///< Removes all terms. @param cliques  must outlive the use.
+  void reset(double iso, const CliqueLevels& levels);  ///< Removes all terms. @param levels  must outlive the use.
   /// Adds a primitive if the ray meets its influence at some t > 0 (or >= 0 inside). Distances along the ray are in
   /// world units. @param weight  m_i.  @param direction  unit.
   void addPrimitive(const PosedPrimitive& primitive, float weight, int slot, const glm::vec3& origin,
                     const glm::vec3& direction);
   void addTerm(const RayTerm& term) {
     terms_.push_back(term);
-    isSoft_ = isSoft_ || (term.groove > 0.0 && term.slot != RayTerm::kEverySum && !cliques_->empty());
+    isSoft_ = isSoft_ || (term.groove > 0.0 && term.slot != RayTerm::kEverySum && !levels_->empty());
   }
 
   [[nodiscard]] bool empty() const { return terms_.empty(); }
   [[nodiscard]] std::span<const RayTerm> terms() const { return terms_; }
   [[nodiscard]] std::span<const ShapedRay> shaped() const { return shaped_; }
-  [[nodiscard]] const CliqueLists& cliques() const { return *cliques_; }
+  [[nodiscard]] const CliqueLevels& levels() const { return *levels_; }
   [[nodiscard]] double iso() const { return iso_; }
-  /// Groups that are not linked have soft grooves: phi is no maximum of polynomials.
-  [[nodiscard]] bool isSoft() const { return isSoft_; }
+  /// phi is the maximum of polynomials, one per clique: no groove is soft, and no groups are linked in part.
+  [[nodiscard]] bool isMaximum() const { return !isSoft_ && levels_->size() < 2; }
 
   /// phi and its derivative: with crisp grooves of the clique with the largest sum.
   [[nodiscard]] ValueAndSlope sample(double t, RayScratch& scratch) const;
@@ -81,12 +81,13 @@ class RayField {
                  const glm::vec3& direction);
   [[nodiscard]] ValueAndSlope sampleTerm(const RayTerm& term, double t) const;
   [[nodiscard]] ValueAndSlope sampleShaped(const RayTerm& term, double t) const;
-  /// Of the sums in scratch.ofSlot and scratch.softness.
-  [[nodiscard]] ValueAndSlope softest(RayScratch& scratch) const;
+  // Of the sums in scratch.ofSlot, and scratch.softness.
+  [[nodiscard]] static ValueAndSlope highest(const CliqueLists& cliques, const RayScratch& scratch);
+  [[nodiscard]] static ValueAndSlope softest(const CliqueLists& cliques, RayScratch& scratch);
 
   std::vector<RayTerm> terms_;
   std::vector<ShapedRay> shaped_;
-  const CliqueLists* cliques_ = nullptr;
+  const CliqueLevels* levels_ = nullptr;
   double iso_ = 0.25;
   bool isSoft_ = false;
 };
@@ -99,9 +100,9 @@ class RayField {
 /// - analytic (paper 4.1): the first root of the same quartics in closed form (Ferrari); above degree 4 as newton;
 /// - bisection (paper 4.2): the same brackets, each around one root, then 8 halvings and one secant step.
 ///   The paper halves [anchor, vertex] itself; in a tangle that misses the first root, or a close pair of roots.
-/// Soft grooves: an interval is halved until bounds from the same polynomials prove that phi keeps its sign or only
-/// falls; then all methods take Newton steps, or `bisection` its halvings.
-/// The caller knows the sign at `begin`: where phi is nearly 0, rounding could decide it differently here.
+/// Otherwise (isMaximum()) an interval is halved until bounds from the same polynomials prove that phi keeps its sign
+/// or only falls; then all methods take Newton steps, or `bisection` its halvings. The caller knows the sign at
+/// `begin`: where phi is nearly 0, rounding could decide it differently here.
 /// @param tolerance world units, > 0.
 [[nodiscard]] std::optional<double> firstChange(const RayField& field, double begin, double end, bool fromPositive,
                                                 ProjectionKind method, double tolerance, RayScratch& scratch);

@@ -20,9 +20,9 @@ struct Extent {
   double high = 0.0;
 };
 
-void add(Extent& sum, const Extent& part) {
-  sum.low += part.low;
-  sum.high += part.high;
+void add(Extent& sum, const Extent& part, double weight = 1.0) {
+  sum.low += weight * part.low;
+  sum.high += weight * part.high;
 }
 
 /// A polynomial lies between its least and its largest coefficient.
@@ -42,6 +42,12 @@ Extent slopesOf(const Bernstein& q) {
   return out;
 }
 
+/// F without carves on an interval.
+struct LevelBounds {
+  Extent value;
+  Extent slope;
+};
+
 /// sense * phi on an interval.
 struct FallBounds {
   double least = 0.0;
@@ -50,8 +56,8 @@ struct FallBounds {
 
 class SoftFall {
  public:
-  SoftFall(const CliqueLists& cliques, double sense, double tolerance, BracketSolver solver, SoftFallScratch& scratch)
-      : cliques_(cliques), sense_(sense), tolerance_(tolerance), solver_(solver), scratch_(scratch) {}
+  SoftFall(const CliqueLevels& levels, double sense, double tolerance, BracketSolver solver, SoftFallScratch& scratch)
+      : levels_(levels), sense_(sense), tolerance_(tolerance), solver_(solver), scratch_(scratch) {}
 
   /// On scratch.halves[level], whose [0, 1] is [low, high] of the interval.
   std::optional<double> find(std::size_t level, int halvingsLeft, double low, double high) {
@@ -80,26 +86,28 @@ class SoftFall {
     const SoftSums& sums = scratch_.halves[level];
     const auto evaluate = [u](const Bernstein& q) { return Bernstein::Evaluator(q)(u); };
     ValueAndSlope out = evaluate(sums.everywhere);
-    std::vector<BlendedGroup>& groups = scratch_.blend.reset(cliques_);
-    for (std::size_t i = 0; i < groups.size(); ++i) {
-      groups[i].sum = sums.ofSlot[i].at(u);
-      groups[i].softness = sums.softness[i].at(u);
-    }
-    out.value += scratch_.blend.settle(cliques_);
-    for (std::size_t i = 0; i < groups.size(); ++i) {
-      if (groups[i].share == 0.0) continue;
-      out.slope +=
-          in_double::softPart(evaluate(sums.ofSlot[i]).slope, evaluate(sums.softness[i]).slope, groups[i].share);
+    for (const auto& [weight, cliques] : levels_) {
+      std::vector<BlendedGroup>& groups = scratch_.blend.reset(cliques);
+      for (std::size_t i = 0; i < groups.size(); ++i) {
+        groups[i].sum = sums.ofSlot[i].at(u);
+        groups[i].softness = sums.softness[i].at(u);
+      }
+      out.value += weight * scratch_.blend.settle(cliques);
+      for (std::size_t i = 0; i < groups.size(); ++i) {
+        if (groups[i].share == 0.0) continue;
+        out.slope += weight * in_double::softPart(evaluate(sums.ofSlot[i]).slope, evaluate(sums.softness[i]).slope,
+                                                  groups[i].share);
+      }
     }
     return {sense_ * out.value, sense_ * out.slope};
   }
 
   /// F lies between the largest sum of a clique and that plus sum y_j / 8; its derivative between the cliques' least
   /// and largest, with sum y_j' / 8. Cliques that certainly have no share are left out.
-  FallBounds boundsOf(const SoftSums& sums) {
-    std::vector<BlendedGroup>& groups = scratch_.blend.reset(cliques_);  // Share 1: it may have one between 0 and 1.
+  LevelBounds boundsOf(const CliqueLists& cliques, const SoftSums& sums) {
+    std::vector<BlendedGroup>& groups = scratch_.blend.reset(cliques);  // Share 1: it may have one between 0 and 1.
     double surely = -kInfinity;
-    for (const std::vector<int>& clique : cliques_) {
+    for (const std::vector<int>& clique : cliques) {
       double least = 0.0;
       for (const int slot : clique) {
         least += valuesOf(at(sums.ofSlot, slot)).low - 0.5 * valuesOf(at(sums.softness, slot)).high;
@@ -109,7 +117,7 @@ class SoftFall {
     Extent value{0.0, 0.0};
     Extent slope{kInfinity, -kInfinity};
     int mayWin = 0;
-    for (const std::vector<int>& clique : cliques_) {
+    for (const std::vector<int>& clique : cliques) {
       Extent own;
       Extent ownSlope;
       double possibly = 0.0;
@@ -124,7 +132,7 @@ class SoftFall {
       value = {std::max(value.low, own.low), std::max(value.high, own.high)};
       slope = {std::min(slope.low, ownSlope.low), std::max(slope.high, ownSlope.high)};
     }
-    if (mayWin == 0) slope = {};
+    if (mayWin == 0) return {{surely, surely}, {}};
     if (mayWin > 1) {
       for (std::size_t slot = 0; slot < groups.size(); ++slot) {
         if (groups[slot].share == 0.0) continue;
@@ -133,10 +141,20 @@ class SoftFall {
         value.high += 0.125 * valuesOf(sums.softness[slot]).high;
       }
     }
-    add(value, valuesOf(sums.everywhere));
-    add(slope, slopesOf(sums.everywhere));
-    if (sense_ > 0.0) return {value.low, slope};
-    return {-value.high, {-slope.high, -slope.low}};
+    return {value, slope};
+  }
+
+  FallBounds boundsOf(const SoftSums& sums) {
+    LevelBounds whole;
+    for (const CliqueLevel& level : levels_) {
+      const LevelBounds of = boundsOf(level.cliques, sums);
+      add(whole.value, of.value, level.weight);
+      add(whole.slope, of.slope, level.weight);
+    }
+    add(whole.value, valuesOf(sums.everywhere));
+    add(whole.slope, slopesOf(sums.everywhere));
+    if (sense_ > 0.0) return {whole.value.low, whole.slope};
+    return {-whole.value.high, {-whole.slope.high, -whole.slope.low}};
   }
 
   /// The part's first half goes to the next level, the second takes its place.
@@ -186,7 +204,7 @@ class SoftFall {
     return u;
   }
 
-  const CliqueLists& cliques_;
+  const CliqueLevels& levels_;
   double sense_;
   double tolerance_;
   BracketSolver solver_;
@@ -195,9 +213,9 @@ class SoftFall {
 
 }  // namespace
 
-std::optional<double> firstSoftFall(const CliqueLists& cliques, double sense, double tolerance, BracketSolver solver,
+std::optional<double> firstSoftFall(const CliqueLevels& levels, double sense, double tolerance, BracketSolver solver,
                                     SoftFallScratch& scratch) {
-  return SoftFall(cliques, sense, tolerance, solver, scratch).find(0, isolation::kMostHalvings, 0.0, 1.0);
+  return SoftFall(levels, sense, tolerance, solver, scratch).find(0, isolation::kMostHalvings, 0.0, 1.0);
 }
 
 }  // namespace sinew

@@ -1,10 +1,10 @@
-// core/surface/roots/soft_fall.h: first root of a field with soft grooves on an interval of a ray.
+// core/surface/roots/soft_fall.h: first root on an interval of a ray of a field with soft grooves or links in part.
 #pragma once
 
 #include <optional>
 #include <vector>
 
-#include "core/rig/group_blend.h"
+#include "core/rig/field.h"
 #include "core/surface/roots/polynomial.h"
 
 namespace sinew {
@@ -24,7 +24,7 @@ struct SoftFallScratch {
 /// First u in [0, 1] at which sense * phi, positive before, becomes <= 0; 0 if it is not positive there. Halves
 /// the interval until bounds of its polynomials prove that there is no root, or that phi only falls. A touch does not
 /// count. Changes scratch.halves.
-[[nodiscard]] std::optional<double> firstSoftFall(const CliqueLists& cliques, double sense, double tolerance,
+[[nodiscard]] std::optional<double> firstSoftFall(const CliqueLevels& levels, double sense, double tolerance,
                                                   BracketSolver solver, SoftFallScratch& scratch);
 
 }  // namespace sinew

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cassert>
+#include <iterator>
+#include <set>
 
 #include "tests/support/oracle/triangles.h"
 
@@ -35,6 +37,12 @@ std::vector<Clique> allMaximalCliques(const std::vector<std::vector<bool>>& link
 double largestSum(const std::vector<Clique>& cliques, const PerGroup& sums) {
   double out = 0.0;
   for (const Clique clique : cliques) out = std::max(out, sumOver(clique, sums));
+  return out;
+}
+
+std::vector<double> cliqueSums(const std::vector<Clique>& cliques, const PerGroup& sums) {
+  std::vector<double> out;
+  for (const Clique clique : cliques) out.push_back(sumOver(clique, sums));
   return out;
 }
 
@@ -129,13 +137,19 @@ Field::Field(const Character& character, const Rig& rig)
     const auto at = std::find_if(rig.groups.begin(), rig.groups.end(), [&](const Group& x) { return x.name == name; });
     return at - rig.groups.begin();
   };
-  std::vector<std::vector<bool>> linked(rig.groups.size(), std::vector<bool>(rig.groups.size(), false));
-  for (const auto& link : rig.links) {
-    const auto a = static_cast<std::size_t>(groupNamed(link[0]));
-    const auto b = static_cast<std::size_t>(groupNamed(link[1]));
-    linked[a][b] = linked[b][a] = true;
+  std::set<double> cuts{0.0, 1.0};
+  for (const Link& link : rig.links) cuts.insert(static_cast<double>(link.amount));
+  for (auto low = cuts.begin(); std::next(low) != cuts.end(); ++low) {
+    const double high = *std::next(low);
+    std::vector<std::vector<bool>> linked(rig.groups.size(), std::vector<bool>(rig.groups.size(), false));
+    for (const Link& link : rig.links) {
+      if (static_cast<double>(link.amount) < 0.5 * (*low + high)) continue;
+      const auto a = static_cast<std::size_t>(groupNamed(link.groups[0]));
+      const auto b = static_cast<std::size_t>(groupNamed(link.groups[1]));
+      linked[a][b] = linked[b][a] = true;
+    }
+    levels_.push_back({high - *low, allMaximalCliques(linked)});
   }
-  cliques_ = allMaximalCliques(linked);
 
   for (const Primitive& primitive : rig.primitives) {
     Item item;
@@ -206,9 +220,15 @@ void Field::Sums::add(double amount, std::size_t group, double kappa) {
   }
 }
 
-double Field::value(const Vec& point, std::span<const double> weights) const {
-  const Sums sums = sumsAt(point, weights);
-  return (grooves_ > 0.0 ? blended(cliques_, sums.x, sums.y).value : largestSum(cliques_, sums.x)) + sums.carved;
+double Field::value(const Vec& point, std::span<const double> weights) const { return valueOf(sumsAt(point, weights)); }
+
+double Field::valueOf(const Sums& sums) const {
+  double out = sums.carved;
+  for (const Level& level : levels_) {
+    out += level.width *
+           (grooves_ > 0.0 ? blended(level.cliques, sums.x, sums.y).value : largestSum(level.cliques, sums.x));
+  }
+  return out;
 }
 
 Vec Field::gradientOf(const PerGroup& shares, const Vec& point, std::span<const double> weights) const {
@@ -235,12 +255,19 @@ Vec Field::gradientOf(const PerGroup& shares, const Vec& point, std::span<const 
 }
 
 Vec Field::gradient(const Vec& point, std::span<const double> weights) const {
-  if (cliques_.empty()) return {};
+  Vec out;
   const Sums here = sumsAt(point, weights);
-  if (grooves_ > 0.0) return gradientOf(blended(cliques_, here.x, here.y).shares, point, weights);
-  const std::vector<double> sums = cliqueSums(here);
+  for (const Level& level : levels_) {
+    if (!level.cliques.empty()) out = out + level.width * gradientOf(level, here, point, weights);
+  }
+  return out;
+}
+
+Vec Field::gradientOf(const Level& level, const Sums& here, const Vec& point, std::span<const double> weights) const {
+  if (grooves_ > 0.0) return gradientOf(blended(level.cliques, here.x, here.y).shares, point, weights);
+  const std::vector<double> sums = cliqueSums(level.cliques, here.x);
   const auto winner = static_cast<std::size_t>(std::max_element(sums.begin(), sums.end()) - sums.begin());
-  const Vec best = gradientOf(wholly(cliques_[winner]), point, weights);
+  const Vec best = gradientOf(wholly(level.cliques[winner]), point, weights);
   // Of the clique that turns the gradient most: 1 where it ties, 0 from 1e-4 below on, and where it is empty.
   double share = 0.0;
   Vec other;
@@ -248,7 +275,7 @@ Vec Field::gradient(const Vec& point, std::span<const double> weights) const {
   for (std::size_t k = 0; k < sums.size(); ++k) {
     const double own = std::min(1.0 - (sums[winner] - sums[k]) / 1e-4, sums[k] / 1e-4);
     if (own <= 0.0) continue;
-    const Vec gradient = gradientOf(wholly(cliques_[k]), point, weights);
+    const Vec gradient = gradientOf(wholly(level.cliques[k]), point, weights);
     const double pull = own * length(gradient - best);
     if (pull <= most) continue;
     most = pull;
@@ -258,29 +285,32 @@ Vec Field::gradient(const Vec& point, std::span<const double> weights) const {
   return (1.0 / (1.0 + share)) * (best + share * other);
 }
 
-std::vector<double> Field::cliqueSums(const Sums& sums) const {
-  std::vector<double> out;
-  for (const Clique clique : cliques_) out.push_back(sumOver(clique, sums.x));
+double Field::lead(const Vec& point, std::span<const double> weights) const {
+  double out = 1e300;
+  if (grooves_ > 0.0) return out;
+  const Sums here = sumsAt(point, weights);
+  for (const Level& level : levels_) {
+    std::vector<double> sums = cliqueSums(level.cliques, here.x);
+    std::sort(sums.begin(), sums.end(), std::greater<>());
+    // Cliques whose other groups add nothing here tie exactly and have the same gradient: skip those.
+    for (const double sum : sums) {
+      if (sum >= sums.front() * (1.0 - 1e-12)) continue;
+      out = std::min(out, sums.front() - sum);
+      break;
+    }
+  }
   return out;
 }
 
-double Field::lead(const Vec& point, std::span<const double> weights) const {
-  if (grooves_ > 0.0 || cliques_.empty()) return 1e300;
-  std::vector<double> sums = cliqueSums(sumsAt(point, weights));
-  std::sort(sums.begin(), sums.end(), std::greater<>());
-  const double best = sums.front();
-  // Cliques whose other groups add nothing here tie exactly and have the same gradient: skip those.
-  for (const double sum : sums) {
-    if (sum < best * (1.0 - 1e-12)) return best - sum;
-  }
-  return 1e300;
-}
-
 int Field::groupsInPart(const Vec& point, std::span<const double> weights) const {
+  std::ptrdiff_t most = 0;
   if (grooves_ == 0.0) return 0;
   const Sums sums = sumsAt(point, weights);
-  const PerGroup shares = blended(cliques_, sums.x, sums.y).shares;
-  return static_cast<int>(std::ranges::count_if(shares, [](double m) { return m > 1e-6 && m < 1.0 - 1e-6; }));
+  for (const Level& level : levels_) {
+    const PerGroup shares = blended(level.cliques, sums.x, sums.y).shares;
+    most = std::max(most, std::ranges::count_if(shares, [](double m) { return m > 1e-6 && m < 1.0 - 1e-6; }));
+  }
+  return static_cast<int>(most);
 }
 
 double Field::nearest(const Vec& point, std::span<const double> weights) const {
@@ -308,8 +338,7 @@ bool Field::inRegion(const Vec& point, std::span<const double> weights) const { 
 
 Field::Ray Field::along(const Vec& origin, const Vec& direction, std::span<const double> weights) const {
   Ray out;
-  out.cliques_ = &cliques_;
-  out.grooved_ = grooves_ > 0.0;
+  out.field_ = this;
   for (std::size_t i = 0; i < primitives_.size(); ++i) {
     const Item& item = primitives_[i];
     if (weights[i] <= 0.0 || item.flat) continue;
@@ -335,7 +364,7 @@ double Field::Ray::value(double t) const {
     const double r = radiusInUnit(term.shape, term.reach, term.start + t * term.along);
     sums.add(term.strength * g(r), term.group, term.kappa);
   }
-  return (grooved_ ? blended(*cliques_, sums.x, sums.y).value : largestSum(*cliques_, sums.x)) + sums.carved;
+  return field_->valueOf(sums);
 }
 
 }  // namespace sinew::oracle

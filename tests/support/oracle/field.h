@@ -17,7 +17,8 @@ namespace sinew::oracle {
 double g(double r);
 double gSlope(double r);
 
-/// All attached primitives of a rig, their groups' cliques and, once posed, their places in the world.
+/// All attached primitives of a rig, their groups' cliques and, once posed, their places in the world. F is the mean
+/// over all thresholds of 0..1 of that of the graph which has the links with at least such an amount.
 /// Weights everywhere are m_i, one per attached primitive, as docs/design.md wants them at the asking vertex.
 class Field {
  public:
@@ -32,8 +33,8 @@ class Field {
   [[nodiscard]] double value(const Vec& point, std::span<const double> weights) const;
   /// Gradient of the clique that is the maximum at the point; with grooves, of the mean of cliques that is.
   [[nodiscard]] Vec gradient(const Vec& point, std::span<const double> weights) const;
-  /// By how much the best clique's positive part leads the best clique with another one; 0 on a crease. Grooves
-  /// leave no crease: 1e300.
+  /// By how much the best clique's positive part leads the best clique with another one, the least for any threshold;
+  /// 0 on a crease. Grooves leave no crease: 1e300.
   [[nodiscard]] double lead(const Vec& point, std::span<const double> weights) const;
   /// Groups of which only a part counts at a point: more than 0 in a soft groove.
   [[nodiscard]] int groupsInPart(const Vec& point, std::span<const double> weights) const;
@@ -65,8 +66,7 @@ class Field {
       double reach = 1.0;
     };
     std::vector<Term> terms_;
-    const std::vector<Clique>* cliques_ = nullptr;
-    bool grooved_ = false;
+    const Field* field_ = nullptr;
     double end_ = 0.0;
   };
   /// The Field must outlive the ray and keep its pose.
@@ -80,6 +80,12 @@ class Field {
     double carved = 0.0;
 
     void add(double amount, std::size_t group, double kappa);
+  };
+
+  /// Thresholds with the same links, and their share of 0..1.
+  struct Level {
+    double width = 1.0;
+    std::vector<Clique> cliques;  ///< All maximal ones.
   };
 
   struct Item {
@@ -104,14 +110,16 @@ class Field {
   /// Where each group counts by its share.
   [[nodiscard]] Vec gradientOf(const PerGroup& shares, const Vec& point, std::span<const double> weights) const;
   [[nodiscard]] double radius(const Item& item, const Vec& point) const;
-  /// Positive sums [cliques].
-  [[nodiscard]] std::vector<double> cliqueSums(const Sums& sums) const;
+  /// F of what was added up.
+  [[nodiscard]] double valueOf(const Sums& sums) const;
+  [[nodiscard]] Vec gradientOf(const Level& level, const Sums& sums, const Vec& point,
+                               std::span<const double> weights) const;
 
   const Character& character_;
   double iso_ = 0.25;
   double grooves_ = 0.0;  ///< w, world units; 0: the maximum of the cliques.
   std::vector<Item> primitives_;
-  std::vector<Clique> cliques_;  ///< All maximal ones.
+  std::vector<Level> levels_;
 };
 
 /// Bone by path, or by name if that is unique; -1 otherwise (docs/formats.md).

@@ -7,6 +7,7 @@
 
 #include "core/files/json/json.h"
 #include "core/geometry/affine_image.h"
+#include "core/geometry/at.h"
 #include "tests/support/rigs/random_animation.h"
 #include "tests/support/rigs/random_rigs.h"
 
@@ -187,7 +188,8 @@ Rig randomDocument(std::uint64_t seed) {
   for (int a = 0; a < groups; ++a) {
     for (int b = a + 1; b < groups; ++b) {
       if (!random.chance(0.4f)) continue;
-      rig.links.push_back({rig.groups[static_cast<std::size_t>(a)].name, rig.groups[static_cast<std::size_t>(b)].name});
+      const float amount = random.chance(0.5f) ? 1.0f : random.uniform(0.001f, 1.0f);
+      rig.links.push_back({{at(rig.groups, a).name, at(rig.groups, b).name}, amount});
     }
   }
   for (int i = random.below(8); i > 0; --i) rig.primitives.push_back(anyPrimitive(random, rig));

@@ -77,8 +77,10 @@ Rig randomRig(const Character& character, const RigRecipe& recipe, std::uint64_t
   for (int i = 0; i < recipe.groups; ++i) {
     rig.groups.push_back({"group " + std::to_string(i), {}});
     for (int j = 0; j < i; ++j) {
-      if (random.chance(recipe.linkChance))
-        rig.links.push_back({"group " + std::to_string(j), "group " + std::to_string(i)});
+      if (!random.chance(recipe.linkChance)) continue;
+      rig.links.push_back({{"group " + std::to_string(j), "group " + std::to_string(i)}});
+      if (recipe.partChance > 0.0f && random.chance(recipe.partChance))
+        rig.links.back().amount = random.chance(0.5f) ? 0.5f : random.uniform(0.05f, 0.95f);
     }
   }
   for (int i = 0; i < recipe.primitives; ++i) {

@@ -27,6 +27,7 @@ struct RigRecipe {
   int primitives = 5;
   int groups = 3;           ///< 1..8
   float linkChance = 0.4f;  ///< Chance of each pair of groups to be linked.
+  float partChance = 0.0f;  ///< Chance of a link to have an amount below 1.
   float carveChance = 0.15f;
   float radiusLow = 0.03f;  ///< Fractions of H.
   float radiusHigh = 0.10f;

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <random>
+#include <tuple>
 
 #include <gtest/gtest.h>
 #include <glm/geometric.hpp>
@@ -13,16 +14,17 @@ namespace {
 
 struct Scene {
   std::vector<PosedPrimitive> primitives;
-  CliqueLists cliques;
+  CliqueLevels levels;
   RayField field;
 };
 
-/// @param softest  upper end of grooves
-void fill(Scene& scene, float softest, std::mt19937& random) {
+/// @param softest  upper end of grooves  @param inPart  some groups are linked in part
+void fill(Scene& scene, float softest, bool inPart, std::mt19937& random) {
   std::uniform_real_distribution<float> unit(-1.0f, 1.0f);
   scene.primitives.clear();
-  scene.cliques = random() % 2 ? CliqueLists{} : CliqueLists{{0, 1}, {1, 2}, {3}};
-  scene.field.reset(0.25, scene.cliques);
+  scene.levels = random() % 2 ? CliqueLevels{} : CliqueLevels{{1.0, {{0, 1}, {1, 2}, {3}}}};
+  if (inPart) scene.levels = {{0.3, {{0, 1, 2}, {3}}}, {0.5, {{0, 1}, {1, 2}, {3}}}, {0.2, {{0}, {1}, {2}, {3}}}};
+  scene.field.reset(0.25, scene.levels);
   const glm::vec3 direction = glm::normalize(glm::vec3(unit(random), unit(random), 1.2f));
   for (int i = 0; i < 6; ++i) {
     Placement placement;
@@ -62,7 +64,7 @@ TEST(ProjectionKinds, NamesRoundTrip) {
   EXPECT_EQ(projectionKindNamed("pn"), std::nullopt);
 }
 
-class FirstRoot : public testing::TestWithParam<float> {};
+class FirstRoot : public testing::TestWithParam<std::tuple<float, bool>> {};
 
 TEST_P(FirstRoot, AllMethodsMatchMarching) {
   std::mt19937 random(31);
@@ -71,7 +73,7 @@ TEST_P(FirstRoot, AllMethodsMatchMarching) {
   std::array<int, 3> wrong{};
   int compared = 0;
   for (int round = 0; round < 1000; ++round) {
-    fill(scene, GetParam(), random);
+    fill(scene, std::get<0>(GetParam()), std::get<1>(GetParam()), random);
     const double end = 2.0;
     const std::optional<double> expected = march(scene.field, end);
     ++compared;
@@ -88,14 +90,14 @@ TEST_P(FirstRoot, AllMethodsMatchMarching) {
   for (const int count : wrong) EXPECT_LE(count, 1) << "every root is isolated; a touch may differ";
 }
 
-INSTANTIATE_TEST_SUITE_P(Grooves, FirstRoot, testing::Values(0.0f, 0.2f, 2.0f));
+INSTANTIATE_TEST_SUITE_P(Grooves, FirstRoot, testing::Combine(testing::Values(0.0f, 0.2f, 2.0f), testing::Bool()));
 
 TEST(RayField, SampleGivesTheFieldAndItsDerivative) {
   std::mt19937 random(37);
   Scene scene;
   RayScratch scratch;
   for (int round = 0; round < 200; ++round) {
-    fill(scene, round % 2 ? 1.0f : 0.0f, random);
+    fill(scene, round % 2 ? 1.0f : 0.0f, round % 4 < 2, random);
     for (double t = 0.01; t < 1.5; t += 0.1) {
       const double numeric =
           (scene.field.sample(t + 1e-6, scratch).value - scene.field.sample(t - 1e-6, scratch).value) / 2e-6;

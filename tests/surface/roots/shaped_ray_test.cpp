@@ -107,7 +107,7 @@ TEST(ShapedRay, PolynomialsEqualRSquared) {
 TEST(ShapedRay, FieldIsContinuouslyDifferentiableWherePartsMeet) {
   Random random(23);
   RayScratch scratch;
-  const CliqueLists oneSum;
+  const CliqueLevels oneSum;
   RayField field;
   int meets = 0;
   for (int i = 0; i < raysWanted(10000); ++i) {
@@ -136,7 +136,7 @@ TEST(ShapedRay, FieldIsContinuouslyDifferentiableWherePartsMeet) {
 TEST(ShapedRay, SamplesMatchTheFieldInSpace) {
   Random random(24);
   RayScratch scratch;
-  const CliqueLists oneSum;
+  const CliqueLevels oneSum;
   RayField field;
   for (int i = 0; i < raysWanted(500); ++i) {
     std::vector<PosedPrimitive> primitives;
@@ -169,8 +169,8 @@ TEST(ShapedRay, AllMethodsMatchMarching) {
   const int rays = raysWanted(1500);
   int roots = 0;
   for (int i = 0; i < rays; ++i) {
-    const CliqueLists cliques = random.chance(0.5f) ? CliqueLists{} : CliqueLists{{0, 1}, {1, 2}, {3}};
-    field.reset(0.25, cliques);
+    const CliqueLevels levels = random.chance(0.5f) ? CliqueLevels{} : CliqueLevels{{1.0, {{0, 1}, {1, 2}, {3}}}};
+    field.reset(0.25, levels);
     const glm::vec3 origin = anyPoint(random);
     const glm::vec3 direction = glm::normalize(0.5f * anyPoint(random) - origin);
     for (int k = 0; k < 8; ++k) field.addPrimitive(anyShaped(random), 0.9f, k % 4, origin, direction);

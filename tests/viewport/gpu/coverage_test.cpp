@@ -45,6 +45,11 @@ TEST(GpuCoverage, GivesTheReasonForTheProcessor) {
   scene.rig = withMode(scene.rig, SurfaceMode::kReplace);
   EXPECT_EQ(reasonOf(scene), "in replace, grooves between muscles are soft");
 
+  scene = bundledTrialScene("demo");
+  ASSERT_FALSE(scene.rig.links.empty());
+  scene.rig.links.front().amount = 0.5f;
+  EXPECT_EQ(reasonOf(scene), "groups are linked in part");
+
   EXPECT_EQ(reasonOf({"", dressedHumanoid(), bundledTrialScene("humanoid").rig}), "the character wears cloth");
 
   RigRecipe crowded;

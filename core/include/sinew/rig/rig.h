@@ -92,6 +92,17 @@ struct Group {
   friend bool operator==(const Group&, const Group&) = default;
 };
 
+/// An edge of the blending graph: two groups that blend.
+struct Link {
+  std::array<std::string, 2> groups;  ///< Names of two groups of the rig.
+  float amount = 1.0f;                ///< Above 0, at most 1: the groups add up. In between: from groove to sum.
+
+  [[nodiscard]] bool joins(const std::string& a, const std::string& b) const {
+    return (groups[0] == a && groups[1] == b) || (groups[0] == b && groups[1] == a);
+  }
+  friend bool operator==(const Link&, const Link&) = default;
+};
+
 /// One ellipsoid on one bone.
 struct Primitive {
   std::string name;     ///< Unique, not empty.
@@ -151,7 +162,7 @@ struct Rig {
   SurfaceSettings surface;
   SmoothingSettings smoothing;
   std::vector<Group> groups;
-  std::vector<std::array<std::string, 2>> links;
+  std::vector<Link> links;
   std::vector<RigChannel> channels;
   std::vector<MuscleLine> lines;
   std::vector<Primitive> primitives;
@@ -168,6 +179,8 @@ struct Rig {
 [[nodiscard]] int findGroup(const Rig& rig, const std::string& name);
 [[nodiscard]] int findLine(const Rig& rig, const std::string& name);
 [[nodiscard]] int findMorph(const Rig& rig, const std::string& name);
+/// How much two groups blend, 0..1; 0: they are not linked.
+[[nodiscard]] float linkAmount(const Rig& rig, const std::string& a, const std::string& b);
 /// The line that carries a primitive, or null.
 [[nodiscard]] const MuscleLine* lineOf(const Rig& rig, const Primitive& primitive);
 [[nodiscard]] int findPrimitive(const Rig& rig, PrimitiveId id);  ///< Index by identity, or -1.
