@@ -106,6 +106,28 @@ TEST(BlendingSurface, ALinkInPartLiesBetweenGrooveAndSum) {
   }
 }
 
+// Few roots need the scalar path.
+TEST(BlendingSurface, LinksInPartAreCertified) {
+  for (const char* name : {"demo", "humanoid", "tangle", "wrapped"}) {
+    TrialScene scene = bundledTrialScene(name);
+    int projected = 0;
+    int uncertified = 0;
+    for (const float grooves : {0.0f, 0.015f}) {
+      scene.rig.surface.grooves = grooves;
+      for (std::size_t i = 0; i < scene.rig.links.size(); ++i) scene.rig.links[i].amount = i % 2 ? 0.7f : 0.4f;
+      for (const SurfaceMode mode : {SurfaceMode::kSwell, SurfaceMode::kReplace}) {
+        scene.rig.surface.mode = mode;
+        const Surface surface = surfaceOf(scene.character, scene.rig);
+        projected += surface.report.projected;
+        uncertified += surface.report.uncertified;
+      }
+    }
+    std::printf("  %-9s %d roots, %d without a certificate\n", name, projected, uncertified);
+    EXPECT_GT(projected, 1000) << name;
+    EXPECT_LT(uncertified, projected / 25) << name;
+  }
+}
+
 // A - B - C: both neighbors blend with B, never with each other.
 TEST(BlendingSurface, ChainIsTheMaximumOfItsPairs) {
   const CharacterPtr strip = makeStrip();

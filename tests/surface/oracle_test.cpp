@@ -334,6 +334,23 @@ TEST(Oracle, LinksInPartMatch) {
   }
 }
 
+TEST(Oracle, LinksInPartMatchByEveryInstructionSet) {
+  const CharacterPtr character = makeTwoLegged();
+  for (const InstructionSet set : availableInstructionSets()) {
+    const InstructionSetScope scope(set);
+    for (const SurfaceMode mode : {SurfaceMode::kSwell, SurfaceMode::kReplace}) {
+      for (const float grooves : {0.0f, 0.05f}) {
+        Rig rig = groovedRig(*character, mode, 8);
+        rig.surface.grooves = grooves;
+        for (std::size_t i = 0; i < rig.links.size(); ++i) rig.links[i].amount = 0.2f * static_cast<float>(1 + i % 5);
+        expectAgreement(std::string("two-legged, links in part, grooves ") + std::to_string(grooves) + ", " +
+                            nameOf(mode) + ", " + nameOf(set),
+                        tallyOf(character, rig, 3, 200));
+      }
+    }
+  }
+}
+
 TEST(Oracle, OtherAmountsMatch) {
   for (const SurfaceMode mode : {SurfaceMode::kSwell, SurfaceMode::kReplace}) {
     const CharacterPtr character = makeTwoLegged();

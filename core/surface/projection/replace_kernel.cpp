@@ -55,7 +55,7 @@ class TileReplacer : TileField {
 
   void move(const VertexTile& tile) {
     start(tile, inputs_.flat.positions);
-    if (!gatherNear() || leaveInPart()) return;
+    if (!gatherNear()) return;
     for (first_ = 0; first_ < kLanes; first_ += width()) moveLanes();
   }
 
@@ -174,7 +174,7 @@ class TileReplacer : TileField {
     }
     const float iso = inputs_.settings.iso;
     skin_ = {{all(sense), zero(), zero(), zero(), zero()}, false, all(-sense * iso)};
-    return RayLanes(lanes, cliques_, skin_, first_);
+    return RayLanes(lanes, cliques_, skin_, first_, levels_);
   }
 
   /// First change of sign. Removes uncertified lanes from open_.
@@ -254,7 +254,7 @@ class TileReplacer : TileField {
     const M counts = both(mask, hn::Gt(weight, zero()));
     if (!any(counts)) return;
     const V3 x = line.p + t * line.inwards;
-    const RayLanes rays(scratch_.lanes, cliques_, skin_, first_);
+    const RayLanes rays(scratch_.lanes, cliques_, skin_, first_, levels_);
     V value;
     const V3 gradient = gradientAt(x, rays, t, value);
     const V3 normal = unitOr(zero3() - gradient, line.n);

@@ -50,7 +50,7 @@ class TileSweller : TileField {
 
   void move(const VertexTile& tile) {
     start(tile, inputs_.surface->positions);
-    if (!gatherNear() || leaveInPart()) return;
+    if (!gatherNear()) return;
     for (first_ = 0; first_ < kLanes; first_ += width()) moveLanes();
   }
 
@@ -85,7 +85,7 @@ class TileSweller : TileField {
     const V3 d = directions_.load(first_);
     const LaneSkin skin = skinOf(onSkin);
     fillTerms(p, skin.sense * d, skin, active);
-    const RayLanes rays(scratch_.lanes, cliques_, skin, first_);
+    const RayLanes rays(scratch_.lanes, cliques_, skin, first_, levels_);
     const LaneRise rise = riseOf(rays, onSkin);
     const LaneSearch search = rays.bracketFromSkin(rise, active);
     const LaneRoots roots = rootsIn(rays, search, tolerance_);
@@ -98,6 +98,17 @@ class TileSweller : TileField {
       place(p, d, rays, inverseLimit,
             {select(search.rootless, rise.end, roots.t), search.rootless, known, rise.from, onSkin.radius});
     }
+  }
+
+  /// F without carves, of the groups' sums.
+  static V ofGroups(const RayLanes& sums, const LaneCliques& cliques) {
+    if (cliques.soft) {
+      sums.share(0, 1);
+      return sums.partOf(0, 1);
+    }
+    V most = zero();
+    for (std::size_t k = 0; k < cliques.count(); ++k) most = hn::Max(most, sums.sumOf(k, 0));
+    return most;
   }
 
   OnSkin sampleSkin(const V3& p) const {
@@ -131,11 +142,12 @@ class TileSweller : TileField {
         if (cliques_.soft) sums.add(candidate(i).slot, 1, all(muscle.groove) * value);
       }
     }
-    if (cliques_.soft && !cliques_.empty()) {
-      sums.share(0, 1);
-      together = sums.partOf(0, 1);
+    if (HWY_LIKELY(levels_.empty())) {
+      if (!cliques_.empty()) together = ofGroups(sums, cliques_);
     } else {
-      for (std::size_t k = 0; k < cliques_.count(); ++k) together = hn::Max(together, sums.sumOf(k, 0));
+      for (const LaneLevel& level : levels_) {
+        together = together + all(level.weight) * ofGroups({lanes, level.cliques, none, first_}, level.cliques);
+      }
     }
     const M seen = hn::Gt(shares, zero());
     const V most = all(inputs_.settings.blendWidth);

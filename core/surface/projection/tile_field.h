@@ -10,6 +10,7 @@
 #include "core/surface/projection/projection_scratch.h"
 #include "core/surface/projection/vertex_tiles.h"
 #include "core/surface/roots/ray_lanes.h"
+#include "core/surface/roots/root_lanes.h"
 #include "hwy/highway.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -26,16 +27,14 @@ class TileField {
   void start(const VertexTile& tile, std::span<const glm::vec3> positions) {
     tile_ = &tile;
     for (std::size_t first = 0; first < kLanes; first += width()) points_.gather(positions, tile.vertices, first);
-    const std::size_t set = static_cast<std::size_t>(tile.cliqueSet);
-    cliques_ = {tiles_.cliqueBegins[set], tiles_.cliqueSlots[set], tiles_.slotCounts[set], soft_,
-                tiles_.ownBegins[set],    tiles_.ownSlots[set]};
-  }
-
-  /// Leaves the tile to the scalar path if it sees groups that are linked in part.
-  bool leaveInPart() {
-    if (!tiles_.inPart[static_cast<std::size_t>(tile_->cliqueSet)]) return false;
-    for (first_ = 0; first_ < kLanes; first_ += width()) giveUp(asked());
-    return true;
+    const TileCliqueSet& set = tiles_.cliqueSets[static_cast<std::size_t>(tile.cliqueSet)];
+    const std::size_t count = set.levels.size();
+    for (std::size_t i = 0; i < count; ++i) {
+      const TileCliques& of = set.levels[i];
+      scratch_.lanes.levels[i] = {of.weight, {of.begins, of.slots, set.slotCount, soft_, of.ownBegins, of.ownSlots}};
+    }
+    cliques_ = scratch_.lanes.levels[0].cliques;
+    levels_ = std::span<const LaneLevel>(scratch_.lanes.levels).first(count > 1 ? count : 0);
   }
 
   Bounds boundsOfTile() const {
@@ -179,17 +178,31 @@ class TileField {
       addPart(shape.slot, shape.groove, ray.factor(), hn::Max(zero(), all(1.0f) - shapeRSquared(at)),
               transposedTimes(ball.toUnit, shapeHalfSlope(numbersOf(ball.shape), at)));
     }
-    if (!cliques_.empty() && cliques_.soft) {
+    if (HWY_LIKELY(levels_.empty())) return gradient + gradientOfGroups(rays, cliques_, value);
+    for (const LaneLevel& level : levels_) {
+      const RayLanes of(scratch_.lanes, level.cliques, rays.skin(), first_);
+      V ofLevel = zero();
+      const V3 part = gradientOfGroups(of, level.cliques, ofLevel);
+      value = value + all(level.weight) * ofLevel;
+      gradient = gradient + all(level.weight) * part;
+    }
+    return gradient;
+  }
+
+  /// Of the groups' sums in `rays`, as gradientAt() has added them. Adds F to `value`.
+  V3 gradientOfGroups(const RayLanes& rays, const LaneCliques& cliques, V& value) const {
+    const V sign = rays.skin().sense;
+    if (!cliques.empty() && cliques.soft) {
       rays.share(0, 4);
       value = value + rays.partOf(0, 4);
-      return gradient + V3{rays.partOf(1, 5), rays.partOf(2, 6), rays.partOf(3, 7)};
+      return V3{rays.partOf(1, 5), rays.partOf(2, 6), rays.partOf(3, 7)};
     }
     V best = zero();
     V3 bestGradient{zero(), zero(), zero()};
     const auto gradientOf = [&](std::size_t k) HWY_ATTR {
       return V3{rays.sumOf(k, 1), rays.sumOf(k, 2), rays.sumOf(k, 3)};
     };
-    for (std::size_t k = 0; k < cliques_.count(); ++k) {
+    for (std::size_t k = 0; k < cliques.count(); ++k) {
       const V sum = rays.sumOf(k, 0);
       const M wins = hn::Gt(sign * sum, sign * best);
       best = select(wins, sum, best);
@@ -199,7 +212,7 @@ class TileField {
     V share = zero();
     V most = zero();
     V3 other{zero(), zero(), zero()};
-    for (std::size_t k = 0; k < cliques_.count(); ++k) {
+    for (std::size_t k = 0; k < cliques.count(); ++k) {
       const V sum = sign * rays.sumOf(k, 0);
       const V near = hn::Min(all(kTie) - (sign * best - sum), sum);
       if (!any(hn::Gt(near, zero()))) continue;
@@ -212,7 +225,7 @@ class TileField {
       other = select(turns, own, other);
     }
     share = share * all(1.0f / kTie);
-    return gradient + (all(1.0f) / (all(1.0f) + share)) * (bestGradient + share * other);
+    return (all(1.0f) / (all(1.0f) + share)) * (bestGradient + share * other);
   }
 
   /// The largest of the residuals, by lane.
@@ -225,10 +238,11 @@ class TileField {
   const FieldView& field_;
   TileScratch& scratch_;
   const VertexTile* tile_ = nullptr;
-  std::size_t nearCount_ = 0;  ///< Used part of scratch_.near: indices of the tile's candidates.
-  std::size_t first_ = 0;      ///< First of the current lanes.
-  bool soft_ = false;          ///< Some muscle has a soft groove.
-  LaneCliques cliques_;
+  std::size_t nearCount_ = 0;          ///< Used part of scratch_.near: indices of the tile's candidates.
+  std::size_t first_ = 0;              ///< First of the current lanes.
+  bool soft_ = false;                  ///< Some muscle has a soft groove.
+  LaneCliques cliques_;                ///< Of the first level.
+  std::span<const LaneLevel> levels_;  ///< Of the tile, if there are several.
   LanePoints points_;
 
  private:

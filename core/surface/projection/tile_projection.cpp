@@ -21,6 +21,7 @@ void makeRoom(const VertexTiles& tiles, std::size_t range, TileScratch& scratch)
   grow(scratch.lanes.shapes, tiles.mostCandidates);
   grow(scratch.lines, tiles.mostCandidates);
   grow(scratch.lanes.sums, tiles.mostSlots);
+  grow(scratch.lanes.levels, tiles.mostLevels);
   grow(scratch.lanes.shares, tiles.mostCliques);
   grow(scratch.lanes.softness, tiles.mostCliques);
   scratch.lanes.cliques.reserve(tiles.mostCliques);

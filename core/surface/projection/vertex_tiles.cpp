@@ -118,39 +118,43 @@ void fillWeights(const VertexTile& tile, const ControlMesh& mesh, const Refineme
 }
 
 /// What each clique has alone.
-void flattenOwn(const CliqueLists& cliques, std::size_t slotCount, VertexTiles& out) {
+void flattenOwn(const CliqueLists& cliques, std::size_t slotCount, TileCliques& out) {
   std::vector<std::size_t> holders(slotCount, 0);
   for (const std::vector<int>& clique : cliques) {
     for (const int slot : clique) ++holders[toIndex(slot)];
   }
-  std::vector<int>& begins = out.ownBegins.emplace_back();
-  std::vector<int>& slots = out.ownSlots.emplace_back();
   const auto isShared = [&](std::size_t count) { return count > 1 && count < cliques.size(); };
   if (std::ranges::any_of(holders, isShared)) return;
-  begins.push_back(0);
+  std::vector<int>& slots = out.ownSlots;
+  out.ownBegins.push_back(0);
   for (const std::vector<int>& clique : cliques) {
     std::ranges::copy_if(clique, std::back_inserter(slots), [&](int slot) { return holders[toIndex(slot)] == 1; });
-    begins.push_back(static_cast<int>(slots.size()));
+    out.ownBegins.push_back(static_cast<int>(slots.size()));
   }
+}
+
+TileCliques flattened(const CliqueLists& cliques, double weight, std::size_t slotCount) {
+  TileCliques out{static_cast<float>(weight), {0}, {}, {}, {}};
+  for (const std::vector<int>& clique : cliques) {
+    out.slots.insert(out.slots.end(), clique.begin(), clique.end());
+    out.begins.push_back(static_cast<int>(out.slots.size()));
+  }
+  flattenOwn(cliques, slotCount, out);
+  return out;
 }
 
 void flattenCliques(const CandidateLists& lists, VertexTiles& out) {
   for (const CliqueLevels& levels : lists.cliqueSets) {
-    const CliqueLists cliques = levels.size() == 1 ? levels.front().cliques : CliqueLists();
-    out.inPart.push_back(levels.size() > 1);
-    std::vector<int> begins{0};
-    std::vector<int> slots;
-    for (const std::vector<int>& clique : cliques) {
-      slots.insert(slots.end(), clique.begin(), clique.end());
-      begins.push_back(static_cast<int>(slots.size()));
+    TileCliqueSet& set = out.cliqueSets.emplace_back();
+    if (levels.empty()) set.levels.push_back(flattened({}, 1.0, 0));
+    for (const auto& [weight, cliques] : levels) {
+      for (const std::vector<int>& clique : cliques)
+        set.slotCount = std::max(set.slotCount, toIndex(clique.back()) + 1);
+      set.levels.push_back(flattened(cliques, weight, set.slotCount));
+      out.mostCliques = std::max(out.mostCliques, cliques.size());
     }
-    const std::size_t count = slots.empty() ? 0 : static_cast<std::size_t>(std::ranges::max(slots)) + 1;
-    out.mostSlots = std::max(out.mostSlots, count);
-    out.mostCliques = std::max(out.mostCliques, cliques.size());
-    out.slotCounts.push_back(count);
-    flattenOwn(cliques, count, out);
-    out.cliqueBegins.push_back(std::move(begins));
-    out.cliqueSlots.push_back(std::move(slots));
+    out.mostSlots = std::max(out.mostSlots, set.slotCount);
+    out.mostLevels = std::max(out.mostLevels, set.levels.size());
   }
 }
 

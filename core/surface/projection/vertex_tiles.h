@@ -26,19 +26,29 @@ struct TileCandidate {
   int slot = 0;  ///< See Candidate::slot.
 };
 
+/// One level of a clique set; see LaneCliques.
+struct TileCliques {
+  float weight = 1.0f;
+  std::vector<int> begins;
+  std::vector<int> slots;
+  std::vector<int> ownBegins;
+  std::vector<int> ownSlots;
+};
+
+struct TileCliqueSet {
+  std::size_t slotCount = 0;
+  std::vector<TileCliques> levels;  ///< At least one.
+};
+
 struct VertexTiles {
   std::vector<VertexTile> tiles;
   std::vector<TileCandidate> candidates;  ///< Tile by tile, ascending by primitive.
   std::vector<LaneFloats> weights;        ///< m_i of each candidate at each lane; 0 if the carrier does not see it.
-  std::vector<std::vector<int>> cliqueBegins;  ///< Begins of each clique set; see LaneCliques.
-  std::vector<std::vector<int>> cliqueSlots;
-  std::vector<std::vector<int>> ownBegins;  ///< See LaneCliques::own.
-  std::vector<std::vector<int>> ownSlots;
-  std::vector<std::size_t> slotCounts;
-  std::vector<bool> inPart;  ///< Of each clique set: several levels, which only scalar code computes.
+  std::vector<TileCliqueSet> cliqueSets;
   std::size_t mostCandidates = 0;
   std::size_t mostSlots = 0;
-  std::size_t mostCliques = 0;
+  std::size_t mostCliques = 0;  ///< Of a level.
+  std::size_t mostLevels = 0;
 };
 
 [[nodiscard]] VertexTiles makeVertexTiles(const ControlMesh& mesh, const Refinement& refinement,

@@ -64,6 +64,12 @@ struct LaneCliques {
   [[nodiscard]] std::size_t count() const { return empty() ? 0 : begin.size() - 1; }
 };
 
+/// One of several parts of the field; all have the same slots.
+struct LaneLevel {
+  float weight = 1.0f;
+  LaneCliques cliques;
+};
+
 /// Reused from tile to tile, so that nothing is allocated; carries nothing over. One per thread.
 struct LaneScratch {
   std::vector<LaneTerm> terms;
@@ -71,6 +77,7 @@ struct LaneScratch {
   std::vector<LaneShape> shapes;
   std::size_t shapeCount = 0;
   std::vector<SlotSums> sums;
+  std::vector<LaneLevel> levels;     ///< Of the tile.
   std::vector<LaneFloats> shares;    ///< Of each clique; negative: it takes no part.
   std::vector<LaneFloats> softness;  ///< Of each clique's own groups.
   std::vector<int> cliques;          ///< Those that may have a share in some lane.

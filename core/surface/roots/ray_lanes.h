@@ -1,5 +1,5 @@
-// core/surface/roots/ray_lanes.h: the field along many rays at once, brackets around its first changes of sign, and the
-// roots in them. Included once per instruction set. docs/performance.md has the proofs.
+// core/surface/roots/ray_lanes.h: the field along many rays at once, and brackets around its first changes of sign.
+// Included once per instruction set. docs/performance.md has the proofs.
 #if defined(SINEW_RAY_LANES_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef SINEW_RAY_LANES_H
 #undef SINEW_RAY_LANES_H
@@ -118,8 +118,10 @@ class RayLanes {
 #undef formula
 
  public:
-  RayLanes(LaneScratch& scratch, const LaneCliques& cliques, const LaneSkin& skin, std::size_t first)
-      : scratch_(scratch), cliques_(cliques), skin_(skin), first_(first) {}
+  /// @param levels  if there are several; `cliques` are then those of the first
+  RayLanes(LaneScratch& scratch, const LaneCliques& cliques, const LaneSkin& skin, std::size_t first,
+           std::span<const LaneLevel> levels = {})
+      : scratch_(scratch), cliques_(cliques), skin_(skin), first_(first), levels_(levels) {}
 
   HWY_INLINE std::span<const LaneTerm> terms() const { return {scratch_.terms.data(), scratch_.termCount}; }
   HWY_INLINE std::span<const LaneShape> shapes() const { return {scratch_.shapes.data(), scratch_.shapeCount}; }
@@ -136,7 +138,7 @@ class RayLanes {
     }
     // Passed by value: a sum with an address would be kept in memory by the loop above.
     if (HWY_UNLIKELY(!shapes().empty())) sum = withShapes(sum, t);
-    if (!cliques_.empty()) sum = HWY_UNLIKELY(cliques_.soft) ? withShares(sum) : withWinner(sum);
+    if (!cliques_.empty()) sum = HWY_UNLIKELY(cliques_.soft || !levels_.empty()) ? blended(sum) : withWinner(sum);
     return {skin_.value(t) + sum.value, skin_.slope(t) - all(4.0f) * sum.slope};
   }
 
@@ -149,7 +151,7 @@ class RayLanes {
       addBounds(term, load(term.factor), ellipsoidBounds(load(term.a), load(term.peak), t0 - middle, t1 - middle), sum);
     }
     if (HWY_UNLIKELY(!shapes().empty())) sum = withShapes(sum, t0, t1);
-    if (!cliques_.empty()) sum = withWinners(sum);
+    if (!cliques_.empty()) sum = HWY_UNLIKELY(!levels_.empty()) ? withLevels(sum) : withWinners(sum);
     const V skin = skin_.value(t1);
     LaneBounds psi{skin + sum.value,           sum.maxSlope, sum.minSlope,
                    sum.values + hn::Abs(skin), sum.slopes,   skin + sum.atEnd};
@@ -187,7 +189,8 @@ class RayLanes {
     const V to = hn::Min(rise.to, rise.end);
     search.low = select(open, from, search.low);
     search.high = select(open, to, search.high);
-    march(to, rise.end, outward, cliques_.soft ? 40 : 20, open, search);  // Outwards, psi is -T at the end.
+    march(to, rise.end, outward, cliques_.soft || !levels_.empty() ? 40 : 20, open,
+          search);  // Outwards, psi is -T at the end.
     return search;
   }
 
@@ -460,9 +463,35 @@ class RayLanes {
     if (scratch_.cliques.size() > 1) settleShares(blending, all(kSettled) * largest, hn::Gt(largest, zero()));
   }
 
-  HWY_NOINLINE Sample withShares(const Sample& sum) const {
+  HWY_INLINE Sample withShares(const Sample& sum) const {
     share(0, 2);
     return {sum.value + partOf(0, 2), sum.slope + partOf(1, 3)};
+  }
+
+  /// With soft grooves or several levels.
+  HWY_NOINLINE Sample blended(Sample sum) const {
+    if (levels_.empty()) return withShares(sum);
+    for (const LaneLevel& level : levels_) {
+      const RayLanes of(scratch_, level.cliques, skin_, first_);
+      const Sample nothing{zero(), zero()};
+      const Sample part = cliques_.soft ? of.withShares(nothing) : of.withWinner(nothing);
+      sum.value = sum.value + all(level.weight) * part.value;
+      sum.slope = sum.slope + all(level.weight) * part.slope;
+    }
+    return sum;
+  }
+
+  HWY_NOINLINE LaneBounds withLevels(LaneBounds sum) const {
+    for (const LaneLevel& level : levels_) {
+      const V weight = all(level.weight);
+      const LaneBounds part = RayLanes(scratch_, level.cliques, skin_, first_)
+                                  .withWinners({zero(), zero(), zero(), zero(), zero(), zero()});
+      sum.value = sum.value + weight * part.value;
+      sum.atEnd = sum.atEnd + weight * part.atEnd;
+      sum.maxSlope = sum.maxSlope + weight * part.maxSlope;
+      sum.minSlope = sum.minSlope + weight * part.minSlope;
+    }
+    return sum;
   }
 
   /// F is the largest of the cliques' sums, and with soft grooves up to sum y_j / 8 more: only those that may be the
@@ -562,37 +591,8 @@ class RayLanes {
   const LaneCliques& cliques_;
   const LaneSkin& skin_;
   std::size_t first_;
+  std::span<const LaneLevel> levels_;
 };
-
-struct LaneRoots {
-  V t;
-  M solved;  ///< Lanes whose root rounding cannot have moved.
-};
-
-/// Newton steps from the start of each lane's bracket, kept inside it. @param tolerance  world units.
-inline LaneRoots rootsIn(const RayLanes& rays, const LaneSearch& search, float tolerance) {
-  constexpr int kMaxSteps = 24;
-  const float minSlope = 5e-8f / tolerance;  // If psi falls more slowly, rounding can move the root.
-  V low = search.low;
-  V high = search.high;
-  LaneRoots roots{search.low, none()};
-  M open = search.bracketed;
-  for (int step = 0; step < kMaxSteps && any(open); ++step) {
-    const Sample at = rays.sample(roots.t);
-    const M above = hn::Gt(at.value, zero());
-    low = select(above, roots.t, low);
-    high = select(above, high, roots.t);
-    const V newton = roots.t - at.value / at.slope;
-    const M inside = both(hn::Ge(newton, low), hn::Le(newton, high));
-    const V next = select(inside, newton, all(0.5f) * (low + high));
-    const M still = hn::Le(hn::Abs(next - roots.t), all(tolerance));
-    const M done = both(open, still);
-    roots.solved = hn::Or(roots.solved, both(done, hn::Le(at.slope, all(-minSlope))));
-    roots.t = select(open, next, roots.t);
-    open = andNot(open, done);
-  }
-  return roots;
-}
 
 }  // namespace sinew::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
