@@ -262,13 +262,13 @@ FieldSample highest(const CliqueLists& cliques, FieldScratch& scratch) {
 FieldSample softest(const CliqueLists& cliques, FieldScratch& scratch) {
   const std::vector<FieldSample>& sums = scratch.ofSlot;
   scratch.softness.resize(sums.size());
-  std::vector<BlendedGroup>& groups = scratch.blend.reset(cliques);
+  std::vector<BlendedGroup>& groups = scratch.blend.start(cliques);
   for (std::size_t i = 0; i < sums.size(); ++i) {
     groups[i].sum = static_cast<double>(sums[i].value);
     groups[i].softness = static_cast<double>(scratch.softness[i].value);
   }
   FieldSample out;
-  out.value = static_cast<float>(scratch.blend.settle(cliques));
+  out.value = static_cast<float>(scratch.blend.settle());
   for (std::size_t i = 0; i < sums.size(); ++i) {
     const float m = static_cast<float>(groups[i].share);
     out.gradient += m * (sums[i].gradient + 0.5f * (1.0f - m) * scratch.softness[i].gradient);

@@ -1,8 +1,8 @@
-// core/rig/group_blend.cpp: starts from the clique with the largest sum and lets pairs exchange shares.
+// core/rig/group_blend.cpp: levels disjoint cliques; lets pairs of others exchange shares, from the one with the
+// largest sum on.
 #include "core/rig/group_blend.h"
 
 #include <algorithm>
-#include <limits>
 
 #include "core/geometry/at.h"
 #include "core/geometry/formulas.h"
@@ -11,47 +11,50 @@ namespace sinew {
 namespace in_double {
 namespace {
 
+/// Disjoint cliques whose own groups have a sum.
+struct ScalarLeveling {
+  std::vector<BlendedClique>& cliques;
+  const std::vector<int>& indices;
+
+  BlendedClique& operator[](int index) const { return at(cliques, at(indices, index)); }
+};
+
 struct ScalarBlending {
   const CliqueLists& cliques;
   std::vector<BlendedGroup>& groups;
-  std::vector<double>& shares;
+  std::vector<BlendedClique>& ofClique;
 
-  /// Calls visit(group, 1) for groups of the first clique alone, visit(group, -1) for those of the second.
-  template <class Visit>
-  void forEachOwn(int first, int second, Visit visit) const {
-    const std::vector<int>& a = at(cliques, first);
-    const std::vector<int>& b = at(cliques, second);
-    std::size_t i = 0;
-    std::size_t j = 0;
-    while (i < a.size() || j < b.size()) {
-      if (j == b.size() || (i < a.size() && a[i] < b[j])) {
-        visit(at(groups, a[i++]), 1.0);
-      } else if (i == a.size() || b[j] < a[i]) {
-        visit(at(groups, b[j++]), -1.0);
-      } else {
-        ++i;
-        ++j;
-      }
-    }
-  }
+  OwnSlots ownSlots(int first, int second) const { return {at(cliques, first), at(cliques, second)}; }
 };
 
 #define formula inline
+using Leveling = const ScalarLeveling&;
+int levelCount(Leveling cliques) { return static_cast<int>(cliques.indices.size()); }
+Real sumOf(Leveling cliques, int clique) { return cliques[clique].sum; }
+Real softnessOf(Leveling cliques, int clique) { return cliques[clique].softness; }
+Level levelOf(Leveling cliques, int clique) { return cliques[clique].level; }
+void setLevel(Leveling cliques, int clique, Level level) { cliques[clique].level = level; }
+void giveShare(Leveling cliques, int clique, Real share) { cliques[clique].share = share; }
+
 using Blending = const ScalarBlending&;
 int cliqueCount(Blending blending) { return static_cast<int>(blending.cliques.size()); }
-Real shareOf(Blending blending, int clique) { return at(blending.shares, clique); }
+Real shareOf(Blending blending, int clique) { return at(blending.ofClique, clique).share; }
 Exchange exchangeOf(Blending blending, int first, int second) {
   Exchange out{0.0, 0.0};
-  blending.forEachOwn(first, second, [&](const BlendedGroup& group, Real sense) {
-    out.gain += sense * softRate(group.sum, group.softness, group.share);
+  for (OwnSlots own = blending.ownSlots(first, second); own.next();) {
+    const BlendedGroup& group = at(blending.groups, own.slot());
+    const Real rate = softRate(group.sum, group.softness, group.share);
+    out.gain += own.ofFirst() ? rate : -rate;
     out.fall += group.softness;
-  });
+  }
   return out;
 }
 void exchange(Blending blending, int first, int second, Real given) {
-  at(blending.shares, first) += given;
-  at(blending.shares, second) -= given;
-  blending.forEachOwn(first, second, [&](BlendedGroup& group, Real sense) { group.share += sense * given; });
+  at(blending.ofClique, first).share += given;
+  at(blending.ofClique, second).share -= given;
+  for (OwnSlots own = blending.ownSlots(first, second); own.next();) {
+    at(blending.groups, own.slot()).share += own.ofFirst() ? given : -given;
+  }
 }
 #include "core/geometry/formulas/blend.h"
 #undef formula
@@ -59,76 +62,71 @@ void exchange(Blending blending, int first, int second, Real given) {
 }  // namespace
 }  // namespace in_double
 
-std::vector<BlendedGroup>& GroupBlend::reset(const CliqueLists& cliques) {
+std::vector<BlendedGroup>& GroupBlend::start(const CliqueLists& cliques) {
+  cliques_ = &cliques;
   int last = 0;
-  areAlone_ = true;
-  for (const std::vector<int>& clique : cliques) {
-    last = std::max(last, clique.back());
-    areAlone_ = areAlone_ && clique.size() == 1;
-  }
-  groups_.assign(toIndex(last + 1), {});
+  for (const std::vector<int>& clique : cliques) last = std::max(last, clique.back());
+  groups_.resize(toIndex(last + 1));
+  findOwners(cliques, owners_);
+  return clear();
+}
+
+std::vector<BlendedGroup>& GroupBlend::clear() {
+  std::ranges::fill(groups_, BlendedGroup{});
   return groups_;
 }
 
-void GroupBlend::levelShares(double rate) {
-  const auto softnessOf = [](const BlendedGroup& group) { return std::max(group.softness, 1e-12 * group.sum); };
-  const auto aboveOf = [&](const BlendedGroup& group) { return group.sum + 0.5 * softnessOf(group) - rate; };
-  double shares = 0.0;
-  int holders = 0;
-  for (std::size_t step = 0; step <= groups_.size(); ++step) {
-    shares = 0.0;
-    holders = 0;
-    double fall = 0.0;
-    for (const BlendedGroup& group : groups_) {
-      const double above = aboveOf(group);
-      if (above <= 0.0) continue;
-      ++holders;
-      shares += above / softnessOf(group);
-      fall += 1.0 / softnessOf(group);
-    }
-    if (shares <= 1.0 + 1e-13) break;
-    rate += (shares - 1.0) / fall;
+double GroupBlend::settle() {
+  ofClique_.assign(cliques_->size(), {});
+  if (owners_.empty()) exchange();
+  else level();
+  double out = 0.0;
+  for (const BlendedGroup& group : groups_) out += in_double::softPart(group.sum, group.softness, group.share);
+  return out;
+}
+
+void GroupBlend::level() {
+  present_.clear();
+  for (std::size_t slot = 0; slot < groups_.size(); ++slot) {
+    if (owners_[slot] == kInEveryClique || groups_[slot].sum == 0.0) continue;
+    BlendedClique& clique = at(ofClique_, owners_[slot]);
+    if (clique.sum == 0.0) present_.push_back(owners_[slot]);
+    clique.sum += groups_[slot].sum;
+    clique.softness += groups_[slot].softness;
   }
-  for (BlendedGroup& group : groups_) {
-    const double above = std::max(0.0, aboveOf(group));
-    if (above > 0.0) group.share = holders == 1 ? 1.0 : above / (softnessOf(group) * shares);
-    else group.share = 0.0;
+  in_double::levelShares({ofClique_, present_}, 1e-12, 1e-13);
+  for (std::size_t slot = 0; slot < groups_.size(); ++slot) {
+    groups_[slot].share = owners_[slot] == kInEveryClique ? 1.0 : at(ofClique_, owners_[slot]).share;
   }
 }
 
-double GroupBlend::settle(const CliqueLists& cliques) {
+void GroupBlend::exchange() {
   constexpr double kSettled = 1e-11;  // Times the largest sum.
-  shares_.resize(cliques.size());
+  const CliqueLists& cliques = *cliques_;
   std::size_t highest = 0;
   double largest = 0.0;
   double surely = 0.0;
   for (std::size_t k = 0; k < cliques.size(); ++k) {
-    double sum = 0.0;
-    double softness = 0.0;
-    for (const int group : cliques[k]) {
-      sum += at(groups_, group).sum;
-      softness += at(groups_, group).softness;
+    BlendedClique& clique = ofClique_[k];
+    for (const int slot : cliques[k]) {
+      clique.sum += at(groups_, slot).sum;
+      clique.softness += at(groups_, slot).softness;
     }
-    if (sum > largest) highest = k;
-    largest = std::max(largest, sum);
-    surely = std::max(surely, sum - 0.5 * softness);
-    shares_[k] = sum + 0.5 * softness;
+    if (clique.sum > largest) highest = k;
+    largest = std::max(largest, clique.sum);
+    surely = std::max(surely, clique.sum - 0.5 * clique.softness);
   }
-  if (largest <= 0.0) return 0.0;
+  if (largest <= 0.0) return;
   // Taking from a clique b for k gains at most S_k + Y_k / 2 - S_b + Y_b / 2, with sums S and softness Y.
   int others = -1;
-  for (double& share : shares_) {
-    share = share >= surely ? 0.0 : -1.0;
-    others += share == 0.0 ? 1 : 0;
+  for (BlendedClique& clique : ofClique_) {
+    const bool mayShare = clique.sum > 0.0 && clique.sum + 0.5 * clique.softness >= surely;
+    clique.share = mayShare ? 0.0 : -1.0;
+    others += mayShare ? 1 : 0;
   }
-  shares_[highest] = 1.0;
-  for (BlendedGroup& group : groups_) group.share = 0.0;
-  for (const int group : cliques[highest]) at(groups_, group).share = 1.0;
-  if (others > 0 && areAlone_) levelShares(surely);
-  else if (others > 0) in_double::settleShares({cliques, groups_, shares_}, kSettled * largest, true);
-  double out = 0.0;
-  for (const BlendedGroup& group : groups_) out += in_double::softPart(group.sum, group.softness, group.share);
-  return out;
+  ofClique_[highest].share = 1.0;
+  for (const int slot : cliques[highest]) at(groups_, slot).share = 1.0;
+  if (others > 0) in_double::settleShares({cliques, groups_, ofClique_}, kSettled * largest, true);
 }
 
 }  // namespace sinew

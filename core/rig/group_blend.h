@@ -3,10 +3,10 @@
 
 #include <vector>
 
-namespace sinew {
+#include "core/geometry/formulas.h"
+#include "core/rig/clique_lists.h"
 
-/// Groups that add up: one ascending list for each clique.
-using CliqueLists = std::vector<std::vector<int>>;
+namespace sinew {
 
 struct BlendedGroup {
   double sum = 0.0;       ///< x_j >= 0, of all m_i f_i.
@@ -14,26 +14,34 @@ struct BlendedGroup {
   double share = 0.0;     ///< m_j
 };
 
+struct BlendedClique {
+  double sum = 0.0;  ///< S; of disjoint cliques that of their own groups alone, like the next.
+  double softness = 0.0;
+  in_double::Level level{};
+  double share = 0.0;  ///< Negative: it certainly has none.
+};
+
 /// F = max over shares of the cliques of sum_j x_j m_j + y_j / 2 m_j (1 - m_j), where m_j is the sum of the shares of
 /// the cliques that hold group j. With y = 0 it is the largest sum of a clique; with y <= 2 x it never falls where an
 /// x_j rises. docs/design.md, Grooves. Keeps its memory.
 class GroupBlend {
  public:
-  /// One group for each slot, with sums 0.
-  std::vector<BlendedGroup>& reset(const CliqueLists& cliques);
+  /// @param cliques  must outlive the use.  @return one group for each slot, with sums 0.
+  std::vector<BlendedGroup>& start(const CliqueLists& cliques);
+  /// The same for the cliques of the last start().
+  std::vector<BlendedGroup>& clear();
   /// Finds the shares for the groups' sums.  @return F
-  double settle(const CliqueLists& cliques);
+  double settle();
 
  private:
-  /// For cliques of one group each. Where F is largest, a share changes it as much for every group that has one: by
-  /// rate = x + y / 2 - y share. The sum of the shares falls with the rate, by straight pieces that get less steep, so
-  /// Newton's steps from below end at the rate for 1.
-  /// @param rate  the largest x - y / 2
-  void levelShares(double rate);
+  void level();     ///< Disjoint cliques: those that have only groups in common that all have.
+  void exchange();  ///< Any others.
 
+  const CliqueLists* cliques_ = nullptr;
   std::vector<BlendedGroup> groups_;
-  bool areAlone_ = true;        ///< Every clique is one group.
-  std::vector<double> shares_;  ///< Of each clique; negative: it certainly has none.
+  std::vector<int> owners_;  ///< See findOwners().
+  std::vector<BlendedClique> ofClique_;
+  std::vector<int> present_;  ///< Cliques with a sum.
 };
 
 }  // namespace sinew

@@ -54,6 +54,24 @@ void addToGroup(uint slot, Real value, Real groove) {
 // How much of a derivative of a part of a group counts in that of F, which is largest at the shares.
 Real countedOf(uint slot, Real groove) { return softPart(Real(1.0), groove, groupShares[slot]); }
 
+Real cliqueSums[kMostCliques], cliqueSoftness[kMostCliques];  // Of `blended`, sums of x and y; then levels.
+uvec2 inEvery;                                                // Groups that all of them have.
+
+uvec2 ownOf(int clique) { return blended[clique] & groupSlots & ~inEvery; }
+
+#define Leveling int
+int levelCount(Leveling leveling) { return blendedCount; }
+Real sumOf(Leveling leveling, int clique) { return cliqueSums[clique]; }
+Real softnessOf(Leveling leveling, int clique) { return cliqueSoftness[clique]; }
+Level levelOf(Leveling leveling, int clique) { return Level(cliqueSums[clique], cliqueSoftness[clique]); }
+void setLevel(Leveling leveling, int clique, Level level) {
+  cliqueSums[clique] = level.top;
+  cliqueSoftness[clique] = level.inverse;
+}
+void giveShare(Leveling leveling, int clique, Real share) {
+  for (uvec2 slots = ownOf(clique); holdsAny(slots);) groupShares[takeSlot(slots)] = share;
+}
+
 int sharing[kMostCliques];  // Which of `blended` may have a share,
 Real cliqueShares[kMostCliques];  // and the share.
 int sharingCount;
@@ -81,85 +99,54 @@ void exchange(Blending blending, int first, int second, Real given) {
     groupShares[j] += holds(a, uint(j)) ? given : -given;
   }
 }
+
+void levelShares(Leveling leveling, Real narrowest, Real settled);
 void settleShares(Blending blending, Real settled, Mask open);
 
-Real cliqueSums[kMostCliques], cliqueSoftness[kMostCliques];  // Of `sharing`, sums of x and y.
-
-// Gives the cliques the shares that are best if they have only those groups in common that all of them have: of
-// disjoint cliques F is largest where all rates are the same, and a clique that would take less than nothing takes part
-// no more. Exchanges alone would come there in many rounds. @return whether these shares are the best
-bool startShares() {
-  uvec2 inAll = groupSlots;
-  for (int i = 0; i < sharingCount; ++i) inAll &= blended[sharing[i]];
-  Real ofAll = Real(0.0);
-  uvec2 inSome = inAll;
-  bool disjoint = true;
-  for (int i = 0; i < sharingCount; ++i) {
-    uvec2 own = blended[sharing[i]] & groupSlots & ~inAll;
-    disjoint = disjoint && !holdsAny(own & inSome);
-    inSome |= own;
-  }
-  while (holdsAny(inAll)) ofAll += groupSoftness[takeSlot(inAll)];
-  for (int i = 0; i < sharingCount; ++i) {
-    cliqueSoftness[i] -= ofAll;
-    if (!(cliqueSoftness[i] > Real(1e-6) * cliqueSums[i])) return false;
-  }
-  bool changes = true;
-  for (int round = 0; round < sharingCount && changes; ++round) {
-    Real rate = Real(-1.0), whole = Real(0.0);
-    for (int i = 0; i < sharingCount; ++i) {
-      if (cliqueSoftness[i] == Real(0.0)) continue;
-      rate += cliqueSums[i] / cliqueSoftness[i] + Real(0.5);
-      whole += Real(1.0) / cliqueSoftness[i];
-    }
-    changes = false;
-    for (int i = 0; i < sharingCount; ++i) {
-      bool counts = cliqueSoftness[i] != Real(0.0);
-      cliqueShares[i] = counts ? (cliqueSums[i] - rate / whole) / cliqueSoftness[i] + Real(0.5) : Real(0.0);
-      if (cliqueShares[i] >= Real(0.0)) continue;
-      cliqueShares[i] = cliqueSoftness[i] = Real(0.0);
-      changes = true;
+void sumCliques() {
+  for (int k = 0; k < blendedCount; ++k) {
+    cliqueSums[k] = cliqueSoftness[k] = Real(0.0);
+    for (uvec2 slots = ownOf(k); holdsAny(slots);) {
+      int j = takeSlot(slots);
+      cliqueSums[k] += groupSums[j];
+      cliqueSoftness[k] += groupSoftness[j];
     }
   }
-  for (uvec2 slots = groupSlots; holdsAny(slots);) groupShares[takeSlot(slots)] = Real(0.0);
-  for (int i = 0; i < sharingCount; ++i) {
-    if (cliqueShares[i] == Real(0.0)) continue;
-    for (uvec2 slots = blended[sharing[i]] & groupSlots; holdsAny(slots);) groupShares[takeSlot(slots)] += cliqueShares[i];
-  }
-  return disjoint;
 }
 
-// Finds the shares for the groups' sums. @return F
-Real settleGroups() {
+void exchangeShares() {
   int highest = -1;
   Real largest = Real(0.0), surely = Real(0.0);
   for (int k = 0; k < blendedCount; ++k) {
-    Real sum = Real(0.0), softness = Real(0.0);
-    for (uvec2 slots = blended[k] & groupSlots; holdsAny(slots);) {
-      int j = takeSlot(slots);
-      sum += groupSums[j];
-      softness += groupSoftness[j];
-    }
-    if (sum > largest) highest = k;
-    largest = max(largest, sum);
-    surely = max(surely, sum - Real(0.5) * softness);
-    cliqueSums[k] = sum;
-    cliqueSoftness[k] = softness;
+    if (cliqueSums[k] > largest) highest = k;
+    largest = max(largest, cliqueSums[k]);
+    surely = max(surely, cliqueSums[k] - Real(0.5) * cliqueSoftness[k]);
   }
-  if (highest < 0) return Real(0.0);
+  if (highest < 0) return;
   // Taking from a clique b for k gains at most S_k + Y_k / 2 - S_b + Y_b / 2, with sums S and softness Y.
   sharingCount = 0;
   for (int k = 0; k < blendedCount; ++k) {
     if (k != highest && cliqueSums[k] + Real(0.5) * cliqueSoftness[k] < surely) continue;
     sharing[sharingCount] = k;
-    cliqueSums[sharingCount] = cliqueSums[k];
-    cliqueSoftness[sharingCount] = cliqueSoftness[k];
     cliqueShares[sharingCount++] = Real(k == highest ? 1.0 : 0.0);
   }
-  for (uvec2 slots = blended[highest] & groupSlots; holdsAny(slots);) groupShares[takeSlot(slots)] = Real(1.0);
-  if (sharingCount < 2) return largest;
-  bool settled = sharingCount > 2 && startShares();
-  if (!settled) settleShares(0, Real(kSettled) * largest, true);
+  for (uvec2 slots = ownOf(highest); holdsAny(slots);) groupShares[takeSlot(slots)] = Real(1.0);
+  if (sharingCount > 1) settleShares(0, Real(kSettled) * largest, true);
+}
+
+// Finds the shares for the groups' sums. @return F
+Real settleGroups() {
+  uvec2 inSome = uvec2(0u), inSeveral = uvec2(0u);
+  inEvery = groupSlots;
+  for (int k = 0; k < blendedCount; ++k) {
+    inSeveral |= inSome & blended[k];
+    inSome |= blended[k];
+    inEvery &= blended[k];
+  }
+  for (uvec2 slots = inEvery; holdsAny(slots);) groupShares[takeSlot(slots)] = Real(1.0);
+  sumCliques();
+  if (holdsAny(inSeveral & groupSlots & ~inEvery)) exchangeShares();
+  else levelShares(0, Real(4.0 * kSettled), Real(kSettled));
   Real field = Real(0.0);
   for (uvec2 slots = groupSlots; holdsAny(slots);) {
     int j = takeSlot(slots);

@@ -36,6 +36,13 @@ formula Real softPart(Real x, Real y, Real m) { return m * (x + num(0.5) * (num(
 /// Its derivative by m.
 formula Real softRate(Real x, Real y, Real m) { return x + (num(0.5) - m) * y; }
 
+/// A clique's share of F among disjoint ones: it falls with the rate at which F rises by it.
+struct Level {
+  Real top;      ///< x + y / 2: the rate without a share.
+  Real inverse;  ///< 1 / y; 0: it has no share at any rate.
+};
+formula Real shareAt(Level level, Real rate) { return max(num(0.0), (level.top - rate) * level.inverse); }
+
 /// Two cliques: by how much F rises for a share that the second gives to the first, and how fast that falls.
 struct Exchange {
   Real gain;

@@ -144,6 +144,7 @@ class TileReplacer : TileField {
       const M seen = both(open_, hn::Ne(factor, zero()));
       if (addTerm(i, line.p, line.inwards, factor, seen, false, scratch_.lines[lineCount_])) ++lineCount_;
     }
+    lineLevels_ = levelsOf(std::span(scratch_.lines).first(lineCount_));
   }
 
   static constexpr float kOn = 1.0f;     ///< Direction along a line: inwards
@@ -174,7 +175,7 @@ class TileReplacer : TileField {
     }
     const float iso = inputs_.settings.iso;
     skin_ = {{all(sense), zero(), zero(), zero(), zero()}, false, all(-sense * iso)};
-    return RayLanes(lanes, cliques_, skin_, first_, levels_);
+    return RayLanes(lanes, lineLevels_, skin_, first_);
   }
 
   /// First change of sign. Removes uncertified lanes from open_.
@@ -254,7 +255,7 @@ class TileReplacer : TileField {
     const M counts = both(mask, hn::Gt(weight, zero()));
     if (!any(counts)) return;
     const V3 x = line.p + t * line.inwards;
-    const RayLanes rays(scratch_.lanes, cliques_, skin_, first_, levels_);
+    const RayLanes rays(scratch_.lanes, lineLevels_, skin_, first_);
     V value;
     const V3 gradient = gradientAt(x, rays, t, value);
     const V3 normal = unitOr(zero3() - gradient, line.n);
@@ -287,6 +288,7 @@ class TileReplacer : TileField {
   bool toAnchors_;             ///< Lines go to the anchors; otherwise along the normals.
   float tolerance_;            ///< For roots, world units.
   std::size_t lineCount_ = 0;  ///< Used part of scratch_.lines.
+  LaneLevels lineLevels_;      ///< Of their terms.
   LaneSkin skin_;
   M asked_;
   M open_;  ///< Lanes of asked_ that are still certified.

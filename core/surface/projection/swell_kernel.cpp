@@ -85,7 +85,8 @@ class TileSweller : TileField {
     const V3 d = directions_.load(first_);
     const LaneSkin skin = skinOf(onSkin);
     fillTerms(p, skin.sense * d, skin, active);
-    const RayLanes rays(scratch_.lanes, cliques_, skin, first_, levels_);
+    const LaneLevels levels = levelsOf(std::span(scratch_.lanes.terms).first(scratch_.lanes.termCount));
+    const RayLanes rays(scratch_.lanes, levels, skin, first_);
     const LaneRise rise = riseOf(rays, onSkin);
     const LaneSearch search = rays.bracketFromSkin(rise, active);
     const LaneRoots roots = rootsIn(rays, search, tolerance_);
@@ -100,8 +101,20 @@ class TileSweller : TileField {
     }
   }
 
+  /// Cliques for sums on the skin.
+  LaneLevels levelsOnSkin() {
+    if (!blends()) return levels_;
+    PresentCliques& present = startPresent();
+    for (std::size_t n = 0; n < nearCount_; ++n) {
+      const std::size_t i = static_cast<std::size_t>(scratch_.near[n]);
+      const PosedPrimitive& muscle = primitive(candidate(i).primitive);
+      if (scratch_.spans[i].gap < 0.0f && muscle.strength >= 0.0f) present.add(candidate(i).slot, muscle.groove);
+    }
+    return present.finish();
+  }
+
   /// F without carves, of the groups' sums.
-  static V ofGroups(const RayLanes& sums, const LaneCliques& cliques) {
+  static V ofGroups(const LaneBlend& sums, const LaneCliques& cliques) {
     if (cliques.soft) {
       sums.share(0, 1);
       return sums.partOf(0, 1);
@@ -111,15 +124,15 @@ class TileSweller : TileField {
     return most;
   }
 
-  OnSkin sampleSkin(const V3& p) const {
-    LaneScratch& lanes = scratch_.lanes;
+  OnSkin sampleSkin(const V3& p) {
     V carved = zero();
     V together = zero();
     V shares = zero();
     V widths = zero();
     V radii = zero();
-    const LaneSkin none{{all(1.0f), zero(), zero(), zero(), zero()}, false, zero()};
-    const RayLanes sums(lanes, cliques_, none, first_);
+    const LaneLevels levels = levelsOnSkin();
+    const LaneCliques& cliques = levels.first;
+    const LaneBlend sums(scratch_.lanes, cliques, all(1.0f), first_);
     sums.clearSums(2);
     for (std::size_t n = 0; n < nearCount_; ++n) {
       const std::size_t i = static_cast<std::size_t>(scratch_.near[n]);
@@ -135,18 +148,22 @@ class TileSweller : TileField {
       widths = widths + hn::Abs(value) * all(std::min(inputs_.settings.blendWidth, muscle.meanRadius));
       if (muscle.strength < 0.0f) {
         carved = carved + value;
-      } else if (cliques_.empty()) {
-        together = together + value;
-      } else {
-        sums.add(candidate(i).slot, 0, value);
-        if (cliques_.soft) sums.add(candidate(i).slot, 1, all(muscle.groove) * value);
+        continue;
       }
+      const int slot = blends() ? scratch_.lanes.present.numberOf(candidate(i).slot) : candidate(i).slot;
+      if (sums.isEverywhere(slot)) {
+        together = together + value;
+        continue;
+      }
+      sums.add(slot, 0, value);
+      if (cliques.mixed) sums.add(slot, 1, all(muscle.groove) * value);
     }
-    if (HWY_LIKELY(levels_.empty())) {
-      if (!cliques_.empty()) together = ofGroups(sums, cliques_);
+    if (HWY_LIKELY(levels.several.empty())) {
+      if (!cliques.empty()) together = together + ofGroups(sums, cliques);
     } else {
-      for (const LaneLevel& level : levels_) {
-        together = together + all(level.weight) * ofGroups({lanes, level.cliques, none, first_}, level.cliques);
+      for (const LaneLevel& level : levels.several) {
+        const LaneBlend ofLevel(scratch_.lanes, level.cliques, all(1.0f), first_);
+        together = together + all(level.weight) * ofGroups(ofLevel, level.cliques);
       }
     }
     const M seen = hn::Gt(shares, zero());

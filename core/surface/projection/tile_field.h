@@ -31,10 +31,10 @@ class TileField {
     const std::size_t count = set.levels.size();
     for (std::size_t i = 0; i < count; ++i) {
       const TileCliques& of = set.levels[i];
-      scratch_.lanes.levels[i] = {of.weight, {of.begins, of.slots, set.slotCount, soft_, of.ownBegins, of.ownSlots}};
+      scratch_.lanes.levels[i] = {of.weight, {of.begins, of.slots, of.owners, set.slotCount, soft_}};
     }
-    cliques_ = scratch_.lanes.levels[0].cliques;
-    levels_ = std::span<const LaneLevel>(scratch_.lanes.levels).first(count > 1 ? count : 0);
+    levels_.first = scratch_.lanes.levels[0].cliques;
+    levels_.several = std::span<const LaneLevel>(scratch_.lanes.levels).first(count > 1 ? count : 0);
   }
 
   Bounds boundsOfTile() const {
@@ -130,6 +130,26 @@ class TileField {
     return true;
   }
 
+  /// Cliques for sums of `terms` and of the shapes. With soft grooves the slots are numbered anew.
+  LaneLevels levelsOf(std::span<LaneTerm> terms) {
+    if (!blends()) return levels_;
+    PresentCliques& present = startPresent();
+    const std::span<LaneShape> shapes = std::span(scratch_.lanes.shapes).first(scratch_.lanes.shapeCount);
+    for (const LaneTerm& term : terms) present.add(term.slot, term.groove);
+    for (const LaneShape& shape : shapes) present.add(shape.slot, shape.groove);
+    const LaneLevels levels = present.finish();
+    for (LaneTerm& term : terms) term.slot = present.numberOf(term.slot);
+    for (LaneShape& shape : shapes) shape.slot = present.numberOf(shape.slot);
+    return levels;
+  }
+
+  /// Cliques share F.
+  bool blends() const { return soft_ && !levels_.first.empty(); }
+  PresentCliques& startPresent() {
+    scratch_.lanes.present.start(levels_);
+    return scratch_.lanes.present;
+  }
+
   /// Leaves vertices to the scalar path.
   void giveUp(M mask) {
     if (!any(mask)) return;
@@ -139,27 +159,29 @@ class TileField {
   /// F's gradient at x, t along the rays, and in `value` sign * F.
   V3 gradientAt(const V3& x, const RayLanes& rays, V t, V& value) const {
     const V sign = rays.skin().sense;
+    const LaneCliques& cliques = rays.cliques();
     V3 gradient{zero(), zero(), zero()};
     value = zero();
-    rays.clearSums(cliques_.soft ? 8 : 4);
+    const LaneBlend& blend = rays.blend();
+    blend.clearSums(cliques.mixed ? 8 : 4);
     const auto addPart = [&](int slot, float groove, V factor, V w, const V3& halfSlope) HWY_ATTR {
       const V ofPart = potential(factor, w);
       const V3 part = (all(-4.0f) * sign * (factor * potentialRate(w))) * halfSlope;
-      if (rays.isEverywhere(slot)) {
+      if (blend.isEverywhere(slot)) {
         value = value + ofPart;
         gradient = gradient + part;
         return;
       }
-      rays.add(slot, 0, ofPart);
-      rays.add(slot, 1, part.x);
-      rays.add(slot, 2, part.y);
-      rays.add(slot, 3, part.z);
-      if (!cliques_.soft) return;
+      blend.add(slot, 0, ofPart);
+      blend.add(slot, 1, part.x);
+      blend.add(slot, 2, part.y);
+      blend.add(slot, 3, part.z);
+      if (!cliques.mixed) return;
       const V soft = all(groove);
-      rays.add(slot, 4, soft * ofPart);
-      rays.add(slot, 5, soft * part.x);
-      rays.add(slot, 6, soft * part.y);
-      rays.add(slot, 7, soft * part.z);
+      blend.add(slot, 4, soft * ofPart);
+      blend.add(slot, 5, soft * part.x);
+      blend.add(slot, 6, soft * part.y);
+      blend.add(slot, 7, soft * part.z);
     };
     for (const LaneTerm& term : rays.terms()) {
       const V along = t - rays.load(term.middle);
@@ -178,32 +200,34 @@ class TileField {
       addPart(shape.slot, shape.groove, ray.factor(), hn::Max(zero(), all(1.0f) - shapeRSquared(at)),
               transposedTimes(ball.toUnit, shapeHalfSlope(numbersOf(ball.shape), at)));
     }
-    if (HWY_LIKELY(levels_.empty())) return gradient + gradientOfGroups(rays, cliques_, value);
-    for (const LaneLevel& level : levels_) {
-      const RayLanes of(scratch_.lanes, level.cliques, rays.skin(), first_);
+    if (cliques.empty()) return gradient;
+    if (HWY_LIKELY(rays.levels().empty())) return gradient + gradientOfGroups(rays, value);
+    for (const LaneLevel& level : rays.levels()) {
       V ofLevel = zero();
-      const V3 part = gradientOfGroups(of, level.cliques, ofLevel);
+      const V3 part = gradientOfGroups(rays.with(level), ofLevel);
       value = value + all(level.weight) * ofLevel;
       gradient = gradient + all(level.weight) * part;
     }
     return gradient;
   }
 
-  /// Of the groups' sums in `rays`, as gradientAt() has added them. Adds F to `value`.
-  V3 gradientOfGroups(const RayLanes& rays, const LaneCliques& cliques, V& value) const {
+  /// Of the groups' sums, as gradientAt() has added them. Adds F to `value`.
+  V3 gradientOfGroups(const RayLanes& rays, V& value) const {
     const V sign = rays.skin().sense;
-    if (!cliques.empty() && cliques.soft) {
-      rays.share(0, 4);
-      value = value + rays.partOf(0, 4);
-      return V3{rays.partOf(1, 5), rays.partOf(2, 6), rays.partOf(3, 7)};
+    const LaneCliques& cliques = rays.cliques();
+    const LaneBlend& blend = rays.blend();
+    if (cliques.soft) {
+      blend.share(0, 4);
+      value = value + blend.partOf(0, 4);
+      return V3{blend.partOf(1, 5), blend.partOf(2, 6), blend.partOf(3, 7)};
     }
     V best = zero();
     V3 bestGradient{zero(), zero(), zero()};
     const auto gradientOf = [&](std::size_t k) HWY_ATTR {
-      return V3{rays.sumOf(k, 1), rays.sumOf(k, 2), rays.sumOf(k, 3)};
+      return V3{blend.sumOf(k, 1), blend.sumOf(k, 2), blend.sumOf(k, 3)};
     };
     for (std::size_t k = 0; k < cliques.count(); ++k) {
-      const V sum = rays.sumOf(k, 0);
+      const V sum = blend.sumOf(k, 0);
       const M wins = hn::Gt(sign * sum, sign * best);
       best = select(wins, sum, best);
       bestGradient = select(wins, gradientOf(k), bestGradient);
@@ -213,7 +237,7 @@ class TileField {
     V most = zero();
     V3 other{zero(), zero(), zero()};
     for (std::size_t k = 0; k < cliques.count(); ++k) {
-      const V sum = sign * rays.sumOf(k, 0);
+      const V sum = sign * blend.sumOf(k, 0);
       const V near = hn::Min(all(kTie) - (sign * best - sum), sum);
       if (!any(hn::Gt(near, zero()))) continue;
       const V3 own = gradientOf(k);
@@ -238,11 +262,10 @@ class TileField {
   const FieldView& field_;
   TileScratch& scratch_;
   const VertexTile* tile_ = nullptr;
-  std::size_t nearCount_ = 0;          ///< Used part of scratch_.near: indices of the tile's candidates.
-  std::size_t first_ = 0;              ///< First of the current lanes.
-  bool soft_ = false;                  ///< Some muscle has a soft groove.
-  LaneCliques cliques_;                ///< Of the first level.
-  std::span<const LaneLevel> levels_;  ///< Of the tile, if there are several.
+  std::size_t nearCount_ = 0;  ///< Used part of scratch_.near: indices of the tile's candidates.
+  std::size_t first_ = 0;      ///< First of the current lanes.
+  bool soft_ = false;          ///< Some muscle has a soft groove.
+  LaneLevels levels_;          ///< Of the tile.
   LanePoints points_;
 
  private:

@@ -23,8 +23,8 @@ void makeRoom(const VertexTiles& tiles, std::size_t range, TileScratch& scratch)
   grow(scratch.lanes.sums, tiles.mostSlots);
   grow(scratch.lanes.levels, tiles.mostLevels);
   grow(scratch.lanes.shares, tiles.mostCliques);
-  grow(scratch.lanes.softness, tiles.mostCliques);
-  scratch.lanes.cliques.reserve(tiles.mostCliques);
+  scratch.lanes.sharing.reserve(tiles.mostCliques);
+  scratch.lanes.present.makeRoom(tiles.mostLevels, tiles.mostSlots, tiles.mostInCliques);
   grow(scratch.spans, tiles.mostCandidates);
   grow(scratch.near, tiles.mostCandidates);
   scratch.counts = {};

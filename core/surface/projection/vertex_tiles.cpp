@@ -117,41 +117,26 @@ void fillWeights(const VertexTile& tile, const ControlMesh& mesh, const Refineme
   }
 }
 
-/// What each clique has alone.
-void flattenOwn(const CliqueLists& cliques, std::size_t slotCount, TileCliques& out) {
-  std::vector<std::size_t> holders(slotCount, 0);
-  for (const std::vector<int>& clique : cliques) {
-    for (const int slot : clique) ++holders[toIndex(slot)];
-  }
-  const auto isShared = [&](std::size_t count) { return count > 1 && count < cliques.size(); };
-  if (std::ranges::any_of(holders, isShared)) return;
-  std::vector<int>& slots = out.ownSlots;
-  out.ownBegins.push_back(0);
-  for (const std::vector<int>& clique : cliques) {
-    std::ranges::copy_if(clique, std::back_inserter(slots), [&](int slot) { return holders[toIndex(slot)] == 1; });
-    out.ownBegins.push_back(static_cast<int>(slots.size()));
-  }
-}
-
-TileCliques flattened(const CliqueLists& cliques, double weight, std::size_t slotCount) {
-  TileCliques out{static_cast<float>(weight), {0}, {}, {}, {}};
+TileCliques flattened(const CliqueLists& cliques, double weight) {
+  TileCliques out{static_cast<float>(weight), {0}, {}, {}};
   for (const std::vector<int>& clique : cliques) {
     out.slots.insert(out.slots.end(), clique.begin(), clique.end());
     out.begins.push_back(static_cast<int>(out.slots.size()));
   }
-  flattenOwn(cliques, slotCount, out);
+  findOwners(cliques, out.owners);
   return out;
 }
 
 void flattenCliques(const CandidateLists& lists, VertexTiles& out) {
   for (const CliqueLevels& levels : lists.cliqueSets) {
     TileCliqueSet& set = out.cliqueSets.emplace_back();
-    if (levels.empty()) set.levels.push_back(flattened({}, 1.0, 0));
+    if (levels.empty()) set.levels.push_back(flattened({}, 1.0));
     for (const auto& [weight, cliques] : levels) {
       for (const std::vector<int>& clique : cliques)
         set.slotCount = std::max(set.slotCount, toIndex(clique.back()) + 1);
-      set.levels.push_back(flattened(cliques, weight, set.slotCount));
+      set.levels.push_back(flattened(cliques, weight));
       out.mostCliques = std::max(out.mostCliques, cliques.size());
+      out.mostInCliques = std::max(out.mostInCliques, set.levels.back().slots.size());
     }
     out.mostSlots = std::max(out.mostSlots, set.slotCount);
     out.mostLevels = std::max(out.mostLevels, set.levels.size());

@@ -31,8 +31,7 @@ struct TileCliques {
   float weight = 1.0f;
   std::vector<int> begins;
   std::vector<int> slots;
-  std::vector<int> ownBegins;
-  std::vector<int> ownSlots;
+  std::vector<int> owners;
 };
 
 struct TileCliqueSet {
@@ -47,7 +46,8 @@ struct VertexTiles {
   std::vector<TileCliqueSet> cliqueSets;
   std::size_t mostCandidates = 0;
   std::size_t mostSlots = 0;
-  std::size_t mostCliques = 0;  ///< Of a level.
+  std::size_t mostCliques = 0;    ///< Of a level.
+  std::size_t mostInCliques = 0;  ///< Sum of a level's cliques' sizes.
   std::size_t mostLevels = 0;
 };
 

@@ -3,10 +3,10 @@
 
 #include <array>
 #include <cstddef>
-#include <span>
 #include <vector>
 
 #include "core/geometry/lane_floats.h"
+#include "core/surface/roots/lane_cliques.h"
 #include "sinew/geometry/shape.h"
 
 namespace sinew {
@@ -22,7 +22,7 @@ struct LaneTerm {
   int primitive = 0;
   int slot = 0;  ///< Group slot, or kEverySum: part of every clique's sum (carves).
 
-  static constexpr int kEverySum = -1;
+  static constexpr int kEverySum = kInEveryClique;
 };
 
 /// The same for a shaped primitive, whose w = 1 - r^2 is no quadratic: the lines in its unit space, point + s along,
@@ -48,26 +48,8 @@ struct LaneShape {
 struct SlotSums {
   std::array<LaneFloats, 9> of;
   LaneFloats share;  ///< m_j of GroupBlend.
-};
-
-/// The slots that add up in clique k: slots[begin[k] .. begin[k+1]). Empty: all slots add up.
-struct LaneCliques {
-  std::span<const int> begin;
-  std::span<const int> slots;
-  std::size_t slotCount = 0;
-  bool soft = false;  ///< Some muscle has a soft groove.
-  /// The same without slots that all cliques have; empty if a slot is in several, but not in all.
-  std::span<const int> ownBegin{};
-  std::span<const int> ownSlots{};
-
-  [[nodiscard]] bool empty() const { return begin.size() < 2; }
-  [[nodiscard]] std::size_t count() const { return empty() ? 0 : begin.size() - 1; }
-};
-
-/// One of several parts of the field; all have the same slots.
-struct LaneLevel {
-  float weight = 1.0f;
-  LaneCliques cliques;
+  LaneFloats top;    ///< Level of core/geometry/formulas/potential.h.
+  LaneFloats inverse;
 };
 
 /// Reused from tile to tile, so that nothing is allocated; carries nothing over. One per thread.
@@ -77,10 +59,10 @@ struct LaneScratch {
   std::vector<LaneShape> shapes;
   std::size_t shapeCount = 0;
   std::vector<SlotSums> sums;
-  std::vector<LaneLevel> levels;     ///< Of the tile.
-  std::vector<LaneFloats> shares;    ///< Of each clique; negative: it takes no part.
-  std::vector<LaneFloats> softness;  ///< Of each clique's own groups.
-  std::vector<int> cliques;          ///< Those that may have a share in some lane.
+  std::vector<LaneLevel> levels;  ///< Of the tile.
+  PresentCliques present;
+  std::vector<LaneFloats> shares;  ///< Of each clique; negative: it takes no part.
+  std::vector<int> sharing;        ///< Cliques that may have a share in some lane.
 };
 
 }  // namespace sinew

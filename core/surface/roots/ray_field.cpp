@@ -143,12 +143,12 @@ ValueAndSlope RayField::highest(const CliqueLists& cliques, const RayScratch& sc
 }
 
 ValueAndSlope RayField::softest(const CliqueLists& cliques, RayScratch& scratch) {
-  std::vector<BlendedGroup>& groups = scratch.soft.blend.reset(cliques);
+  std::vector<BlendedGroup>& groups = scratch.blend.start(cliques);
   for (std::size_t i = 0; i < scratch.ofSlot.size(); ++i) {
     groups[i].sum = scratch.ofSlot[i].value;
     groups[i].softness = scratch.softness[i].value;
   }
-  ValueAndSlope out{scratch.soft.blend.settle(cliques), 0.0};
+  ValueAndSlope out{scratch.blend.settle(), 0.0};
   for (std::size_t i = 0; i < scratch.ofSlot.size(); ++i) {
     out.slope += in_double::softPart(scratch.ofSlot[i].slope, scratch.softness[i].slope, groups[i].share);
   }
@@ -239,19 +239,21 @@ void fillSums(const RayField& field, double begin, double end, double sign, Poly
 void fillSoftSums(const RayField& field, double begin, double end, SoftFallScratch& scratch) {
   if (scratch.halves.empty()) scratch.halves.emplace_back();
   SoftSums& out = scratch.halves.front();
-  const std::size_t count = scratch.blend.reset(field.levels().front().cliques).size();
+  const CliqueLevels& levels = field.levels();
+  if (scratch.blends.size() < levels.size()) scratch.blends.resize(levels.size());
+  for (std::size_t i = 0; i < levels.size(); ++i) scratch.blends[i].start(levels[i].cliques);
   out.everywhere = {};
   out.everywhere.addConstant(-field.iso());
-  out.ofSlot.assign(count, {});
-  out.softness.assign(count, {});
+  out.parts.clear();
   for (const RayTerm& term : field.terms()) {
     if (!isActive(term, 0.5 * (begin + end))) continue;
     const Bernstein part = polynomialOf<Bernstein>(field, term, begin, end);
     if (term.slot == RayTerm::kEverySum) {
       out.everywhere.addScaled(part, term.factor);
     } else {
-      at(out.ofSlot, term.slot).addScaled(part, term.factor);
-      at(out.softness, term.slot).addScaled(part, term.groove * term.factor);
+      SoftPart& own = out.of(term.slot);
+      own.sum.addScaled(part, term.factor);
+      own.softness.addScaled(part, term.groove * term.factor);
     }
   }
 }

@@ -27,7 +27,7 @@ struct RayTerm {
   bool goesOn = false;   ///< Another term of the same primitive begins at `leave`, which belongs to it.
   int shaped = -1;       ///< Index into RayField::shaped(), whose r^2 replaces a, b, c; or -1.
 
-  static constexpr int kEverySum = -1;
+  static constexpr int kEverySum = kInEveryClique;
 
   [[nodiscard]] double rSquared(double t) const { return (a * t + 2.0 * b) * t + c; }
 };
@@ -43,6 +43,7 @@ struct PolynomialSums {
 struct RayScratch {
   std::vector<ValueAndSlope> ofSlot;
   std::vector<ValueAndSlope> softness;
+  GroupBlend blend;
   SoftFallScratch soft;
   std::vector<double> breakpoints;
   PolynomialSums<Quartic> quartics;

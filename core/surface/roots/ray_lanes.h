@@ -11,6 +11,7 @@
 #include <span>
 
 #include "core/geometry/lanes.h"
+#include "core/surface/roots/lane_blend.h"
 #include "core/surface/roots/lane_terms.h"
 #include "core/surface/roots/shape_lanes.h"
 #include "hwy/highway.h"
@@ -60,77 +61,23 @@ HWY_INLINE M liesAhead(V a, V middle, V peak) {
 
 /// psi along the rays of the lanes from `first` on.
 class RayLanes {
-  // Exchanges of shares between cliques, for settleShares().
-  struct LaneBlending {
-    const RayLanes& rays;
-    std::size_t sums;
-    std::size_t softness;
-
-    HWY_INLINE std::size_t clique(int index) const {
-      return static_cast<std::size_t>(rays.scratch_.cliques[static_cast<std::size_t>(index)]);
-    }
-    HWY_INLINE LaneFloats& share(int index) const { return rays.scratch_.shares[clique(index)]; }
-
-    /// Calls visit(slot, 1) for slots of the first clique alone, visit(slot, -1) for those of the second.
-    template <class Visit>
-    HWY_INLINE void forEachOwn(int first, int second, Visit visit) const {
-      const LaneCliques& cliques = rays.cliques_;
-      const auto slotAt = [&](int i) { return cliques.slots[static_cast<std::size_t>(i)]; };
-      int i = cliques.begin[clique(first)];
-      int j = cliques.begin[clique(second)];
-      const int endOfFirst = cliques.begin[clique(first) + 1];
-      const int endOfSecond = cliques.begin[clique(second) + 1];
-      while (i < endOfFirst || j < endOfSecond) {
-        if (j == endOfSecond || (i < endOfFirst && slotAt(i) < slotAt(j))) {
-          visit(rays.sumsOf(slotAt(i++)), 1.0f);
-        } else if (i == endOfFirst || slotAt(j) < slotAt(i)) {
-          visit(rays.sumsOf(slotAt(j++)), -1.0f);
-        } else {
-          ++i;
-          ++j;
-        }
-      }
-    }
-  };
-  using Blending = const LaneBlending&;
-  static HWY_INLINE int cliqueCount(Blending b) { return static_cast<int>(b.rays.scratch_.cliques.size()); }
-  static HWY_INLINE V shareOf(Blending b, int clique) { return b.rays.load(b.share(clique)); }
-  static HWY_INLINE Exchange exchangeOf(Blending b, int first, int second) {
-    Exchange out{zero(), zero()};
-    const V direction = b.rays.skin_.sense;
-    b.forEachOwn(first, second, [&](SlotSums& slot, float sense) HWY_ATTR {
-      const V softness = direction * b.rays.load(slot.of[b.softness]);
-      const V rate = softRate(direction * b.rays.load(slot.of[b.sums]), softness, b.rays.load(slot.share));
-      out.gain = out.gain + all(sense) * rate;
-      out.fall = out.fall + softness;
-    });
-    return out;
-  }
-  static HWY_INLINE void exchange(Blending b, int first, int second, V given) {
-    b.rays.store(b.rays.load(b.share(first)) + given, b.share(first));
-    b.rays.store(b.rays.load(b.share(second)) - given, b.share(second));
-    b.forEachOwn(first, second, [&](SlotSums& slot, float sense) HWY_ATTR {
-      b.rays.store(b.rays.load(slot.share) + all(sense) * given, slot.share);
-    });
-  }
-#define formula static HWY_INLINE
-#include "core/geometry/formulas/blend.h"
-#undef formula
-
  public:
-  /// @param levels  if there are several; `cliques` are then those of the first
-  RayLanes(LaneScratch& scratch, const LaneCliques& cliques, const LaneSkin& skin, std::size_t first,
-           std::span<const LaneLevel> levels = {})
-      : scratch_(scratch), cliques_(cliques), skin_(skin), first_(first), levels_(levels) {}
+  RayLanes(LaneScratch& scratch, const LaneLevels& levels, const LaneSkin& skin, std::size_t first)
+      : RayLanes(scratch, levels.first, levels.several, skin, first) {}
 
   HWY_INLINE std::span<const LaneTerm> terms() const { return {scratch_.terms.data(), scratch_.termCount}; }
   HWY_INLINE std::span<const LaneShape> shapes() const { return {scratch_.shapes.data(), scratch_.shapeCount}; }
   HWY_INLINE ShapeOnRays onRays(const LaneShape& shape) const { return {shape, first_}; }
   HWY_INLINE const LaneSkin& skin() const { return skin_; }
+  HWY_INLINE const LaneBlend& blend() const { return blend_; }
+  HWY_INLINE const LaneCliques& cliques() const { return cliques_; }  ///< Of the first level.
+  HWY_INLINE std::span<const LaneLevel> levels() const { return levels_; }
+  /// The same rays with one of several levels alone. Has the same sums.
+  HWY_INLINE RayLanes with(const LaneLevel& level) const { return {scratch_, level.cliques, {}, skin_, first_}; }
 
   Sample sample(V t) const {
     Sample sum{zero(), zero()};  // The derivative is divided by -4.
-    clearSums(cliques_.soft ? 4 : 2);
+    blend_.clearSums(cliques_.mixed ? 4 : 2);
     for (const LaneTerm& term : terms()) {
       const V d = t - load(term.middle);
       const V ad = load(term.a) * d;
@@ -138,20 +85,20 @@ class RayLanes {
     }
     // Passed by value: a sum with an address would be kept in memory by the loop above.
     if (HWY_UNLIKELY(!shapes().empty())) sum = withShapes(sum, t);
-    if (!cliques_.empty()) sum = HWY_UNLIKELY(cliques_.soft || !levels_.empty()) ? blended(sum) : withWinner(sum);
+    if (!cliques_.empty()) sum = HWY_UNLIKELY(isBlended()) ? blended(sum) : withWinner(sum);
     return {skin_.value(t) + sum.value, skin_.slope(t) - all(4.0f) * sum.slope};
   }
 
   /// Bounds of psi and its derivative on [t0, t1], by lane: the sum of those of the terms and of the skin.
   LaneBounds bounds(V t0, V t1) const {
     LaneBounds sum{zero(), zero(), zero(), zero(), zero(), zero()};
-    clearSums(cliques_.soft ? 9 : 5);
+    blend_.clearSums(cliques_.mixed ? 9 : 5);
     for (const LaneTerm& term : terms()) {
       const V middle = load(term.middle);
       addBounds(term, load(term.factor), ellipsoidBounds(load(term.a), load(term.peak), t0 - middle, t1 - middle), sum);
     }
     if (HWY_UNLIKELY(!shapes().empty())) sum = withShapes(sum, t0, t1);
-    if (!cliques_.empty()) sum = HWY_UNLIKELY(!levels_.empty()) ? withLevels(sum) : withWinners(sum);
+    if (!cliques_.empty()) sum = HWY_UNLIKELY(isBlended()) ? blendedBounds(sum) : withWinners(sum);
     const V skin = skin_.value(t1);
     LaneBounds psi{skin + sum.value,           sum.maxSlope, sum.minSlope,
                    sum.values + hn::Abs(skin), sum.slopes,   skin + sum.atEnd};
@@ -189,8 +136,7 @@ class RayLanes {
     const V to = hn::Min(rise.to, rise.end);
     search.low = select(open, from, search.low);
     search.high = select(open, to, search.high);
-    march(to, rise.end, outward, cliques_.soft || !levels_.empty() ? 40 : 20, open,
-          search);  // Outwards, psi is -T at the end.
+    march(to, rise.end, outward, isBlended() ? 40 : 20, open, search);  // Outwards, psi is -T at the end.
     return search;
   }
 
@@ -207,46 +153,7 @@ class RayLanes {
     return search;
   }
 
-  HWY_INLINE V load(const LaneFloats& floats) const { return hn::Load(kTag, floats.at(first_)); }
-
-  // Sums of terms by group slot, for terms that are not in every sum.
-  HWY_INLINE bool isEverywhere(int slot) const { return cliques_.empty() || slot == LaneTerm::kEverySum; }
-  /// @param used  how many sums of each slot are in use.
-  void clearSums(std::size_t used) const {
-    if (cliques_.empty()) return;
-    for (std::size_t slot = 0; slot < cliques_.slotCount; ++slot) {
-      for (std::size_t i = 0; i < used; ++i) store(zero(), scratch_.sums[slot].of[i]);
-    }
-  }
-  HWY_INLINE void add(int slot, std::size_t which, V value) const {
-    LaneFloats& sum = scratch_.sums[static_cast<std::size_t>(slot)].of[which];
-    store(load(sum) + value, sum);
-  }
-  HWY_INLINE SlotSums& sumsOf(int slot) const { return scratch_.sums[static_cast<std::size_t>(slot)]; }
-  HWY_INLINE V sumOf(std::size_t clique, std::size_t which) const {
-    V sum = zero();
-    for (int i = cliques_.begin[clique]; i < cliques_.begin[clique + 1]; ++i) {
-      const int slot = cliques_.slots[static_cast<std::size_t>(i)];
-      sum = sum + load(scratch_.sums[static_cast<std::size_t>(slot)].of[which]);
-    }
-    return sum;
-  }
-
-  /// Soft grooves: finds the shares of the cliques for sums x_j and y_j of every slot, times the direction's sign.
-  void share(std::size_t sums, std::size_t softness) const {
-    if (cliques_.ownBegin.empty()) exchangeShares(sums, softness);
-    else levelShares(sums, softness);
-  }
-
-  /// softPart() of all slots with the shares found.
-  V partOf(std::size_t sums, std::size_t softness) const {
-    V out = zero();
-    for (std::size_t slot = 0; slot < cliques_.slotCount; ++slot) {
-      const SlotSums& of = scratch_.sums[slot];
-      out = out + softPart(load(of.of[sums]), load(of.of[softness]), load(of.share));
-    }
-    return out;
-  }
+  HWY_INLINE V load(const LaneFloats& floats) const { return blend_.load(floats); }
 
   /// Where an ellipsoid's influence begins and ends along the rays that meet it.
   HWY_INLINE Range extentOf(const LaneTerm& term) const {
@@ -264,25 +171,35 @@ class RayLanes {
   static constexpr std::size_t kSoftMaxSlope = 6;
   static constexpr std::size_t kSoftMinSlope = 7;
   static constexpr std::size_t kSoftest = 8;  ///< and its largest magnitude.
-  static constexpr float kSettled = 1e-6f;    ///< Times the largest sum.
 
-  HWY_INLINE void store(V value, LaneFloats& floats) const { hn::Store(value, kTag, floats.at(first_)); }
+  /// @param levels  if there are several; `cliques` are then those of the first.
+  RayLanes(LaneScratch& scratch, const LaneCliques& cliques, std::span<const LaneLevel> levels, const LaneSkin& skin,
+           std::size_t first)
+      : blend_(scratch, cliques, skin.sense, first),
+        scratch_(scratch),
+        cliques_(cliques),
+        levels_(levels),
+        skin_(skin),
+        first_(first) {}
+
+  /// With soft grooves or several levels.
+  HWY_INLINE bool isBlended() const { return cliques_.soft || !levels_.empty(); }
 
   /// @param of  w and half the derivative of r^2.
   template <class Term>
   HWY_INLINE void addSample(const Term& term, V factor, const Sample& of, Sample& sum) const {
     const V value = potential(factor, of.value);
     const V slope = factor * potentialRate(of.value) * of.slope;
-    if (isEverywhere(term.slot)) {
+    if (blend_.isEverywhere(term.slot)) {
       sum.value = sum.value + value;
       sum.slope = sum.slope + slope;
       return;
     }
-    add(term.slot, 0, value);
-    add(term.slot, 1, slope);
-    if (!cliques_.soft) return;
-    add(term.slot, 2, all(term.groove) * value);
-    add(term.slot, 3, all(term.groove) * slope);
+    blend_.add(term.slot, 0, value);
+    blend_.add(term.slot, 1, slope);
+    if (!cliques_.mixed) return;
+    blend_.add(term.slot, 2, all(term.groove) * value);
+    blend_.add(term.slot, 3, all(term.groove) * slope);
   }
 
   HWY_NOINLINE Sample withShapes(Sample sum, V t) const {
@@ -307,24 +224,24 @@ class RayLanes {
     sum.values = sum.values + bounds.most;
     sum.slopes = sum.slopes + hn::Max(hn::Abs(bounds.slope.high), hn::Abs(bounds.slope.low));
     const int slot = term.slot;
-    if (isEverywhere(slot)) {
+    if (blend_.isEverywhere(slot)) {
       sum.value = sum.value + bounds.value.low;
       sum.atEnd = sum.atEnd + bounds.atEnd;
       sum.maxSlope = sum.maxSlope + bounds.slope.high;
       sum.minSlope = sum.minSlope + bounds.slope.low;
       return;
     }
-    add(slot, kMin, bounds.value.low);
-    add(slot, kAtEnd, bounds.atEnd);
-    add(slot, kMaxSlope, bounds.slope.high);
-    add(slot, kMinSlope, bounds.slope.low);
-    add(slot, kMax, bounds.value.high);
-    if (!cliques_.soft) return;
+    blend_.add(slot, kMin, bounds.value.low);
+    blend_.add(slot, kAtEnd, bounds.atEnd);
+    blend_.add(slot, kMaxSlope, bounds.slope.high);
+    blend_.add(slot, kMinSlope, bounds.slope.low);
+    blend_.add(slot, kMax, bounds.value.high);
+    if (!cliques_.mixed) return;
     const V groove = all(term.groove);
-    add(slot, kSoftAtEnd, groove * bounds.atEnd);
-    add(slot, kSoftMaxSlope, groove * bounds.slope.high);
-    add(slot, kSoftMinSlope, groove * bounds.slope.low);
-    add(slot, kSoftest, groove * bounds.most);
+    blend_.add(slot, kSoftAtEnd, groove * bounds.atEnd);
+    blend_.add(slot, kSoftMaxSlope, groove * bounds.slope.high);
+    blend_.add(slot, kSoftMinSlope, groove * bounds.slope.low);
+    blend_.add(slot, kSoftest, groove * bounds.most);
   }
 
   /// Goes interval by interval from search.low to `end`; the first ends at search.high. It passes an interval if bounds
@@ -370,109 +287,23 @@ class RayLanes {
     V best = zero();
     V bestSlope = zero();
     for (std::size_t k = 0; k < cliques_.count(); ++k) {
-      const V value = sumOf(k, 0);
+      const V value = blend_.sumOf(k, 0);
       const M wins = hn::Gt(skin_.sense * value, skin_.sense * best);
       best = select(wins, value, best);
-      bestSlope = select(wins, sumOf(k, 1), bestSlope);
+      bestSlope = select(wins, blend_.sumOf(k, 1), bestSlope);
     }
     return {sum.value + best, sum.slope + bestSlope};
   }
 
-  /// For cliques that share no group but those that all have. Where F is largest, a share changes it as much for every
-  /// clique that has one: by rate = x + y / 2 - y share. The sum of the shares falls with the rate, by straight pieces
-  /// that get less steep, so Newton's steps from below end at the rate for 1.
-  void levelShares(std::size_t sums, std::size_t softness) const {
-    const V sense = skin_.sense;
-    V rate = zero();
-    for (std::size_t k = 0; k < cliques_.count(); ++k) {
-      V x = zero();
-      V y = zero();
-      forEachOwnSlot(k, [&](const SlotSums& slot) HWY_ATTR {
-        x = x + load(slot.of[sums]);
-        y = y + load(slot.of[softness]);
-      });
-      // A float could not tell a narrower groove's sums apart.
-      const V soft = hn::Max(sense * y, all(4e-6f) * (sense * x));
-      const V half = all(0.5f) * soft;
-      rate = hn::Max(rate, sense * x - half);
-      store(sense * x + half, scratch_.shares[k]);
-      store(soft, scratch_.softness[k]);
-    }
-    scratch_.cliques.clear();
-    for (std::size_t k = 0; k < cliques_.count(); ++k) {
-      if (any(hn::Gt(load(scratch_.shares[k]), rate))) scratch_.cliques.push_back(static_cast<int>(k));
-    }
-    V have = zero();   // How many have a share,
-    V whole = zero();  // and its sum.
-    M open = hn::Ge(rate, zero());
-    for (std::size_t step = 0; any(open); ++step) {
-      V shares = zero();
-      V holders = zero();
-      V fall = zero();
-      for (const int clique : scratch_.cliques) {
-        const auto k = static_cast<std::size_t>(clique);
-        const V above = load(scratch_.shares[k]) - rate;
-        const V y = load(scratch_.softness[k]);
-        const M has = both(hn::Gt(above, zero()), hn::Gt(y, zero()));
-        shares = shares + select(has, above / y, zero());
-        holders = holders + select(has, all(1.0f), zero());
-        fall = fall + select(has, all(1.0f) / y, zero());
-      }
-      whole = select(open, shares, whole);
-      have = select(open, holders, have);
-      open = both(open, hn::Gt(shares, all(1.0f + 1e-6f)));
-      if (step > cliques_.count()) break;
-      rate = select(open, rate + (shares - all(1.0f)) / fall, rate);
-    }
-    for (std::size_t slot = 0; slot < cliques_.slotCount; ++slot) store(all(1.0f), scratch_.sums[slot].share);
-    for (std::size_t k = 0; k < cliques_.count(); ++k) {
-      const V above = load(scratch_.shares[k]) - rate;
-      const V y = load(scratch_.softness[k]);
-      const M has = both(hn::Gt(above, zero()), hn::Gt(y, zero()));
-      const V own = select(has, select(hn::Gt(have, all(1.0f)), above / (y * whole), all(1.0f)), zero());
-      forEachOwnSlot(k, [&](SlotSums& slot) HWY_ATTR { store(own, slot.share); });
-    }
-  }
-
-  /// In pairs, for any cliques.
-  void exchangeShares(std::size_t sums, std::size_t softness) const {
-    const LaneBlending blending{*this, sums, softness};
-    V largest = zero();
-    V highest = all(-1.0f);
-    V surely = zero();
-    for (std::size_t k = 0; k < cliques_.count(); ++k) {
-      const V sum = skin_.sense * sumOf(k, sums);
-      const V half = all(0.5f) * skin_.sense * sumOf(k, softness);
-      highest = select(hn::Gt(sum, largest), all(static_cast<float>(k)), highest);
-      largest = hn::Max(largest, sum);
-      surely = hn::Max(surely, sum - half);
-      store(sum + half, scratch_.shares[k]);
-    }
-    clearShares();
-    scratch_.cliques.clear();
-    for (std::size_t k = 0; k < cliques_.count(); ++k) {
-      // Taking from a clique b for k gains at most S_k + Y_k / 2 - S_b + Y_b / 2, with sums S and softness Y.
-      const M mayShare = both(hn::Ge(load(scratch_.shares[k]), surely), hn::Gt(largest, zero()));
-      const M wins = hn::Eq(highest, all(static_cast<float>(k)));
-      if (!any(hn::Or(mayShare, wins))) continue;
-      const V whole = select(wins, all(1.0f), zero());
-      store(select(hn::Or(mayShare, wins), whole, all(-1.0f)), scratch_.shares[k]);
-      scratch_.cliques.push_back(static_cast<int>(k));
-      if (any(wins)) forEachSlot(k, [&](SlotSums& slot) HWY_ATTR { store(load(slot.share) + whole, slot.share); });
-    }
-    if (scratch_.cliques.size() > 1) settleShares(blending, all(kSettled) * largest, hn::Gt(largest, zero()));
-  }
-
   HWY_INLINE Sample withShares(const Sample& sum) const {
-    share(0, 2);
-    return {sum.value + partOf(0, 2), sum.slope + partOf(1, 3)};
+    blend_.share(0, 2);
+    return {sum.value + blend_.partOf(0, 2), sum.slope + blend_.partOf(1, 3)};
   }
 
-  /// With soft grooves or several levels.
   HWY_NOINLINE Sample blended(Sample sum) const {
-    if (levels_.empty()) return withShares(sum);
+    if (HWY_LIKELY(levels_.empty())) return withShares(sum);
     for (const LaneLevel& level : levels_) {
-      const RayLanes of(scratch_, level.cliques, skin_, first_);
+      const RayLanes of = with(level);
       const Sample nothing{zero(), zero()};
       const Sample part = cliques_.soft ? of.withShares(nothing) : of.withWinner(nothing);
       sum.value = sum.value + all(level.weight) * part.value;
@@ -481,21 +312,7 @@ class RayLanes {
     return sum;
   }
 
-  HWY_NOINLINE LaneBounds withLevels(LaneBounds sum) const {
-    for (const LaneLevel& level : levels_) {
-      const V weight = all(level.weight);
-      const LaneBounds part = RayLanes(scratch_, level.cliques, skin_, first_)
-                                  .withWinners({zero(), zero(), zero(), zero(), zero(), zero()});
-      sum.value = sum.value + weight * part.value;
-      sum.atEnd = sum.atEnd + weight * part.atEnd;
-      sum.maxSlope = sum.maxSlope + weight * part.maxSlope;
-      sum.minSlope = sum.minSlope + weight * part.minSlope;
-    }
-    return sum;
-  }
-
-  /// F is the largest of the cliques' sums, and with soft grooves up to sum y_j / 8 more: only those that may be the
-  /// largest somewhere bound the derivative.
+  /// F is the largest of the cliques' sums: only those that may be the largest somewhere bound the derivative.
   HWY_INLINE LaneBounds withWinners(LaneBounds sum) const {
     constexpr float kInfinity = std::numeric_limits<float>::infinity();
     const V sign = skin_.sense;
@@ -504,36 +321,17 @@ class RayLanes {
     V min = surely;              // Times the sign, like atEnd.
     V atEnd = surely;
     for (std::size_t k = 0; k < cliques_.count(); ++k) {
-      const V low = sumOf(k, kMin);
-      const V least = select(outward, low, zero() - sumOf(k, kMax));
-      surely = hn::Max(surely, cliques_.soft ? least - all(0.5f) * sumOf(k, kSoftest) : least);
+      const V low = blend_.sumOf(k, kMin);
+      surely = hn::Max(surely, select(outward, low, zero() - blend_.sumOf(k, kMax)));
       min = hn::Max(min, sign * low);
-      atEnd = hn::Max(atEnd, sign * sumOf(k, kAtEnd));
+      atEnd = hn::Max(atEnd, sign * blend_.sumOf(k, kAtEnd));
     }
     V maxSlope = all(-kInfinity);
     V minSlope = all(kInfinity);
-    V mayWin = zero();
-    if (cliques_.soft) clearShares();
     for (std::size_t k = 0; k < cliques_.count(); ++k) {
-      const V most = select(outward, sumOf(k, kMax), zero() - sumOf(k, kMin));
-      // An empty clique may tie with the others' least, but has no part then.
-      const M wins = cliques_.soft ? hn::Gt(most + all(0.5f) * sumOf(k, kSoftest), surely) : hn::Ge(most, surely);
-      if (cliques_.soft) {
-        const V one = select(wins, all(1.0f), zero());
-        mayWin = mayWin + one;
-        forEachSlotWithShares(k, [&](SlotSums& slot) HWY_ATTR { store(hn::Max(load(slot.share), one), slot.share); });
-      }
-      maxSlope = select(wins, hn::Max(maxSlope, sumOf(k, kMaxSlope)), maxSlope);
-      minSlope = select(wins, hn::Min(minSlope, sumOf(k, kMinSlope)), minSlope);
-    }
-    if (cliques_.soft) {
-      const M empty = hn::Eq(mayWin, zero());
-      maxSlope = select(empty, zero(), maxSlope);
-      minSlope = select(empty, zero(), minSlope);
-    }
-    if (cliques_.soft && any(hn::Gt(mayWin, all(1.0f)))) {
-      return withSoftness(sum, hn::Gt(mayWin, all(1.0f)),
-                          {sign * min, maxSlope, minSlope, sum.values, sum.slopes, sign * atEnd});
+      const M wins = hn::Ge(select(outward, blend_.sumOf(k, kMax), zero() - blend_.sumOf(k, kMin)), surely);
+      maxSlope = select(wins, hn::Max(maxSlope, blend_.sumOf(k, kMaxSlope)), maxSlope);
+      minSlope = select(wins, hn::Min(minSlope, blend_.sumOf(k, kMinSlope)), minSlope);
     }
     sum.value = sum.value + sign * min;
     sum.atEnd = sum.atEnd + sign * atEnd;
@@ -542,56 +340,105 @@ class RayLanes {
     return sum;
   }
 
-  /// @param ofCliques  bounds as for crisp grooves.  @param blend  lanes where several cliques may have a share: then
-  /// the slots that may have one between 0 and 1 have the share 1.
-  HWY_NOINLINE LaneBounds withSoftness(LaneBounds sum, M blend, const LaneBounds& ofCliques) const {
+  HWY_NOINLINE LaneBounds blendedBounds(LaneBounds sum) const {
+    if (HWY_LIKELY(levels_.empty())) return boundsWithShares(sum);
+    for (const LaneLevel& level : levels_) {
+      const V weight = all(level.weight);
+      const RayLanes of = with(level);
+      const LaneBounds nothing{zero(), zero(), zero(), zero(), zero(), zero()};
+      const LaneBounds part = cliques_.soft ? of.boundsWithShares(nothing) : of.withWinners(nothing);
+      sum.value = sum.value + weight * part.value;
+      sum.atEnd = sum.atEnd + weight * part.atEnd;
+      sum.maxSlope = sum.maxSlope + weight * part.maxSlope;
+      sum.minSlope = sum.minSlope + weight * part.minSlope;
+    }
+    return sum;
+  }
+
+  /// y_j's largest magnitude.
+  HWY_INLINE V softestOf(int slot) const {
+    const SlotSums& of = blend_.sumsOf(slot);
+    if (cliques_.mixed) return load(of.of[kSoftest]);
+    const M outward = hn::Gt(skin_.sense, zero());
+    return all(cliques_.grooves[static_cast<std::size_t>(slot)]) *
+           select(outward, load(of.of[kMax]), zero() - load(of.of[kMin]));
+  }
+
+  /// The same with soft grooves: F is up to sum y_j / 8 more than the largest sum. A clique of sum 0 has no part.
+  HWY_NOINLINE LaneBounds boundsWithShares(LaneBounds sum) const {
+    constexpr float kInfinity = std::numeric_limits<float>::infinity();
+    const V sign = skin_.sense;
+    const M outward = hn::Gt(sign, zero());
+    V common = zero();  // At the end.
+    for (const int slot : cliques_.common) {
+      const SlotSums& of = blend_.sumsOf(slot);
+      sum.value = sum.value + load(of.of[kMin]);
+      sum.maxSlope = sum.maxSlope + load(of.of[kMaxSlope]);
+      sum.minSlope = sum.minSlope + load(of.of[kMinSlope]);
+      common = common + load(of.of[kAtEnd]);
+    }
+    V surely = zero();
+    V min = zero();
+    V atEnd = zero();
+    for (std::size_t k = 0; k < cliques_.count(); ++k) {
+      const V low = blend_.sumOf(k, kMin);
+      V softest = zero();
+      for (const int slot : cliques_.slotsOf(k)) softest = softest + softestOf(slot);
+      surely = hn::Max(surely, select(outward, low, zero() - blend_.sumOf(k, kMax)) - all(0.5f) * softest);
+      min = hn::Max(min, sign * low);
+      atEnd = hn::Max(atEnd, sign * blend_.sumOf(k, kAtEnd));
+    }
+    V maxSlope = all(-kInfinity);
+    V minSlope = all(kInfinity);
+    V mayWin = zero();
+    for (std::size_t slot = 0; slot < cliques_.slotCount; ++slot) blend_.store(zero(), scratch_.sums[slot].share);
+    for (std::size_t k = 0; k < cliques_.count(); ++k) {
+      V most = select(outward, blend_.sumOf(k, kMax), zero() - blend_.sumOf(k, kMin));
+      for (const int slot : cliques_.slotsOf(k)) most = most + all(0.5f) * softestOf(slot);
+      const M wins = hn::Gt(most, surely);
+      const V one = select(wins, all(1.0f), zero());
+      mayWin = mayWin + one;
+      for (const int slot : cliques_.slotsOf(k)) {
+        LaneFloats& share = blend_.sumsOf(slot).share;
+        blend_.store(hn::Max(load(share), one), share);
+      }
+      maxSlope = select(wins, hn::Max(maxSlope, blend_.sumOf(k, kMaxSlope)), maxSlope);
+      minSlope = select(wins, hn::Min(minSlope, blend_.sumOf(k, kMinSlope)), minSlope);
+    }
+    const M empty = hn::Eq(mayWin, zero());
+    const M blend = hn::Gt(mayWin, all(1.0f));
+    sum.value = sum.value + sign * min;
+    sum.maxSlope = sum.maxSlope + select(empty, zero(), maxSlope);
+    sum.minSlope = sum.minSlope + select(empty, zero(), minSlope);
+    if (!any(blend)) {
+      sum.atEnd = sum.atEnd + (common + sign * atEnd);
+      return sum;
+    }
     V softest = zero();
     V rises = zero();
     V falls = zero();
     for (std::size_t i = 0; i < cliques_.slotCount; ++i) {
-      const SlotSums& slot = scratch_.sums[i];
-      const V may = load(slot.share);
-      softest = softest + may * load(slot.of[kSoftest]);
-      rises = rises + may * hn::Max(zero(), load(slot.of[kSoftMaxSlope]));
-      falls = falls + may * hn::Min(zero(), load(slot.of[kSoftMinSlope]));
+      const V may = load(scratch_.sums[i].share);
+      const int slot = static_cast<int>(i);
+      softest = softest + may * softestOf(slot);
+      rises = rises + may * hn::Max(zero(), blend_.softnessOf(slot, kMaxSlope, kSoftMaxSlope));
+      falls = falls + may * hn::Min(zero(), blend_.softnessOf(slot, kMinSlope, kSoftMinSlope));
     }
-    share(kAtEnd, kSoftAtEnd);
     const auto part = [&](V of) HWY_ATTR { return select(blend, all(0.125f) * of, zero()); };
-    const V higher = select(hn::Gt(skin_.sense, zero()), zero(), part(softest));
-    sum.value = sum.value + ofCliques.value - higher;
-    sum.atEnd = sum.atEnd + select(blend, partOf(kAtEnd, kSoftAtEnd), ofCliques.atEnd);
-    sum.maxSlope = sum.maxSlope + ofCliques.maxSlope + part(rises);
-    sum.minSlope = sum.minSlope + ofCliques.minSlope + part(falls);
+    sum.value = sum.value - select(outward, zero(), part(softest));
+    sum.maxSlope = sum.maxSlope + part(rises);
+    sum.minSlope = sum.minSlope + part(falls);
+    blend_.share(kAtEnd, kSoftAtEnd);
+    sum.atEnd = sum.atEnd + select(blend, blend_.partOf(kAtEnd, kSoftAtEnd), common + sign * atEnd);
     return sum;
   }
 
-  void clearShares() const {
-    for (std::size_t slot = 0; slot < cliques_.slotCount; ++slot) store(zero(), scratch_.sums[slot].share);
-  }
-  template <class Visit>
-  HWY_INLINE void forEachOwnSlot(std::size_t clique, Visit visit) const {
-    for (int i = cliques_.ownBegin[clique]; i < cliques_.ownBegin[clique + 1]; ++i) {
-      visit(scratch_.sums[static_cast<std::size_t>(cliques_.ownSlots[static_cast<std::size_t>(i)])]);
-    }
-  }
-  /// Those of its slots whose share depends on the cliques'.
-  template <class Visit>
-  HWY_INLINE void forEachSlotWithShares(std::size_t clique, Visit visit) const {
-    if (cliques_.ownBegin.empty()) forEachSlot(clique, visit);
-    else forEachOwnSlot(clique, visit);
-  }
-  template <class Visit>
-  HWY_INLINE void forEachSlot(std::size_t clique, Visit visit) const {
-    for (int i = cliques_.begin[clique]; i < cliques_.begin[clique + 1]; ++i) {
-      visit(scratch_.sums[static_cast<std::size_t>(cliques_.slots[static_cast<std::size_t>(i)])]);
-    }
-  }
-
+  LaneBlend blend_;
   LaneScratch& scratch_;
   const LaneCliques& cliques_;
+  std::span<const LaneLevel> levels_;
   const LaneSkin& skin_;
   std::size_t first_;
-  std::span<const LaneLevel> levels_;
 };
 
 }  // namespace sinew::HWY_NAMESPACE

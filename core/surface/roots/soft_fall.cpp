@@ -14,12 +14,6 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/// Bounds of a number.
-struct Extent {
-  double low = 0.0;
-  double high = 0.0;
-};
-
 void add(Extent& sum, const Extent& part, double weight = 1.0) {
   sum.low += weight * part.low;
   sum.high += weight * part.high;
@@ -86,32 +80,52 @@ class SoftFall {
     const SoftSums& sums = scratch_.halves[level];
     const auto evaluate = [u](const Bernstein& q) { return Bernstein::Evaluator(q)(u); };
     ValueAndSlope out = evaluate(sums.everywhere);
-    for (const auto& [weight, cliques] : levels_) {
-      std::vector<BlendedGroup>& groups = scratch_.blend.reset(cliques);
-      for (std::size_t i = 0; i < groups.size(); ++i) {
-        groups[i].sum = sums.ofSlot[i].at(u);
-        groups[i].softness = sums.softness[i].at(u);
+    for (std::size_t i = 0; i < levels_.size(); ++i) {
+      GroupBlend& blend = scratch_.blends[i];
+      std::vector<BlendedGroup>& groups = blend.clear();
+      for (const SoftPart& part : sums.parts) {
+        at(groups, part.slot).sum = part.sum.at(u);
+        at(groups, part.slot).softness = part.softness.at(u);
       }
-      out.value += weight * scratch_.blend.settle(cliques);
-      for (std::size_t i = 0; i < groups.size(); ++i) {
-        if (groups[i].share == 0.0) continue;
-        out.slope += weight * in_double::softPart(evaluate(sums.ofSlot[i]).slope, evaluate(sums.softness[i]).slope,
-                                                  groups[i].share);
+      const double weight = levels_[i].weight;
+      out.value += weight * blend.settle();
+      for (const SoftPart& part : sums.parts) {
+        const double share = at(groups, part.slot).share;
+        if (share == 0.0) continue;
+        out.slope += weight * in_double::softPart(evaluate(part.sum).slope, evaluate(part.softness).slope, share);
       }
     }
     return {sense_ * out.value, sense_ * out.slope};
   }
 
+  FallBounds boundsOf(const SoftSums& sums) {
+    std::vector<SoftPartBounds>& bounds = scratch_.bounds;
+    bounds.assign(scratch_.blends.front().clear().size(), {});
+    for (const SoftPart& part : sums.parts) {
+      at(bounds, part.slot) = {valuesOf(part.sum), slopesOf(part.sum), valuesOf(part.softness).high,
+                               slopesOf(part.softness), false};
+    }
+    LevelBounds whole;
+    for (const CliqueLevel& level : levels_) {
+      const LevelBounds of = boundsOf(level.cliques);
+      add(whole.value, of.value, level.weight);
+      add(whole.slope, of.slope, level.weight);
+    }
+    add(whole.value, valuesOf(sums.everywhere));
+    add(whole.slope, slopesOf(sums.everywhere));
+    if (sense_ > 0.0) return {whole.value.low, whole.slope};
+    return {-whole.value.high, {-whole.slope.high, -whole.slope.low}};
+  }
+
   /// F lies between the largest sum of a clique and that plus sum y_j / 8; its derivative between the cliques' least
-  /// and largest, with sum y_j' / 8. Cliques that certainly have no share are left out.
-  LevelBounds boundsOf(const CliqueLists& cliques, const SoftSums& sums) {
-    std::vector<BlendedGroup>& groups = scratch_.blend.reset(cliques);  // Share 1: it may have one between 0 and 1.
-    double surely = -kInfinity;
+  /// and largest, with sum y_j' / 8. Cliques that certainly have no share are left out. From scratch.bounds.
+  LevelBounds boundsOf(const CliqueLists& cliques) {
+    std::vector<SoftPartBounds>& bounds = scratch_.bounds;
+    for (SoftPartBounds& part : bounds) part.mayShare = false;
+    double surely = 0.0;
     for (const std::vector<int>& clique : cliques) {
       double least = 0.0;
-      for (const int slot : clique) {
-        least += valuesOf(at(sums.ofSlot, slot)).low - 0.5 * valuesOf(at(sums.softness, slot)).high;
-      }
+      for (const int slot : clique) least += at(bounds, slot).sum.low - 0.5 * at(bounds, slot).softest;
       surely = std::max(surely, least);
     }
     Extent value{0.0, 0.0};
@@ -122,39 +136,25 @@ class SoftFall {
       Extent ownSlope;
       double possibly = 0.0;
       for (const int slot : clique) {
-        add(own, valuesOf(at(sums.ofSlot, slot)));
-        add(ownSlope, slopesOf(at(sums.ofSlot, slot)));
-        possibly += 0.5 * valuesOf(at(sums.softness, slot)).high;
+        add(own, at(bounds, slot).sum);
+        add(ownSlope, at(bounds, slot).slope);
+        possibly += 0.5 * at(bounds, slot).softest;
       }
       if (own.high + possibly <= surely) continue;  // An empty clique may tie.
       ++mayWin;
-      for (const int slot : clique) at(groups, slot).share = 1.0;
+      for (const int slot : clique) at(bounds, slot).mayShare = true;
       value = {std::max(value.low, own.low), std::max(value.high, own.high)};
       slope = {std::min(slope.low, ownSlope.low), std::max(slope.high, ownSlope.high)};
     }
     if (mayWin == 0) return {{surely, surely}, {}};
     if (mayWin > 1) {
-      for (std::size_t slot = 0; slot < groups.size(); ++slot) {
-        if (groups[slot].share == 0.0) continue;
-        const Extent ofSoftness = slopesOf(sums.softness[slot]);
-        add(slope, {0.125 * std::min(0.0, ofSoftness.low), 0.125 * std::max(0.0, ofSoftness.high)});
-        value.high += 0.125 * valuesOf(sums.softness[slot]).high;
+      for (const SoftPartBounds& part : bounds) {
+        if (!part.mayShare) continue;
+        add(slope, {0.125 * std::min(0.0, part.softnessSlope.low), 0.125 * std::max(0.0, part.softnessSlope.high)});
+        value.high += 0.125 * part.softest;
       }
     }
     return {value, slope};
-  }
-
-  FallBounds boundsOf(const SoftSums& sums) {
-    LevelBounds whole;
-    for (const CliqueLevel& level : levels_) {
-      const LevelBounds of = boundsOf(level.cliques, sums);
-      add(whole.value, of.value, level.weight);
-      add(whole.slope, of.slope, level.weight);
-    }
-    add(whole.value, valuesOf(sums.everywhere));
-    add(whole.slope, slopesOf(sums.everywhere));
-    if (sense_ > 0.0) return {whole.value.low, whole.slope};
-    return {-whole.value.high, {-whole.slope.high, -whole.slope.low}};
   }
 
   /// The part's first half goes to the next level, the second takes its place.
@@ -168,11 +168,11 @@ class SoftFall {
       q = right;
     };
     halve(sums.everywhere, first.everywhere);
-    first.ofSlot.resize(sums.ofSlot.size());
-    first.softness.resize(sums.softness.size());
-    for (std::size_t i = 0; i < sums.ofSlot.size(); ++i) {
-      halve(sums.ofSlot[i], first.ofSlot[i]);
-      halve(sums.softness[i], first.softness[i]);
+    first.parts.resize(sums.parts.size());
+    for (std::size_t i = 0; i < sums.parts.size(); ++i) {
+      first.parts[i].slot = sums.parts[i].slot;
+      halve(sums.parts[i].sum, first.parts[i].sum);
+      halve(sums.parts[i].softness, first.parts[i].softness);
     }
   }
 
@@ -212,6 +212,14 @@ class SoftFall {
 };
 
 }  // namespace
+
+SoftPart& SoftSums::of(int slot) {
+  const auto known = std::ranges::find(parts, slot, &SoftPart::slot);
+  if (known != parts.end()) return *known;
+  SoftPart& added = parts.emplace_back();
+  added.slot = slot;
+  return added;
+}
 
 std::optional<double> firstSoftFall(const CliqueLevels& levels, double sense, double tolerance, BracketSolver solver,
                                     SoftFallScratch& scratch) {

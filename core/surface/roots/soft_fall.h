@@ -9,21 +9,44 @@
 
 namespace sinew {
 
+/// A group that a term on the interval is in.
+struct SoftPart {
+  int slot = 0;
+  Bernstein sum;       ///< x_j of GroupBlend.
+  Bernstein softness;  ///< y_j
+};
+
 /// Parts of phi on an interval, mapped to [0, 1].
 struct SoftSums {
-  Bernstein everywhere;             ///< The skin, carves, -T.
-  std::vector<Bernstein> ofSlot;    ///< x_j of GroupBlend.
-  std::vector<Bernstein> softness;  ///< y_j
+  Bernstein everywhere;  ///< The skin, carves, -T.
+  std::vector<SoftPart> parts;
+
+  SoftPart& of(int slot);  ///< A new one with sums 0, or the one it has.
+};
+
+/// Bounds of a number.
+struct Extent {
+  double low = 0.0;
+  double high = 0.0;
+};
+
+struct SoftPartBounds {
+  Extent sum;
+  Extent slope;
+  double softest = 0.0;  ///< The largest y_j.
+  Extent softnessSlope;
+  bool mayShare = false;
 };
 
 struct SoftFallScratch {
-  GroupBlend blend;
-  std::vector<SoftSums> halves;  ///< [0]: the interval; [i]: a part of it, halved i times.
+  std::vector<GroupBlend> blends;      ///< For each level.
+  std::vector<SoftSums> halves;        ///< [0]: the interval; [i]: a part of it, halved i times.
+  std::vector<SoftPartBounds> bounds;  ///< Of each slot.
 };
 
 /// First u in [0, 1] at which sense * phi, positive before, becomes <= 0; 0 if it is not positive there. Halves
 /// the interval until bounds of its polynomials prove that there is no root, or that phi only falls. A touch does not
-/// count. Changes scratch.halves.
+/// count. Changes scratch.halves.  @param levels  those that scratch.blends were started with.
 [[nodiscard]] std::optional<double> firstSoftFall(const CliqueLevels& levels, double sense, double tolerance,
                                                   BracketSolver solver, SoftFallScratch& scratch);
 
