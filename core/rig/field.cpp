@@ -93,10 +93,6 @@ class CliqueSearch {
   std::vector<Groups>& found_;
 };
 
-}  // namespace
-
-namespace {
-
 /// For every group those that it is linked to by at least an amount.
 std::vector<Groups> neighborsOf(int groupCount, std::span<const GroupLink> links, float amount) {
   std::vector<Groups> neighbors(static_cast<std::size_t>(groupCount));

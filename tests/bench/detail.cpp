@@ -40,8 +40,6 @@ struct DetailRow {
   double frameSeconds = 0.0;
 };
 
-constexpr float kRate = 30.0f;  ///< Moments a second at most.
-
 /// Large meshes are compared with as fine a mesh as memory holds.
 int fineDepth(const ControlMesh& mesh) { return mesh.triangles.size() > 20'000 ? 6 : 12; }
 
@@ -97,19 +95,6 @@ Spread spreadOf(std::vector<double> distances, float tolerance) {
   const auto count = static_cast<double>(distances.size());
   return {distances.back(), distances[distances.size() - 1 - distances.size() / 1000],
           static_cast<double>(fit) / count};
-}
-
-/// Some moments of each clip, evenly spaced.
-std::vector<Pose> momentsOf(const Character& character, int most) {
-  std::vector<Pose> moments;
-  for (const AnimationClip& clip : character.clips) {
-    const int count = std::clamp(static_cast<int>(clip.duration * kRate), 1, most);
-    for (int i = 0; i < count; ++i) {
-      const float share = (static_cast<float>(i) + 0.37f) / static_cast<float>(count);
-      moments.push_back(samplePose(character.skeleton, clip, share * clip.duration));
-    }
-  }
-  return moments;
 }
 
 double meanSeconds(Smoother& smoother, const std::vector<Pose>& moments, int rounds) {
@@ -239,6 +224,19 @@ Json jsonOf(const std::vector<DetailRow>& rows) {
 }
 
 }  // namespace
+
+std::vector<Pose> momentsOf(const Character& character, int most) {
+  constexpr float kRate = 30.0f;  // A second.
+  std::vector<Pose> moments;
+  for (const AnimationClip& clip : character.clips) {
+    const int count = std::clamp(static_cast<int>(clip.duration * kRate), 1, most);
+    for (int i = 0; i < count; ++i) {
+      const float share = (static_cast<float>(i) + 0.37f) / static_cast<float>(count);
+      moments.push_back(samplePose(character.skeleton, clip, share * clip.duration));
+    }
+  }
+  return moments;
+}
 
 Result<Report> reportDetail(Files files, const Effort& effort) {
   std::vector<DetailRow> rows;

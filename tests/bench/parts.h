@@ -50,6 +50,9 @@ struct Report {
 /// Frames of a drag with adaptive detail, and the frame after it. Frames: muscles; a round is a drag of each.
 [[nodiscard]] Result<Report> reportSettling(Files files, const Effort& effort);
 
+/// Moments of each clip, evenly spaced: at most so many, and thirty a second.
+[[nodiscard]] std::vector<Pose> momentsOf(const Character& character, int most);
+
 /// One line on stderr if that is a terminal: what takes a while now.
 void progress(const std::string& text);
 

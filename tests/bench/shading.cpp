@@ -22,17 +22,6 @@ int fineDepth(const ControlMesh& mesh) { return mesh.triangles.size() > 8'000 ? 
 
 double percent(double part, double whole) { return whole > 0.0 ? 100.0 * part / whole : 0.0; }
 
-std::vector<Pose> momentsOf(const Character& character, int most) {
-  std::vector<Pose> moments;
-  for (const AnimationClip& clip : character.clips) {
-    for (int i = 0; i < most; ++i) {
-      const float share = (static_cast<float>(i) + 0.37f) / static_cast<float>(most);
-      moments.push_back(samplePose(character.skeleton, clip, share * clip.duration));
-    }
-  }
-  return moments;
-}
-
 Result<std::vector<ShadingRow>> measureShading(const BenchScene& scene, const Effort& effort) {
   const Character& character = *scene.character;
   test::FineReference fine(scene.character, scene.rig, fineDepth(character.mesh));
