@@ -14,7 +14,7 @@
 #include "core/geometry/parallel.h"
 #include "core/rig/motion_clip.h"
 #include "core/rig/posed_rig.h"
-#include "core/surface/diagonals.h"
+#include "core/surface/align_splits.h"
 #include "core/surface/patches/levels.h"
 #include "core/surface/patches/sample_points.h"
 #include "core/surface/sampling.h"
@@ -225,7 +225,7 @@ constexpr float kWorthALook = 0.3f;            ///< Fraction of the tolerance fr
 constexpr float kWorthCosine = 0.99863f;       ///< 3 degrees.
 constexpr float kAdaptiveLevelsMargin = 0.7f;  ///< Of the tolerance, since inner points do not lie on samples.
 constexpr float kCheckMargin = 0.9f;           ///< Of the tolerance, for what lies between samples.
-constexpr float kSeenPiece = 8.0f;             ///< Tolerances: the normals of shorter pieces are not seen.
+constexpr float kSeenPiece = 6.0f;             ///< Tolerances: the normals of shorter pieces count less.
 
 /// Above the default tolerance normals may be off by more, as the chord of an arc that is as far off turns: by the root
 /// of the tolerance.
@@ -247,9 +247,9 @@ class LevelSearch {
       : next_(next), asked_(asked), mesh_(next.mesh()), needed_(needed) {
     const float height = next.character().height;
     const float tolerance = asked.from.tolerance;
-    const float shortest = kSeenPiece * tolerance * height;
-    tolerance_ = {kAdaptiveLevelsMargin * tolerance * height, widened(kNormalCosine, tolerance), shortest};
-    look_ = {kWorthALook * tolerance_.distance, widened(kWorthCosine, tolerance), shortest};
+    const float seen = kSeenPiece * tolerance * height;
+    tolerance_ = {kAdaptiveLevelsMargin * tolerance * height, widened(kNormalCosine, tolerance), seen};
+    look_ = {kWorthALook * tolerance_.distance, widened(kWorthCosine, tolerance), seen};
     isLongEdge_.resize(mesh_.edges.size(), false);
     for (const ControlTriangle& triangle : mesh_.triangles) {
       const bool isLong = std::ranges::any_of(triangle.edges, [&](int e) {
@@ -416,23 +416,23 @@ std::shared_ptr<const AdaptiveLevels> findLevels(const Preparation& next, std::s
     out->needed.triangles[t] = triangles[t] != 0 ? 1 : out->needed.triangles[t];
   }
   LevelSearch(next, *out, out->needed).run(std::move(edges), std::move(triangles));
-  std::vector<Triangulation> diagonals;
+  AlignedSplits splits;
   if (former) {
     out->checked = former->checked;
-    diagonals = former->diagonals;
+    splits = former->splits;
   }
   out->checked.resize(mesh.triangles.size());
-  diagonals.resize(mesh.triangles.size());
+  splits.triangles.resize(mesh.triangles.size());
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     if (!*(firstTriangle + static_cast<std::ptrdiff_t>(t))) continue;
     out->checked[t].clear();
-    diagonals[t] = {};
+    splits.triangles[t] = {};
   }
   const float within = kCheckMargin * tolerance * next.character().height;
   RefinementLevels levels = withSides(mesh, out->needed);
   if (next.layers() && next.layers()->hasCloth()) ClothSplitter(next, levels).run();
   out->levels = levelsThatFit(next, out->from.poses, within, std::move(levels), out->checked);
-  out->diagonals = alignedDiagonals(next, out->from.poses, within, out->levels, std::move(diagonals));
+  out->splits = alignSplits(next, out->from.poses, within, out->levels, std::move(splits));
   return out;
 }
 

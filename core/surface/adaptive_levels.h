@@ -56,8 +56,8 @@ struct LevelSources {
 
 /// Levels and their sources: a function of character and rig, not of the pose or of former edits.
 struct AdaptiveLevels {
-  RefinementLevels levels;               ///< Graded (patches/levels.h) and checked.
-  std::vector<Triangulation> diagonals;  ///< [T] alignedDiagonals() at these levels.
+  RefinementLevels levels;  ///< Graded (patches/levels.h) and checked.
+  AlignedSplits splits;     ///< alignSplits() at these levels.
 
   // To search again, after an edit, only where it has changed something.
   RefinementLevels needed;  ///< Before grading.
@@ -67,8 +67,8 @@ struct AdaptiveLevels {
 };
 
 /// The least levels at which, in all detailPoses(), flat triangles stay within the tolerance of the finely sampled
-/// surface, and interpolated normals within 8 degrees of its own where it is smooth and pieces are long enough to be
-/// seen. Above the default tolerance these 8 degrees grow by the root of the ratio.
+/// surface, and interpolated normals within 8 degrees of its own where it is smooth. These 8 degrees grow by the root
+/// of the ratio above the default tolerance, and on pieces too short to be seen well.
 /// @param next  attached; its refinement, tiles, anchors and bind readings are not read
 /// @param tolerance  fraction of H.  @param former  of the same character, or null
 [[nodiscard]] std::shared_ptr<const AdaptiveLevels> findLevels(const Preparation& next, std::shared_ptr<const Rig> rig,

@@ -163,12 +163,11 @@ RefinementLevels inRegion(const ControlMesh& mesh, RefinementLevels levels, cons
 
 Refinement refineBody(const Preparation& next, const ControlMesh& drawn) {
   if (next.region.empty()) {
-    return next.detail ? refine(drawn, next.detail->levels, next.detail->diagonals)
-                       : refine(drawn, next.smoothing.depth);
+    return next.detail ? refine(drawn, next.detail->levels, next.detail->splits) : refine(drawn, next.smoothing.depth);
   }
   RefinementLevels whole = next.detail ? next.detail->levels : uniformLevels(drawn, next.smoothing.depth);
   const RefinementLevels levels = inRegion(drawn, std::move(whole), next.region);
-  return next.detail ? refine(drawn, levels, next.detail->diagonals) : refine(drawn, levels);
+  return next.detail ? refine(drawn, levels, next.detail->splits) : refine(drawn, levels);
 }
 
 std::shared_ptr<const RefinedMesh> refineMesh(const Preparation& next, const Preparation* former) {
@@ -177,7 +176,7 @@ std::shared_ptr<const RefinedMesh> refineMesh(const Preparation& next, const Pre
   const std::shared_ptr<const ControlMesh> creased = creasedMesh(mesh, next.smoothing.creaseAngle, former);
   const bool sameLevels = former && former->region == next.region &&
                           (next.detail ? former->detail && former->detail->levels == next.detail->levels &&
-                                             former->detail->diagonals == next.detail->diagonals
+                                             former->detail->splits == next.detail->splits
                                        : !former->detail && former->smoothing.depth == next.smoothing.depth);
   if (sameLevels && former->refined->creased == creased && former->layered == next.layered) return former->refined;
   auto refined = std::make_shared<RefinedMesh>();

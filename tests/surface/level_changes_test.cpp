@@ -140,7 +140,7 @@ TEST(LevelChanges, LevelsAfterAnEditMatchAFreshStart) {
       const PreparationPtr fresh = prepared(rig, nullptr, hidden);
       ASSERT_EQ(former->detail->needed, fresh->detail->needed) << name << ", edit " << edit;
       ASSERT_EQ(former->detail->levels, fresh->detail->levels) << name << ", edit " << edit;
-      ASSERT_EQ(former->detail->diagonals, fresh->detail->diagonals) << name << ", edit " << edit;
+      ASSERT_EQ(former->detail->splits, fresh->detail->splits) << name << ", edit " << edit;
       ASSERT_EQ(former->refinement().triangles, fresh->refinement().triangles);
       ASSERT_EQ(former->refinement().inside, fresh->refinement().inside);
     }

@@ -365,7 +365,7 @@ void CardSurface::makeNormals() const {
   constexpr Buffer kTeeth = kBends;
   if (preparation_->softensRims()) {
     constexpr Buffer kRims = kBends;
-    run(Stage::kRims, vertices, {kRings, kNeighbors, kSurface, kMarks, kRims});
+    run(Stage::kRims, vertices, {kRings, kNeighbors, kPatches, kSurface, kMarks, kRims});
     run(Stage::kSoften, vertices, {kSurface, kRims});
   }
   run(Stage::kHold, vertices, {kRings, kCorners, kTriangles, kPatches, kSurface, kMarks, kTurns});

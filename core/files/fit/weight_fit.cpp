@@ -167,11 +167,11 @@ std::vector<std::vector<Share>> interpolatedWeights(const ControlMesh& mesh, con
   for (int v = 0; v < refinement.controlVertices; ++v) addVertex(mesh, v, 1.0, at(shares, v));
   for (int e = 0; e < refinement.controlEdges; ++e) {
     const auto& ends = at(mesh.edges, e).vertices;
-    const double n = refinement.edgeLevel(e);
     for (int step = 1; step <= refinement.edgeVertices(e); ++step) {
       std::vector<Share>& own = at(shares, refinement.edgeVertex(e, step));
-      addVertex(mesh, ends[0], 1.0 - step / n, own);
-      addVertex(mesh, ends[1], step / n, own);
+      const double share = refinement.shareAt(e, step);
+      addVertex(mesh, ends[0], 1.0 - share, own);
+      addVertex(mesh, ends[1], share, own);
     }
   }
   for (int t = 0; t < static_cast<int>(mesh.triangles.size()); ++t) {

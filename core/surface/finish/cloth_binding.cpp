@@ -42,7 +42,7 @@ void forEachOn(SkinLayer layer, const ControlMesh& mesh, const Refinement& refin
     const auto& ends = at(mesh.edges, e).vertices;
     const int level = refinement.edgeLevel(e);
     for (int step = 1; step < level; ++step) {
-      const bool first = 2 * step <= level;
+      const bool first = refinement.shareAt(e, step) <= 0.5;
       visit(refinement.edgeVertex(e, step), CarrierCorners{{ends[first ? 0 : 1], ends[first ? 1 : 0], 0}, 2});
     }
   }

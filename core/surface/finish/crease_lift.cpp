@@ -83,7 +83,7 @@ void CreaseLift::lowerEdges(const CarryingMesh& c, std::span<float> heights) {
     const auto& [begin, end] = c.mesh.edges[e].vertices;
     const int level = c.refinement.edgeLevel(edge);
     for (int step = 1; step < level; ++step) {
-      const float share = static_cast<float>(step) / static_cast<float>(level);
+      const auto share = static_cast<float>(c.refinement.shareAt(edge, step));
       const float rho = at(rho_, begin) + share * (at(rho_, end) - at(rho_, begin));
       at(heights, c.refinement.edgeVertex(edge, step)) *= in_float::leftOfHeight(rho);
     }

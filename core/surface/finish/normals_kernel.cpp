@@ -223,21 +223,22 @@ void setNormal(const NormalsInputs& inputs, int vertex, const glm::vec3& normal,
   if (squared > 1e-12f) inputs.normals[static_cast<std::size_t>(vertex)] = (1.0f / std::sqrt(squared)) * direction;
 }
 
-void takeNormals(const NormalsInputs& inputs, std::size_t begin, std::size_t end) {
+void takeDeltas(const NormalsInputs& inputs, std::size_t begin, std::size_t end) {
   for (const int vertex : std::span(inputs.moved->corners).subspan(begin, end - begin)) {
-    const glm::vec3& normal = inputs.normals[static_cast<std::size_t>(vertex)];
-    inputs.vertices[vertex].normal = {normal.x, normal.y, normal.z, 0.0f};
+    const auto v = static_cast<std::size_t>(vertex);
+    const glm::vec3 delta = inputs.normals[v] - inputs.patchNormals[v];
+    inputs.vertices[vertex].delta = {delta.x, delta.y, delta.z, 0.0f};
   }
 }
 
-/// Vertices with a normal that differs enough from a neighbor's.
+/// Vertices with a delta that differs enough from a neighbor's.
 std::size_t findRims(const NormalsInputs& inputs, std::size_t begin, std::size_t end) {
   std::size_t count = 0;
   for (std::size_t at = begin; at < end; ++at) {
     const int vertex = inputs.moved->near[at];
-    const RingDifference of = ringDifference<&NormalsVertex::normal>(inputs, vertex);
+    const RingDifference of = ringDifference<&NormalsVertex::delta>(inputs, vertex);
     if (!(of.furthest > kRimFrom * kRimFrom)) continue;
-    (Vector::all(in_float::rimWeight(std::sqrt(of.furthest))) * of.mean).store(inputs.vertices[vertex].mean.data());
+    (Vector::all(in_float::rimWeight(std::sqrt(of.furthest))) * of.mean).store(inputs.vertices[vertex].first.data());
     inputs.teeth[begin + count++] = vertex;
   }
   return count;
@@ -245,8 +246,8 @@ std::size_t findRims(const NormalsInputs& inputs, std::size_t begin, std::size_t
 
 void softenRims(const NormalsInputs& inputs, std::size_t begin, std::size_t count) {
   for (const int vertex : inputs.teeth.subspan(begin, count)) {
-    const Vector mean = Vector::load(placeOf<&NormalsVertex::mean>(inputs, vertex));
-    setNormal(inputs, vertex, inputs.normals[static_cast<std::size_t>(vertex)], mean);
+    const Vector added = Vector::load(placeOf<&NormalsVertex::first>(inputs, vertex));
+    setNormal(inputs, vertex, inputs.normals[static_cast<std::size_t>(vertex)], added);
   }
 }
 
@@ -295,7 +296,7 @@ void removeTeeth(const NormalsInputs& inputs, std::size_t begin, std::size_t cou
   }
 }
 
-NormalsKernel kernelHere() { return {takeNormals, findRims, softenRims, findFaces, hold, findTeeth, removeTeeth}; }
+NormalsKernel kernelHere() { return {takeDeltas, findRims, softenRims, findFaces, hold, findTeeth, removeTeeth}; }
 
 }  // namespace sinew::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

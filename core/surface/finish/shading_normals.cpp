@@ -50,7 +50,7 @@ void ShadingNormals::apply(const Refinement& refinement, const VertexRings& ring
 void ShadingNormals::softenRims(const NormalsInputs& inputs, const NormalsKernel& kernel) {
   const std::size_t near = inputs.moved->near.size();
   forRanges(inputs.moved->corners.size(), 2 * kBlock,
-            [&](std::size_t begin, std::size_t end) { kernel.takeNormals(inputs, begin, end); });
+            [&](std::size_t begin, std::size_t end) { kernel.takeDeltas(inputs, begin, end); });
   forBlocks(near, [&](std::size_t block, std::size_t begin, std::size_t end) {
     foundIn_[block] = kernel.findRims(inputs, begin, end);
   });

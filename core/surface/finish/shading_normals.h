@@ -20,12 +20,10 @@ struct alignas(32) CornerNormals {
   std::array<float, 8> of;
 };
 
-/// Scratch of one vertex in one cache line, 0 before and after. Fourth numbers are 0.
-struct alignas(64) NormalsVertex {
-  std::array<float, 4> delta{};   ///< normal - n_patch, held to the faces.
-  std::array<float, 4> normal{};  ///< The field's.
-  std::array<float, 4> first{};   ///< (M - 1) delta
-  std::array<float, 4> mean{};    ///< What softening adds to the normal.
+/// Scratch of one vertex, 0 before and after. Fourth numbers are 0.
+struct alignas(32) NormalsVertex {
+  std::array<float, 4> delta{};  ///< normal - n_patch: of the field, then held to the faces.
+  std::array<float, 4> first{};  ///< (M - 1) delta; where normals are softened, first what that adds.
 };
 
 /// Vertex arrays are [V']; all but `rings` are used only at moved.corners. The kernel allocates nothing.
@@ -47,7 +45,7 @@ struct NormalsInputs {
 /// Stages, in this order. Threads can share each of them, as its parts write to different places. A part goes from
 /// begin to end in the named span of `moved`.
 struct NormalsKernel {
-  void (*takeNormals)(const NormalsInputs& inputs, std::size_t begin, std::size_t end);       ///< moved.corners
+  void (*takeDeltas)(const NormalsInputs& inputs, std::size_t begin, std::size_t end);        ///< moved.corners
   std::size_t (*findRims)(const NormalsInputs& inputs, std::size_t begin, std::size_t end);   ///< moved.near
   void (*softenRims)(const NormalsInputs& inputs, std::size_t begin, std::size_t count);      ///< Vertices found there.
   void (*faces)(const NormalsInputs& inputs, std::size_t begin, std::size_t end);             ///< moved.refined

@@ -107,9 +107,11 @@ namespace {
 /// Neighboring samples whose normals differ by more have a crease between them, which no level makes smooth.
 constexpr float kCreaseCosine = 0.94f;  ///< 20 degrees.
 
-bool turnsTooFar(const glm::vec3& interpolated, const glm::vec3& normal, const LevelTolerance& tolerance) {
-  const float length = glm::length(interpolated);
-  return !(glm::dot(interpolated, normal) >= tolerance.normalCosine * length);
+/// Whether the normal interpolated at a sample is too far off for a piece of that length.
+bool turnsTooFar(const glm::vec3& interpolated, const glm::vec3& normal, float piece, const LevelTolerance& tolerance) {
+  const float times = tolerance.seenPiece > piece ? tolerance.seenPiece / piece : 1.0f;
+  const float cosine = 1.0f - times * times * (1.0f - tolerance.normalCosine);  // Of angles that many times as large.
+  return !(glm::dot(interpolated, normal) >= cosine * glm::length(interpolated));
 }
 
 float distanceToChord(const glm::vec3& p, const glm::vec3& a, const glm::vec3& b) {
@@ -128,10 +130,9 @@ bool edgeFits(const FineSamples& s, int fine, int level, const LevelTolerance& t
     const std::size_t b = toIndex(from + step);
     const std::size_t at = toIndex(i);
     if (distanceToChord(s.positions[at], s.positions[a], s.positions[b]) > tolerance.distance) return false;
-    if (!(glm::distance(s.positions[a], s.positions[b]) > tolerance.shortest)) continue;
     const float share = static_cast<float>(i - from) / static_cast<float>(step);
     const glm::vec3 between = (1.0f - share) * s.normals[a] + share * s.normals[b];
-    if (!turnsTooFar(between, s.normals[at], tolerance)) continue;
+    if (!turnsTooFar(between, s.normals[at], glm::distance(s.positions[a], s.positions[b]), tolerance)) continue;
     const bool smooth = glm::dot(s.normals[at - 1], s.normals[at]) > kCreaseCosine &&
                         glm::dot(s.normals[at], s.normals[at + 1]) > kCreaseCosine;
     if (smooth) return false;
@@ -146,9 +147,9 @@ bool isWithin(float most, const glm::vec3& sample, const std::array<glm::vec3, 3
   return !(glm::distance(sample, own) > most) || !(distanceFromPiece(sample, corners, shares) > most);
 }
 
-bool isLonger(float than, const std::array<glm::vec3, 3>& corners) {
+float longestSide(const std::array<glm::vec3, 3>& corners) {
   const auto& [a, b, c] = corners;
-  return glm::distance(a, b) > than || glm::distance(b, c) > than || glm::distance(c, a) > than;
+  return std::max({glm::distance(a, b), glm::distance(b, c), glm::distance(c, a)});
 }
 
 /// Number of the sample at place k of row j of a triangle.
@@ -225,10 +226,10 @@ bool triangleFits(const FineSamples& s, int fine, int level, const LevelToleranc
                   own.shares)) {
       return false;
     }
-    if (!isLonger(tolerance.shortest, {s.positions[a], s.positions[b], s.positions[c]})) return true;
     const glm::vec3 between =
         own.shares[0] * s.normals[a] + own.shares[1] * s.normals[b] + own.shares[2] * s.normals[c];
-    return !turnsTooFar(between, s.normals[own.at], tolerance) || !isSmoothAt(s, fine, own.j, own.k);
+    const float piece = longestSide({s.positions[a], s.positions[b], s.positions[c]});
+    return !turnsTooFar(between, s.normals[own.at], piece, tolerance) || !isSmoothAt(s, fine, own.j, own.k);
   });
 }
 

@@ -40,7 +40,7 @@ struct FineSamples {
 struct LevelTolerance {
   float distance = 0.0f;       ///< Between samples and the flat pieces, world units.
   float normalCosine = 0.99f;  ///< Between sampled and interpolated normals where the surface is smooth.
-  float shortest = 0.0f;       ///< Only the distance counts on pieces that are not longer.
+  float seenPiece = 0.0f;      ///< Length; on shorter pieces normals may be off by more, as many times as these fit in.
 };
 
 /// Distance of a sample from a flat piece: from the point of its barycentric coordinates or the plane, the lesser one.

@@ -26,9 +26,8 @@ void interpolateValues(const ControlMesh& mesh, const Refinement& refinement, st
   std::ranges::copy(control, out.begin());
   for (const int e : refinement.edgeOrder) {
     const auto& ends = at(mesh.edges, e).vertices;
-    const auto level = static_cast<float>(refinement.edgeLevel(e));
     for (int step = 1; step <= refinement.edgeVertices(e); ++step) {
-      const float w = static_cast<float>(step) / level;
+      const auto w = static_cast<float>(refinement.shareAt(e, step));
       at(out, refinement.edgeVertex(e, step)) = (1.0f - w) * at(control, ends[0]) + w * at(control, ends[1]);
     }
   }

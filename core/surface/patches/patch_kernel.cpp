@@ -30,9 +30,9 @@ class PieceVertices<Edge> {
   [[nodiscard]] std::span<const int> order() const { return refinement_.edgeOrder; }
   [[nodiscard]] int first(int edge) const { return refinement_.edgeVertex(edge, 1); }
   [[nodiscard]] int count(int edge) const { return refinement_.edgeVertices(edge); }
-  [[nodiscard]] bool sameWeights(int a, int b) const { return count(a) == count(b); }
+  [[nodiscard]] bool sameWeights(int a, int b) const { return refinement_.onEdges.empty() && count(a) == count(b); }
   [[nodiscard]] std::array<float, 3> weights(int edge, int index) const {
-    const float w = static_cast<float>(index + 1) / static_cast<float>(refinement_.edgeLevel(edge));
+    const auto w = static_cast<float>(refinement_.shareAt(edge, index + 1));
     return {1.0f - w, w, 0.0f};
   }
 

@@ -32,12 +32,8 @@ std::vector<int> mostFirst(std::span<const int> begin) {
 /// if both have the same two wedges. docs/design.md, Refinement.
 class Builder {
  public:
-  Builder(const ControlMesh& mesh, const RefinementLevels& levels, std::span<const Triangulation> triangulations)
-      : mesh_(mesh),
-        levels_(levels),
-        triangulations_(triangulations),
-        colored_(hasColors(mesh)),
-        runs_(3 * mesh.triangles.size()) {
+  Builder(const ControlMesh& mesh, const RefinementLevels& levels, const AlignedSplits& splits)
+      : mesh_(mesh), levels_(levels), splits_(splits), colored_(hasColors(mesh)), runs_(3 * mesh.triangles.size()) {
     assert(levels.edges.size() == mesh.edges.size() && levels.triangles.size() == mesh.triangles.size());
   }
 
@@ -45,6 +41,7 @@ class Builder {
     out_.controlVertices = static_cast<int>(mesh_.positions.size());
     out_.controlEdges = static_cast<int>(mesh_.edges.size());
     numberEdges();
+    placeOnEdges();
     out_.insideBegin.push_back(out_.edgeBegin.back());
     out_.triangleBegin.push_back(0);
     for (const Wedge& wedge : mesh_.wedges) addDrawn(wedge.vertex, wedge.uv, wedge.color);
@@ -72,6 +69,25 @@ class Builder {
     out_.isUniform = std::ranges::all_of(levels_.edges, isDeepest) && std::ranges::all_of(levels_.triangles, isDeepest);
   }
 
+  [[nodiscard]] bool isMoved(std::size_t edge) const {
+    return !splits_.edges.empty() && !splits_.edges[edge].empty() &&
+           splits_.edges[edge].size() + 1 == levels_.edges[edge];
+  }
+
+  void placeOnEdges() {
+    for (std::size_t e = 0; e < mesh_.edges.size() && !movesEdges_; ++e) movesEdges_ = isMoved(e);
+    if (!movesEdges_) return;
+    out_.isUniform = false;
+    std::vector<double> shares;
+    for (std::size_t e = 0; e < mesh_.edges.size(); ++e) {
+      const auto edge = static_cast<int>(e);
+      for (int step = 1; step < out_.edgeLevel(edge); ++step) {
+        shares.push_back(isMoved(e) ? splits_.edges[e][toIndex(step - 1)] : out_.shareAt(edge, step));
+      }
+    }
+    out_.onEdges = std::move(shares);
+  }
+
   int addDrawn(int refinedVertex, const glm::vec2& uv, const glm::vec4& color) {
     out_.drawVertex.push_back(refinedVertex);
     out_.drawUv.push_back(uv);
@@ -87,17 +103,31 @@ class Builder {
     drawPoints_.assign(triangle.wedges.begin(), triangle.wedges.end());
     const SplitLevels levels = splitOf(mesh_, levels_, t);
     for (std::size_t side = 0; side < 3; ++side) placeSide(triangle, side);
-    const auto corner = [&](std::size_t c) { return at(mesh_.positions, triangle.vertices[c]); };
-    // Most meshes have one level: all triangles are split alike.
-    if (!levels.isUniform() || splitUniformly_ != levels.inside) {
-      split_.split(levels, {corner(0), corner(1), corner(2)});
-      splitUniformly_ = levels.isUniform() ? levels.inside : 0;
+    if (const Triangulation* own = triangulationOf(t, levels)) {
+      out_.isUniform = false;
+      placeInside(triangle, own->inside);
+      addTriangles(t, own->triangles);
+    } else {
+      split(t, levels);
+      placeInside(triangle, split_.inside());
+      addTriangles(t, split_.triangles());
     }
-    placeInside(triangle);
-    const bool isOwn = !triangulations_.empty() && at(triangulations_, t).levels == levels;
-    if (isOwn && !at(triangulations_, t).triangles.empty()) addTriangles(t, at(triangulations_, t).triangles);
-    else addTriangles(t, split_.triangles());
     out_.triangleBegin.push_back(static_cast<int>(out_.triangles.size()));
+  }
+
+  [[nodiscard]] const Triangulation* triangulationOf(int t, const SplitLevels& levels) const {
+    if (splits_.triangles.empty()) return nullptr;
+    const Triangulation& own = at(splits_.triangles, t);
+    return own.levels == levels && !own.triangles.empty() ? &own : nullptr;
+  }
+
+  void split(int t, const SplitLevels& levels) {
+    // Most meshes have one level: all triangles are split alike.
+    if (levels.isUniform() && !movesEdges_ && splitUniformly_ == levels.inside) return;
+    const auto corner = [&](std::size_t c) { return at(mesh_.positions, at(mesh_.triangles, t).vertices[c]); };
+    const SideShares sides = movesEdges_ ? sidesOf(mesh_, levels_, splits_.edges, t) : SideShares{};
+    split_.split(levels, {corner(0), corner(1), corner(2)}, sides);
+    splitUniformly_ = levels.isUniform() ? levels.inside : 0;
   }
 
   /// @param small  points of the split
@@ -137,9 +167,8 @@ class Builder {
     const int first = static_cast<int>(out_.drawVertex.size());
     const Wedge& wedge0 = at(mesh_.wedges, wedges[0]);
     const Wedge& wedge1 = at(mesh_.wedges, wedges[1]);
-    const int level = out_.edgeLevel(edge);
-    for (int step = 1; step < level; ++step) {
-      const float w = static_cast<float>(step) / static_cast<float>(level);
+    for (int step = 1; step < out_.edgeLevel(edge); ++step) {
+      const auto w = static_cast<float>(out_.shareAt(edge, step));
       addDrawn(out_.edgeVertex(edge, step), wedge0.uv * (1.0f - w) + wedge1.uv * w,
                wedge0.color * (1.0f - w) + wedge1.color * w);
     }
@@ -147,13 +176,13 @@ class Builder {
     return first;
   }
 
-  void placeInside(const ControlTriangle& triangle) {
+  void placeInside(const ControlTriangle& triangle, std::span<const glm::dvec2> inside) {
     const Wedge& wedge0 = at(mesh_.wedges, triangle.wedges[0]);
     const Wedge& wedge1 = at(mesh_.wedges, triangle.wedges[1]);
     const Wedge& wedge2 = at(mesh_.wedges, triangle.wedges[2]);
     out_.drawInside.push_back(static_cast<int>(out_.drawVertex.size()));
     int vertex = out_.insideBegin.back();
-    for (const glm::dvec2& place : split_.inside()) {
+    for (const glm::dvec2& place : inside) {
       const auto v = static_cast<float>(place.x);
       const auto w = static_cast<float>(place.y);
       out_.inside.push_back(place);
@@ -173,7 +202,8 @@ class Builder {
 
   const ControlMesh& mesh_;
   const RefinementLevels& levels_;
-  std::span<const Triangulation> triangulations_;
+  const AlignedSplits& splits_;
+  bool movesEdges_ = false;
   bool colored_ = false;
   Refinement out_;
   IndexTable runs_;  ///< Finds drawRuns by their wedges, which identify the edge.
@@ -192,7 +222,7 @@ RefinementLevels uniformLevels(const ControlMesh& mesh, int depth) {
 
 Refinement refine(const ControlMesh& mesh, int depth) {
   assert(depth >= 1 && depth <= kMaxDepth);
-  Refinement refinement = Builder(mesh, uniformLevels(mesh, depth), {}).build();
+  Refinement refinement = refine(mesh, uniformLevels(mesh, depth));
   refinement.depth = depth;  // For an empty mesh too.
   return refinement;
 }
@@ -218,17 +248,33 @@ Refinement samplePoints(const ControlMesh& mesh, const RefinementLevels& samples
   return out;
 }
 
-Refinement refine(const ControlMesh& mesh, const RefinementLevels& levels) { return refine(mesh, levels, {}); }
+Refinement refine(const ControlMesh& mesh, const RefinementLevels& levels) {
+  return refine(mesh, levels, AlignedSplits{});
+}
 
-Refinement refine(const ControlMesh& mesh, const RefinementLevels& levels,
-                  std::span<const Triangulation> triangulations) {
-  return Builder(mesh, levels, triangulations).build();
+Refinement refine(const ControlMesh& mesh, const RefinementLevels& levels, const AlignedSplits& splits) {
+  return Builder(mesh, levels, splits).build();
 }
 
 SplitLevels splitOf(const ControlMesh& mesh, const RefinementLevels& levels, int triangle) {
   SplitLevels out;
   out.inside = at(levels.triangles, triangle);
   for (std::size_t i = 0; i < 3; ++i) out.sides[i] = at(levels.edges, at(mesh.triangles, triangle).edges[i]);
+  return out;
+}
+
+SideShares sidesOf(const ControlMesh& mesh, const RefinementLevels& levels,
+                   const std::vector<std::vector<double>>& edges, int triangle) {
+  SideShares out;
+  const ControlTriangle& own = at(mesh.triangles, triangle);
+  for (std::size_t side = 0; side < 3; ++side) {
+    const int edge = own.edges[side];
+    if (at(edges, edge).size() + 1 != at(levels.edges, edge)) continue;
+    out[side] = at(edges, edge);
+    if (at(mesh.edges, edge).vertices[0] == own.vertices[side]) continue;
+    std::ranges::reverse(out[side]);
+    for (double& share : out[side]) share = 1.0 - share;
+  }
   return out;
 }
 
@@ -251,7 +297,7 @@ glm::dvec3 controlCoordinates(const ControlMesh& mesh, const Refinement& refinem
   } else if (vertex < refinement.insideBegin.front()) {
     const auto next = std::ranges::upper_bound(refinement.edgeBegin, vertex);
     const int edge = static_cast<int>(next - refinement.edgeBegin.begin()) - 1;
-    const double share = static_cast<double>(vertex - at(refinement.edgeBegin, edge) + 1) / refinement.edgeLevel(edge);
+    const double share = refinement.shareAt(edge, vertex - at(refinement.edgeBegin, edge) + 1);
     add(at(mesh.edges, edge).vertices[0], 1.0 - share);
     add(at(mesh.edges, edge).vertices[1], share);
   } else {

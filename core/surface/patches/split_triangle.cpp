@@ -21,14 +21,16 @@ double cross(const glm::dvec2& a, const glm::dvec2& b) { return a.x * b.y - a.y 
 
 }  // namespace
 
-void SplitTriangle::split(const SplitLevels& levels, const std::array<glm::vec3, 3>& corners) {
+void SplitTriangle::split(const SplitLevels& levels, const std::array<glm::vec3, 3>& corners, const SideShares& sides) {
   levels_ = levels;
   inside_.clear();
   triangles_.clear();
-  if (levels.isUniform()) return splitUniformly(levels.inside);
+  if (levels.isUniform()) placeEvenly();
+  const bool isEven = std::ranges::all_of(sides, [](const std::vector<double>& side) { return side.empty(); });
+  if (levels.isUniform() && isEven) return joinEvenly();
   flatten(corners);
-  placeInside();
-  placePoints();
+  if (!levels.isUniform()) placeInside();
+  placePoints(sides);
   joinBoundary();
   link();
   makeDelaunay();
@@ -36,10 +38,15 @@ void SplitTriangle::split(const SplitLevels& levels, const std::array<glm::vec3,
   for (const Face& face : faces_) triangles_.push_back(face.points);
 }
 
-void SplitTriangle::splitUniformly(int n) {
+void SplitTriangle::placeEvenly() {
+  const int n = levels_.inside;
   for (int j = 1; j <= n - 2; ++j) {
     for (int k = 1; k <= n - 1 - j; ++k) inside_.emplace_back(static_cast<double>(j) / n, static_cast<double>(k) / n);
   }
+}
+
+void SplitTriangle::joinEvenly() {
+  const int n = levels_.inside;
   // (j, k) -> number: barycentric (n-j-k, j, k) / n.
   const auto numberOf = [&](int j, int k) {
     const int rest = n - j - k;
@@ -106,7 +113,7 @@ void SplitTriangle::placeInside() {
   }
 }
 
-void SplitTriangle::placePoints() {
+void SplitTriangle::placePoints(const SideShares& sides) {
   points_.assign(corners_.begin(), corners_.end());
   sidesOf_.assign({0b101, 0b011, 0b110});
   ring_.clear();
@@ -114,7 +121,8 @@ void SplitTriangle::placePoints() {
     ring_.push_back(static_cast<int>(side));
     for (int step = 1; step < levels_.sides[side]; ++step) {
       ring_.push_back(static_cast<int>(points_.size()));
-      const double share = static_cast<double>(step) / levels_.sides[side];
+      const double even = static_cast<double>(step) / levels_.sides[side];
+      const double share = sides[side].empty() ? even : sides[side][toIndex(step - 1)];
       points_.push_back((1.0 - share) * corners_[side] + share * corners_[(side + 1) % 3]);
       sidesOf_.push_back(1 << side);
     }

@@ -21,16 +21,20 @@ struct SplitLevels {
   friend bool operator==(const SplitLevels&, const SplitLevels&) = default;
 };
 
+/// Points of each side between its ends, as shares of the way along it, ascending; empty: evenly spaced.
+using SideShares = std::array<std::vector<double>, 3>;
+
 /// Numbers of points: corners 0, 1, 2; then the points on sides 0, 1, 2, each from corner i on; then those inside.
 /// Barycentric coordinates are (1-x-y, x, y).
 ///
-/// With one level n everywhere this is the n^2 split. Otherwise the inner points lie in rows along the longest side,
-/// spaced as the inner level would split that side, and keep away from much coarser sides. A Delaunay triangulation in
-/// the plane of the bind pose joins all points without slivers. Reused for its memory.
+/// With one level n everywhere the inner points are those of the n^2 split, and so are the triangles if all sides are
+/// evenly spaced. Otherwise the inner points lie in rows along the longest side, spaced as the inner level would split
+/// that side, and keep away from much coarser sides, and a Delaunay triangulation in the plane of the bind pose joins
+/// all points without slivers. Reused for its memory.
 class SplitTriangle {
  public:
   /// @param corners  bind pose. A triangle without area counts as equilateral.
-  void split(const SplitLevels& levels, const std::array<glm::vec3, 3>& corners);
+  void split(const SplitLevels& levels, const std::array<glm::vec3, 3>& corners, const SideShares& sides = {});
 
   [[nodiscard]] std::span<const glm::dvec2> inside() const { return inside_; }
   /// Counter-clockwise, as the corners are.
@@ -42,10 +46,11 @@ class SplitTriangle {
     std::array<int, 3> across{-1, -1, -1};  ///< Face beyond the side opposite each point; -1: none.
   };
 
-  void splitUniformly(int n);
+  void placeEvenly();
+  void joinEvenly();
   void flatten(const std::array<glm::vec3, 3>& corners);
   void placeInside();
-  void placePoints();
+  void placePoints(const SideShares& sides);
   void joinBoundary();
   void insert(int point);
   void link();

@@ -148,7 +148,7 @@ void flattenCliques(const CandidateLists& lists, VertexTiles& out) {
 CarriedVertex edgeCarried(const ControlMesh& mesh, const Refinement& refinement, int edge, int vertex) {
   const auto& ends = at(mesh.edges, edge).vertices;
   const int step = vertex - refinement.edgeVertex(edge, 1) + 1;
-  const float w = static_cast<float>(step) / static_cast<float>(refinement.edgeLevel(edge));
+  const auto w = static_cast<float>(refinement.shareAt(edge, step));
   return {vertex, refinement.controlVertices + edge, {ends[0], ends[1], ends[1]}, {1.0f - w, w, 0.0f}};
 }
 

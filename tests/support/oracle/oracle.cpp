@@ -39,8 +39,11 @@ Site siteOf(const ControlMesh& mesh, const Refinement& refinement, int vertex) {
     const Edge& edge = mesh.edges[e];
     const int n = refinement.edgeBegin[e + 1] - refinement.edgeBegin[e] + 1;
     const int step = vertex - refinement.edgeBegin[e] + 1;
+    const double even = static_cast<double>(step) / n;
+    const double share =
+        refinement.onEdges.empty() ? even : refinement.onEdges[index(vertex - refinement.edgeBegin.front())];
     site.vertices = {edge.vertices[0], edge.vertices[1], edge.vertices[0]};
-    site.barycentric = {static_cast<double>(n - step) / n, static_cast<double>(step) / n, 0.0};
+    site.barycentric = {1.0 - share, share, 0.0};
   } else {
     const glm::dvec2 place = refinement.inside[index(vertex - refinement.edgeBegin.back())];
     site.vertices = mesh.triangles[pieceOf(refinement.insideBegin)].vertices;

@@ -192,9 +192,9 @@ void evaluate(const PatchInputs& inputs) {
     const auto& ends = at(inputs.mesh->edges, e).vertices;
     const Corner a = corner(ends[0]);
     const Corner b = corner(ends[1]);
-    const auto n = static_cast<float>(refinement.edgeLevel(e));
     for (int step = 1; step <= refinement.edgeVertices(e); ++step) {
-      store(refinement.edgeVertex(e, step), edgePoint(inputs.kind, a, b, static_cast<float>(step) / n));
+      store(refinement.edgeVertex(e, step),
+            edgePoint(inputs.kind, a, b, static_cast<float>(refinement.shareAt(e, step))));
     }
   }
 
@@ -211,9 +211,8 @@ void interpolate(const DirectionInputs& inputs) {
   for (int e = 0; e < refinement.controlEdges; ++e) {
     const auto& ends = at(inputs.mesh->edges, e).vertices;
     const Corners corners{{corner(ends[0]), corner(ends[1]), Corner{}}, 2};
-    const auto n = static_cast<float>(refinement.edgeLevel(e));
     for (int step = 1; step <= refinement.edgeVertices(e); ++step) {
-      const float w = static_cast<float>(step) / n;
+      const auto w = static_cast<float>(refinement.shareAt(e, step));
       at(inputs.out, refinement.edgeVertex(e, step)) = phongNormal(corners, {1.0f - w, w, 0.0f});
     }
   }
@@ -239,9 +238,9 @@ void shade(const ShadingInputs& inputs) {
     if (std::ranges::none_of(run.wedges, isCreased)) continue;
     const Corner a = corner(run.wedges[0]);
     const Corner b = corner(run.wedges[1]);
-    const auto n = static_cast<float>(refinement.edgeLevel(run.edge));
     for (int step = 1; step <= refinement.edgeVertices(run.edge); ++step) {
-      const glm::vec3 normal = edgePoint(inputs.kind, a, b, static_cast<float>(step) / n).normal;
+      const auto w = static_cast<float>(refinement.shareAt(run.edge, step));
+      const glm::vec3 normal = edgePoint(inputs.kind, a, b, w).normal;
       at(inputs.outNormals, run.first + step - 1) = normal;
     }
   }

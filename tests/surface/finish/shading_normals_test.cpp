@@ -58,7 +58,7 @@ class Raised {
     inputs.vertices = vertices.data();
     inputs.teeth = rims;
     const NormalsKernel kernel = normalsKernel(set);
-    kernel.takeNormals(inputs, 0, moved_.corners.size());
+    kernel.takeDeltas(inputs, 0, moved_.corners.size());
     kernel.softenRims(inputs, 0, kernel.findRims(inputs, 0, moved_.near.size()));
     return out;
   }
@@ -250,12 +250,14 @@ double step(double from, double to, double x) {
 }
 
 /// Definition of docs/design.md in double precision.
-std::vector<glm::dvec3> softenedByDefinition(const Refinement& refinement, const std::vector<glm::vec3>& field) {
-  const std::vector<glm::dvec3> normals(field.begin(), field.end());
-  const Around of = around(refinement, normals);
+std::vector<glm::dvec3> softenedByDefinition(const Refinement& refinement, const std::vector<glm::vec3>& patch,
+                                             const std::vector<glm::vec3>& field) {
+  std::vector<glm::dvec3> deltas;
+  for (std::size_t v = 0; v < field.size(); ++v) deltas.push_back(glm::dvec3(field[v]) - glm::dvec3(patch[v]));
+  const Around of = around(refinement, deltas);
   std::vector<glm::dvec3> out;
   for (std::size_t v = 0; v < field.size(); ++v) {
-    out.push_back(glm::normalize(normals[v] + 0.4 * step(0.2, 0.45, of.most[v]) * of.difference[v]));
+    out.push_back(glm::normalize(glm::dvec3(field[v]) + 0.5 * step(0.2, 0.45, of.most[v]) * of.difference[v]));
   }
   return out;
 }
@@ -269,7 +271,8 @@ TEST(ShadingNormals, AreSoftenedOnlyAtRimsAndAsDefined) {
   };
   sheet.shaded([&](const glm::vec3& p) { return bump.at(p); }, turned);
   const std::vector<bool> near = grown(sheet.refinement().triangles, movedBetween(sheet.patch(), sheet.positions), 1);
-  const std::vector<glm::dvec3> wanted = softenedByDefinition(sheet.refinement(), sheet.fieldNormals);
+  const std::vector<glm::dvec3> wanted =
+      softenedByDefinition(sheet.refinement(), sheet.patchNormals(), sheet.fieldNormals);
   for (const InstructionSet set : availableInstructionSets()) {
     if (set == InstructionSet::kScalar) continue;
     const std::vector<glm::vec3> softened = sheet.softened(set);

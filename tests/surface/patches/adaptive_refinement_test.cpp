@@ -12,6 +12,7 @@
 #include "core/surface/patches/levels.h"
 #include "core/surface/patches/sample_points.h"
 #include "core/surface/patches/split_triangle.h"
+#include "core/surface/patches/triangulation.h"
 #include "sinew/surface/refinement.h"
 #include "tests/support/characters/body_with_arms.h"
 #include "tests/support/characters/synthetic_characters.h"
@@ -29,6 +30,17 @@ Levels randomLevels(const ControlMesh& mesh, std::mt19937& random, int most) {
   for (std::size_t e = 0; e < mesh.edges.size(); ++e) out.edges.push_back(static_cast<std::uint8_t>(level(random)));
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     out.triangles.push_back(static_cast<std::uint8_t>(level(random)));
+  }
+  return out;
+}
+
+/// Points of edges, each up to .4 of a segment from its even place.
+AlignedSplits randomPlaces(const Levels& levels, std::mt19937& random) {
+  std::uniform_real_distribution<double> off(-0.4, 0.4);
+  AlignedSplits out;
+  for (const int level : levels.edges) {
+    std::vector<double>& shares = out.edges.emplace_back();
+    for (int step = 1; step < level; ++step) shares.push_back((step + off(random)) / level);
   }
   return out;
 }
@@ -84,7 +96,10 @@ TEST(AdaptiveRefinement, AnyLevelsTileTheMesh) {
     const ControlMesh& mesh = character->mesh;
     const Topology control = topologyOf(mesh);
     for (int round = 0; round < 60; ++round) {
-      const Refinement refinement = refine(mesh, randomLevels(mesh, random, round % 2 == 0 ? 16 : 4));
+      const Levels levels = randomLevels(mesh, random, round % 2 == 0 ? 16 : 4);
+      const bool isEven = round % 3 == 0;
+      const Refinement refinement = refine(mesh, levels, isEven ? AlignedSplits{} : randomPlaces(levels, random));
+      ASSERT_EQ(refinement.onEdges.empty(), isEven);
       const Topology topology = topologyOf(refinement.triangles);
       ASSERT_EQ(eulerCharacteristic(topology), eulerCharacteristic(control));
       ASSERT_EQ(topology.closed(), control.closed());
@@ -105,6 +120,30 @@ TEST(AdaptiveRefinement, AnyLevelsTileTheMesh) {
         const glm::dvec3 whole = glm::cross(corner(1) - corner(0), corner(2) - corner(0));
         ASSERT_NEAR(areas[t], glm::length(whole), 1e-6 * glm::length(whole)) << "overlapping or turned pieces";
         ASSERT_LT(glm::length(faces[t] - whole), 1e-6 * glm::length(whole));
+      }
+    }
+  }
+}
+
+TEST(AdaptiveRefinement, PointsOfEdgesLieWhereTheyAreAsked) {
+  std::mt19937 random(8);
+  const CharacterPtr character = makeBodyWithArms();
+  const ControlMesh& mesh = character->mesh;
+  Levels levels = uniformLevels(mesh, 4);
+  AlignedSplits places = randomPlaces(levels, random);
+  levels.edges[3] = 5;  // Places of other levels are not used.
+  const Refinement refinement = refine(mesh, levels, places);
+  EXPECT_FALSE(refinement.isUniform);
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    for (const int edge : mesh.triangles[t].edges) {
+      const auto& [a, b] = mesh.edges[static_cast<std::size_t>(edge)].vertices;
+      for (int step = 1; step < refinement.edgeLevel(edge); ++step) {
+        const double share =
+            edge == 3 ? step / 5.0 : places.edges[static_cast<std::size_t>(edge)][static_cast<std::size_t>(step - 1)];
+        const auto point = [&](int v) { return glm::dvec3(mesh.positions[static_cast<std::size_t>(v)]); };
+        const glm::dvec3 wanted = point(a) + share * (point(b) - point(a));
+        const glm::dvec3 own = flatPoint(mesh, refinement, static_cast<int>(t), refinement.edgeVertex(edge, step));
+        ASSERT_LT(glm::distance(own, wanted), 1e-12);
       }
     }
   }

@@ -32,13 +32,14 @@ struct RefinementLevels {
 /// levels. docs/design.md, Refinement.
 struct Refinement {
   int depth = 1;                              ///< n if all levels are equal, else the largest.
-  bool isUniform = true;                      ///< All levels are equal: the N-adic refinement.
+  bool isUniform = true;                      ///< The N-adic refinement: all levels are equal, nothing is moved.
   int controlVertices = 0;                    ///< V
   int controlEdges = 0;                       ///< E
   int vertexCount = 0;                        ///< V'
   std::vector<int> edgeBegin;                 ///< [E + 1] first refined vertex between an edge's ends.
   std::vector<int> insideBegin;               ///< [T + 1] first refined vertex inside a control triangle.
   std::vector<int> triangleBegin;             ///< [T + 1] first refined triangle of a control triangle.
+  std::vector<double> onEdges;                ///< [insideBegin[0] - V] as shareAt(); empty: evenly spaced.
   std::vector<glm::dvec2> inside;             ///< [V' - insideBegin[0]] barycentric (1-x-y, x, y) of inner vertices.
   std::vector<std::array<int, 3>> triangles;  ///< [T'] refined vertices, control triangle by control triangle.
   std::vector<int> controlOf;                 ///< [T'] control triangle of each refined one.
@@ -58,6 +59,11 @@ struct Refinement {
   [[nodiscard]] int edgeLevel(int edge) const { return edgeVertices(edge) + 1; }
   [[nodiscard]] int edgeVertex(int edge, int step) const {  ///< step 1..level-1 from the edge's smaller vertex.
     return of(edgeBegin, edge) + step - 1;
+  }
+  /// Share of the edge's larger vertex, 0..1, ascending along the edge.
+  [[nodiscard]] double shareAt(int edge, int step) const {
+    if (onEdges.empty()) return static_cast<double>(step) / edgeLevel(edge);
+    return onEdges[static_cast<std::size_t>(edgeVertex(edge, step) - controlVertices)];
   }
   [[nodiscard]] int insideVertices(int triangle) const {
     return of(insideBegin, triangle + 1) - of(insideBegin, triangle);
