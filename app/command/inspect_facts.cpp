@@ -75,6 +75,7 @@ RigFacts rigFacts(const Document& document) {
     count(morph.animated, facts);
     if (!isIdle(morph) && std::ranges::count(shapes, morph.name) == 0) facts.missingShapes.push_back(morph.name);
   }
+  for (const Link& link : rig.links) count(link.animated, facts);
   facts.missingParts = missingParts(rig, character);
   facts.missing = missingBones(rig, character.skeleton);
   facts.shadedWedges = creased(character.mesh, rig.smoothing.creaseAngle).wedges;
@@ -197,9 +198,12 @@ void putRig(std::ostream& out, const InspectFacts& facts) {
   std::vector<std::string> groups;
   for (const Group& group : rig.groups) groups.push_back(group.name);
   std::vector<std::string> links;
-  for (const auto& [ends, amount] : rig.links) {
-    links.push_back(ends[0] + " - " + ends[1]);
-    if (amount < 1.0f) links.back() += " (" + numberText(100.0f * amount) + " %)";
+  for (const Link& link : rig.links) {
+    const std::string amount = link.amount < 1.0f ? numberText(100.0f * link.amount) + " %" : std::string();
+    const std::string animated = link.animated.empty() ? "" : "animated";
+    links.push_back(link.groups[0] + " - " + link.groups[1]);
+    if (!amount.empty() || !animated.empty())
+      links.back() += " (" + amount + (amount.empty() || animated.empty() ? "" : ", ") + animated + ")";
   }
   out << "  character   " << facts.document.characterFile.string() << '\n';
   out << "  primitives  " << rig.primitives.size();

@@ -19,6 +19,7 @@ std::string ownerName(const Rig& rig, const NumberRef& ref) {
   const auto index = static_cast<std::size_t>(ref.owner);
   const ParameterOwner owner = ownerOf(ref.parameter);
   if (owner == ParameterOwner::kMorph) return rig.morphs[index].name;
+  if (owner == ParameterOwner::kLink) return rig.links[index].groups[0] + " and " + rig.links[index].groups[1];
   return owner == ParameterOwner::kLine ? rig.lines[index].name : rig.primitives[index].name;
 }
 
@@ -126,6 +127,8 @@ float strongStep(const Rig& rig, const NumberRef& ref) {
     }
     case Parameter::kMorphWeight:
       return 1.0f;
+    case Parameter::kLinkAmount:
+      return drawn > 0.5f ? -drawn : 1.0f - drawn;
     case Parameter::kGrooves:
       return drawn == 0.0f ? kNewGrooves : kStep * drawn;
     default:
@@ -155,17 +158,28 @@ Result<Rig> driven(const Rig& rig, std::span<const NumberRef> refs, const Driver
   });
 }
 
-/// Shows where the curves are: in the inspector, or under a shape's name.
+/// Shows where the curves are: in the inspector, under a shape's name, or under the groups.
 void showDrivers(EditorState& state, const NumberRef& ref, const std::string& done) {
   if (ownerOf(ref.parameter) == ParameterOwner::kMorph) {
     state.open.shapes.chosen = state.document.rig().morphs[static_cast<std::size_t>(ref.owner)].name;
     return say(state, done + ". Its curve is under its name");
+  }
+  if (ownerOf(ref.parameter) == ParameterOwner::kLink) {
+    state.open.blending.animatedLink = held(state.document.rig(), ref).link;
+    return say(state, done + ". Its curve is under the groups");
   }
   state.view.inspector.animationOpen = true;
   say(state, done + ". Its curve is under Animation");
 }
 
 }  // namespace
+
+int findLinkBetween(const Rig& rig, const std::array<GroupId, 2>& groups) {
+  const int a = findGroup(rig, groups[0]);
+  const int b = findGroup(rig, groups[1]);
+  if (a < 0 || b < 0) return -1;
+  return findLink(rig, rig.groups[static_cast<std::size_t>(a)].name, rig.groups[static_cast<std::size_t>(b)].name);
+}
 
 HeldNumber held(const Rig& rig, const NumberRef& ref) {
   const auto index = static_cast<std::size_t>(ref.owner);
@@ -176,6 +190,13 @@ HeldNumber held(const Rig& rig, const NumberRef& ref) {
       return {ref.parameter, {}, rig.lines[index].id()};
     case ParameterOwner::kMorph:
       return {ref.parameter, {}, {}, rig.morphs[index].name};
+    case ParameterOwner::kLink: {
+      const auto groupOf = [&](std::size_t end) {
+        const int group = findGroup(rig, rig.links[index].groups[end]);
+        return group < 0 ? GroupId() : rig.groups[static_cast<std::size_t>(group)].id();
+      };
+      return {ref.parameter, {}, {}, {}, {groupOf(0), groupOf(1)}};
+    }
     case ParameterOwner::kSurface:
       break;
   }
@@ -188,6 +209,7 @@ std::optional<NumberRef> refOf(const Rig& rig, const HeldNumber& number) {
   if (kind == ParameterOwner::kPrimitive) owner = findPrimitive(rig, number.primitive);
   if (kind == ParameterOwner::kLine) owner = findLine(rig, number.line);
   if (kind == ParameterOwner::kMorph) owner = findMorph(rig, number.morph);
+  if (kind == ParameterOwner::kLink) owner = findLinkBetween(rig, number.link);
   if (owner < 0) return std::nullopt;
   return NumberRef{number.parameter, owner};
 }

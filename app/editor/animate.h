@@ -27,6 +27,7 @@ namespace sinew::app {
 inline constexpr std::array kCurveKinds{CurveKind::kSmooth, CurveKind::kLinear, CurveKind::kStep};
 [[nodiscard]] std::string timeText(double seconds);  ///< "0.43 s"
 
+[[nodiscard]] int findLinkBetween(const Rig& rig, const std::array<GroupId, 2>& groups);  ///< Index, or -1.
 [[nodiscard]] HeldNumber held(const Rig& rig, const NumberRef& ref);
 [[nodiscard]] std::optional<NumberRef> refOf(const Rig& rig, const HeldNumber& number);  ///< nullopt: no owner.
 [[nodiscard]] std::vector<NumberRef> refsOf(const Rig& rig, std::span<const HeldNumber> numbers);  ///< Existing ones.

@@ -87,15 +87,20 @@ Tint groupTint(const Rig& rig, int group) {
 
 Tint groupTint(const Rig& rig, const std::string& group) { return groupTint(rig, findGroup(rig, group)); }
 
+Tint animationTint(const Link& link) {
+  const auto isDriven = [](const AnimatedNumber& number) { return !number.drivers.empty(); };
+  return std::ranges::any_of(link.animated, isDriven) ? palette::kDriven : palette::kKeyed;
+}
+
 Tint territoryTint() { return tintOf(kTerritoryColor); }
 
 std::vector<std::vector<float>> linkTable(const Rig& rig) {
   std::vector<std::vector<float>> table(rig.groups.size(), std::vector<float>(rig.groups.size(), 0.0f));
-  for (const auto& [groups, amount] : rig.links) {
-    const int i = findGroup(rig, groups[0]);
-    const int j = findGroup(rig, groups[1]);
+  for (const Link& link : rig.links) {
+    const int i = findGroup(rig, link.groups[0]);
+    const int j = findGroup(rig, link.groups[1]);
     if (i < 0 || j < 0) continue;
-    const float most = std::max(at(at(table, i), j), amount);
+    const float most = std::max(at(at(table, i), j), link.amount);
     at(at(table, i), j) = at(at(table, j), i) = most;
   }
   return table;
@@ -112,12 +117,19 @@ std::string linkLabel(const Rig& rig, int groupA, int groupB, float amount) {
 void toggleLink(EditorState& state, int groupA, int groupB) {
   const Rig& rig = state.document.rig();
   const bool linked = linkAmount(rig, nameOfGroup(rig, groupA), nameOfGroup(rig, groupB)) > 0.0f;
-  setLinkAmount(state, groupA, groupB, linked ? 0.0f : 1.0f);
+  const float amount = linked ? 0.0f : 1.0f;
+  edit(state, linkLabel(rig, groupA, groupB, amount), setLink(rig, groupA, groupB, amount));
+}
+
+const Link* animatedLink(const Rig& rig, int groupA, int groupB) {
+  const int link = findLink(rig, nameOfGroup(rig, groupA), nameOfGroup(rig, groupB));
+  return link < 0 || at(rig.links, link).animated.empty() ? nullptr : &at(rig.links, link);
 }
 
 void setLinkAmount(EditorState& state, int groupA, int groupB, float amount) {
   const Rig& rig = state.document.rig();
-  const float rounded = std::round(100.0f * std::clamp(amount, 0.0f, 1.0f)) / 100.0f;
+  const float least = animatedLink(rig, groupA, groupB) ? 0.01f : 0.0f;
+  const float rounded = std::round(100.0f * std::clamp(amount, least, 1.0f)) / 100.0f;
   edit(state, linkLabel(rig, groupA, groupB, rounded), setLink(rig, groupA, groupB, rounded));
 }
 

@@ -32,6 +32,7 @@ void toggleTerritoryBone(EditorState& state, int bone);  ///< One undo step, or 
 [[nodiscard]] Tint groupTint(const Rig& rig, int group);
 [[nodiscard]] Tint groupTint(const Rig& rig, const std::string& group);  ///< By name; muted for an unknown group.
 [[nodiscard]] Tint territoryTint();
+[[nodiscard]] Tint animationTint(const Link& link);  ///< Of a link with keys or drivers.
 
 [[nodiscard]] std::vector<std::vector<float>> linkTable(const Rig& rig);  ///< [groups][groups] linkAmount() for all.
 
@@ -42,8 +43,10 @@ void toggleTerritoryBone(EditorState& state, int bone);  ///< One undo step, or 
 // Each is one undo step or a refusal.
 
 void toggleLink(EditorState& state, int groupA, int groupB);
-/// In whole percents; 0 unlinks.
+/// In whole percents; 0 unlinks, but a link with keys or drivers keeps 1 %.
 void setLinkAmount(EditorState& state, int groupA, int groupB, float amount);
+/// The link with keys or drivers between two groups, or null.
+[[nodiscard]] const Link* animatedLink(const Rig& rig, int groupA, int groupB);
 void addEmptyGroup(EditorState& state);   ///< Adds an empty group and starts typing its name.
 void groupSelection(EditorState& state);  ///< Moves the selected muscles to a new group and starts typing its name.
 bool renameGroupTo(EditorState& state, GroupId group, const std::string& name);

@@ -34,9 +34,10 @@ namespace sinew::app {
 /// A number of the rig whose owner survives renames, undo and redo.
 struct HeldNumber {
   Parameter parameter = Parameter::kAmount;
-  PrimitiveId primitive;  ///< 0: not a muscle's.
-  LineId line;            ///< 0: not a line's.
-  std::string morph{};    ///< Name of the shape; "": not a shape's.
+  PrimitiveId primitive;          ///< 0: not a muscle's.
+  LineId line;                    ///< 0: not a line's.
+  std::string morph{};            ///< Name of the shape; "": not a shape's.
+  std::array<GroupId, 2> link{};  ///< Groups of the link; 0: not a link's.
 
   friend bool operator==(const HeldNumber&, const HeldNumber&) = default;
 };
@@ -111,9 +112,10 @@ struct BlendingState {
   std::map<GroupId, glm::vec2> places;  ///< Nodes, design pixels; kept for removed groups.
   glm::vec2 pan{0.0f};                  ///< Of the graph, design pixels.
   float zoom = 1.0f;
-  bool fitWanted = true;               ///< Fit all nodes into the canvas.
-  GroupId linkFrom;                    ///< A link is being dragged from this group; 0: none.
-  std::array<GroupId, 2> shownLink{};  ///< Whose amount the graph's menu shows.
+  bool fitWanted = true;                  ///< Fit all nodes into the canvas.
+  GroupId linkFrom;                       ///< A link is being dragged from this group; 0: none.
+  std::array<GroupId, 2> shownLink{};     ///< Whose amount the graph's menu shows.
+  std::array<GroupId, 2> animatedLink{};  ///< Whose keys and drivers are shown below; 0: of none.
 };
 
 /// The track of one clip.

@@ -9,12 +9,14 @@
 
 #include <glm/geometric.hpp>
 
+#include "app/editor/animate.h"
 #include "app/editor/blending_edit.h"
 #include "app/editor/commands.h"
 #include "app/editor/outliner.h"
 #include "app/panels/field_edit.h"
+#include "app/panels/inspector.h"
 #include "core/geometry/at.h"
-#include "core/rig/field.h"
+#include "core/rig/blending_graph.h"
 #include "core/rig/rig_edit.h"
 
 namespace sinew::app {
@@ -233,29 +235,50 @@ std::string linkText(const std::string& a, const std::string& b, float amount) {
   return both + " blend" + (amount < 1.0f ? " by " + percentText(amount) : "") + ". Click to unlink.";
 }
 
+AnimatedField fieldOfLink(const Rig& rig, int a, int b) {
+  AnimatedField field{{}, {}, "%.0f %%"};
+  const int link = findLink(rig, at(rig.groups, a).name, at(rig.groups, b).name);
+  if (link < 0) return field;
+  field.refs.push_back({Parameter::kLinkAmount, link});
+  field.scales.push_back(100.0f);
+  return field;
+}
+
 void linkMenu(PanelUi& ui, int a, int b) {
   const auto shown = [&](const Rig& rig) {
     return 100.0f * linkAmount(rig, at(rig.groups, a).name, at(rig.groups, b).name);
   };
   const Rig& rig = ui.state.document.rig();
+  const AnimatedField field = fieldOfLink(rig, a, b);
+  const AnimatedLook animation = lookOf(ui, field);
   mutedText((at(rig.groups, a).name + " and " + at(rig.groups, b).name).c_str());
   float percent = shown(rig);
   Typing typing;
   NumberLook look;
-  look.format = "%.0f %%";
+  look.format = field.format;
   look.least = 0.0f;
   look.most = 100.0f;
   look.step = 10.0f;
-  look.typing = &typing;
   ImGui::SetNextItemWidth(ui.px(160));
-  const bool edited = numberSlider(ui, "##amount", percent, look);
-  beginFieldEdit(ui, "blending/amount", "Link");
-  if (edited) setLinkAmount(ui.state, a, b, percent / 100.0f);
-  if (!typing.refusal.empty()) refuse(ui.state, errorAt({}, typing.refusal));
-  endFieldEdit(ui, linkLabel(rig, a, b, shown(ui.state.document.rig()) / 100.0f));
-  tooltip(ui,
-          "How much the two groups blend: 0 % is a groove between them, 100 % adds them up. Drag, or double-click to "
-          "type");
+  if (animation.beingSet) {
+    drawDrivenKeyField(ui, "blending/amount", field, look);
+  } else {
+    look.typing = &typing;
+    pushAnimatedColors(animation);
+    const bool edited = numberSlider(ui, "##amount", percent, look);
+    popAnimatedColors(ui, animation);
+    notePointed(ui, field);
+    beginFieldEdit(ui, "blending/amount", "Link");
+    if (edited) setLinkAmount(ui.state, a, b, percent / 100.0f);
+    if (!typing.refusal.empty()) refuse(ui.state, errorAt({}, typing.refusal));
+    endFieldEdit(ui, linkLabel(rig, a, b, shown(ui.state.document.rig()) / 100.0f));
+    tooltip(ui, animation.words +
+                    "How much the two groups blend: 0 % is a groove between them, 100 % adds them up. Drag, or "
+                    "double-click to type");
+  }
+  if (field.refs.empty()) return;
+  ImGui::Separator();
+  animationMenu(ui, field);
 }
 
 void startGroupRename(EditorState& state, GroupId group) {
@@ -310,6 +333,40 @@ void groupMenu(PanelUi& ui, int group) {
   deleteItems(ui, *rig, group, members.empty());
 }
 
+namespace {
+
+/// The link whose keys and drivers are shown, or -1.
+int shownAnimatedLink(PanelUi& ui) {
+  AnimateState& animate = ui.state.open.animate;
+  BlendingState& blending = ui.state.open.blending;
+  if (animate.sectionWanted && ownerOf(animate.chosen.number.parameter) == ParameterOwner::kLink) {
+    blending.animatedLink = animate.chosen.number.link;
+    animate.sectionWanted = false;
+  }
+  const Rig& rig = ui.state.document.rig();
+  const int link = findLinkBetween(rig, blending.animatedLink);
+  return link < 0 || at(rig.links, link).animated.empty() ? -1 : link;
+}
+
+/// Keys and drivers of a link, with a button that closes them.
+void drawAnimatedLink(PanelUi& ui, int link, float height) {
+  ImGui::Separator();
+  const std::array<std::string, 2> groups = at(ui.state.document.rig().links, link).groups;
+  const float button = ImGui::GetFrameHeight();
+  const float room = ImGui::GetContentRegionAvail().x - button - ui.px(4);
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextUnformatted(fitted(groups[0] + " and " + groups[1], room).c_str());
+  ui.widgets.note("blending/animation");
+  ImGui::SameLine(ImGui::GetCursorPosX() + ImGui::GetContentRegionAvail().x - button);
+  const bool closed = iconButton(ui, "blending/animation/close", Icon::kClose, false, button, "Close");
+  ImGui::BeginChild("link-animation", {0.0f, height - button});
+  drawLinkAnimation(ui, link);
+  ImGui::EndChild();
+  if (closed) ui.state.open.blending.animatedLink = {};
+}
+
+}  // namespace
+
 void drawBlending(PanelUi& ui) {
   drawHead(ui);
   drawCounts(ui);
@@ -319,9 +376,13 @@ void drawBlending(PanelUi& ui) {
   const float spacing = ImGui::GetStyle().ItemSpacing.y;
   // The same height with and without a chosen group, so that nothing moves under the pointer.
   const float below = ImGui::GetTextLineHeight() + ImGui::GetFrameHeight() + 4.0f * spacing;
-  const float height = std::max(ImGui::GetContentRegionAvail().y - below, ui.px(60));
+  const int animated = shownAnimatedLink(ui);
+  const float room = ImGui::GetContentRegionAvail().y;
+  const float ofLink = animated < 0 ? 0.0f : 0.5f * room;
+  const float height = std::max(room - below - ofLink, ui.px(60));
   if (ui.state.view.groupsAsGraph) drawBlendingGraph(ui, height);
   else drawBlendingMatrix(ui, height);
+  if (animated >= 0 && shownAnimatedLink(ui) == animated) drawAnimatedLink(ui, animated, ofLink);
   // A click above may have changed the rig.
   const int still = findGroup(ui.state.document.rig(), ui.state.open.blending.group);
   if (still >= 0) {

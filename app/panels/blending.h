@@ -8,6 +8,7 @@
 
 #include <glm/vec2.hpp>
 
+#include "app/panels/field_edit.h"
 #include "app/panels/panel_ui.h"
 
 namespace sinew::app {
@@ -34,7 +35,10 @@ void startGroupRename(EditorState& state, GroupId group);
 void takeDroppedMuscles(PanelUi& ui, const std::string& group);
 /// How much two groups blend, and what a click does.
 [[nodiscard]] std::string linkText(const std::string& a, const std::string& b, float amount);
-void linkMenu(PanelUi& ui, int a, int b);  ///< How much two groups blend; between BeginPopup and EndPopup.
+/// How much two groups blend, keys and drivers of that; between BeginPopup and EndPopup.
+void linkMenu(PanelUi& ui, int a, int b);
+[[nodiscard]] AnimatedField fieldOfLink(const Rig& rig, int a,
+                                        int b);                  ///< Without numbers if the groups are not linked.
 [[nodiscard]] std::string groupText(const Rig& rig, int group);  ///< "legs: 4 muscles"
 
 }  // namespace sinew::app

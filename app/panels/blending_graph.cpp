@@ -153,14 +153,22 @@ Hit hitAt(const Graph& graph, const glm::vec2& mouse) {
   return hit;
 }
 
+/// The numbers of the edge under the pointer.
+AnimatedField pointedField(const Graph& graph) {
+  if (graph.hit.part != Part::kEdge) return {};
+  const auto& [a, b] = graph.edges[static_cast<std::size_t>(graph.hit.edge)];
+  return fieldOfLink(*graph.rig, a, b);
+}
+
 std::string hintOf(const Graph& graph) {
   const Hit& hit = graph.hit;
   if (hit.part == Part::kDisc) return groupText(*graph.rig, hit.group) + "\nDrag moves the node; drop muscles here.";
   if (hit.part == Part::kRim) return "Drag from the rim to another group to link the two.";
   if (hit.part != Part::kEdge) return "";
   const auto& [a, b] = graph.edges[static_cast<std::size_t>(hit.edge)];
-  return linkText(graph.name(a), graph.name(b), graph.amounts[static_cast<std::size_t>(hit.edge)]) +
-         "\nRight-click to set how much.";
+  return lookOf(graph.ui, pointedField(graph)).words +
+         linkText(graph.name(a), graph.name(b), graph.amounts[static_cast<std::size_t>(hit.edge)]) +
+         "\nRight click: set how much, key, drive.";
 }
 
 // Dragging ----------------------------------------------------------------------------------------------------------
@@ -267,6 +275,7 @@ void takeInput(Graph& graph) {
   const glm::vec2 mouse{ImGui::GetMousePos().x, ImGui::GetMousePos().y};
   const bool over = ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenBlockedByActiveItem);
   if (over || ImGui::IsItemActive()) graph.hit = hitAt(graph, mouse);
+  notePointed(graph.ui, pointedField(graph));
   if (ImGui::IsItemActivated()) begin(graph);
   if (ImGui::IsItemActive()) drag(graph);
   if (ImGui::IsItemDeactivated()) end(graph);
@@ -307,6 +316,9 @@ void drawEdges(const Graph& graph, ImDrawList& list) {
     const glm::vec2 middle = curve[curve.size() / 2];
     const float half = graph.ui.px(4);
     if (hovered) list.AddCircleFilled(point(middle), half, color.packed(), 12);
+    if (const Link* link = animatedLink(*graph.rig, a, b)) {
+      list.AddCircle(point(middle), half, animationTint(*link).packed(), 12, graph.ui.px(1.5f));
+    }
     graph.ui.widgets.note("blending/edge/" + graph.name(a) + "/" + graph.name(b),
                           {middle.x - half, middle.y - half, 2.0f * half, 2.0f * half});
   }
@@ -388,11 +400,11 @@ void drawBlendingGraph(PanelUi& ui, float height) {
                     ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
   ImGui::PopStyleColor();
   Graph graph{ui, ui.state.document.commands.sharedRig(), {}, {}, {}, {}, {}, 1.0f, {}};
-  for (const auto& [groups, amount] : graph.rig->links) {
-    const std::array<int, 2> edge{findGroup(*graph.rig, groups[0]), findGroup(*graph.rig, groups[1])};
+  for (const Link& link : graph.rig->links) {
+    const std::array<int, 2> edge{findGroup(*graph.rig, link.groups[0]), findGroup(*graph.rig, link.groups[1])};
     if (edge[0] < 0 || edge[1] < 0) continue;
     graph.edges.push_back(edge);
-    graph.amounts.push_back(amount);
+    graph.amounts.push_back(link.amount);
   }
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   const ImVec2 room = ImGui::GetContentRegionAvail();

@@ -109,10 +109,11 @@ void nameItems(Matrix& matrix) {
   }
 }
 
-std::string cellHint(const Matrix& matrix, int i, int j) {
+std::string cellHint(Matrix& matrix, int i, int j) {
   if (i == j) return groupText(*matrix.rig, i) + ", which always blend with each other";
-  return linkText(matrix.name(j), matrix.name(i), at(at(matrix.amounts, i), j)) +
-         "\nDrag sideways to set how much, right-click for the number.";
+  return lookOf(matrix.ui, fieldOfLink(*matrix.rig, i, j)).words +
+         linkText(matrix.name(j), matrix.name(i), at(at(matrix.amounts, i), j)) +
+         "\nDrag sideways to set how much. Right click: type, key, drive.";
 }
 
 std::string cellId(const Matrix& matrix, int i, int j) {
@@ -125,6 +126,7 @@ void linkCell(Matrix& matrix, int i, int j, bool pressed) {
   const CommandStack& commands = ui.state.document.commands;
   ImGuiStorage& memory = *ImGui::GetStateStorage();
   const ImGuiID dragged = ImGui::GetID("dragged");
+  notePointed(ui, fieldOfLink(*matrix.rig, i, j));
   beginFieldEdit(ui, cellId(matrix, i, j), "Link");
   if (ImGui::IsItemActivated()) memory.SetBool(dragged, false);
   if (ImGui::IsItemActive() && ImGui::IsKeyPressed(GLFW_KEY_ESCAPE, false)) {
@@ -178,14 +180,19 @@ void cellItems(Matrix& matrix) {
   ImGui::PopClipRect();
 }
 
-void drawDiagonal(const Matrix& matrix, ImDrawList& list, int group, const ImVec2& low, const ImVec2& high) {
-  list.AddRectFilled(low, high, groupTint(*matrix.rig, group).packed(), matrix.ui.px(4));
-  const std::string text = std::to_string(at(matrix.members, group));
+/// A number in the middle of a cell, if there is room. Smaller digits would lose strokes.
+void drawNumber(ImDrawList& list, int number, const Tint& tint, const ImVec2& low, const ImVec2& high) {
+  const std::string text = std::to_string(number);
   const float size = std::min(0.62f * (high.y - low.y), ImGui::GetFontSize());
   const ImVec2 extent = ImGui::GetFont()->CalcTextSizeA(size, FLT_MAX, 0.0f, text.c_str());
   if (extent.x > high.x - low.x) return;
   list.AddText(ImGui::GetFont(), size, {0.5f * (low.x + high.x - extent.x), 0.5f * (low.y + high.y - extent.y)},
-               palette::kBackground.packed(), text.c_str());
+               tint.packed(), text.c_str());
+}
+
+void drawDiagonal(const Matrix& matrix, ImDrawList& list, int group, const ImVec2& low, const ImVec2& high) {
+  list.AddRectFilled(low, high, groupTint(*matrix.rig, group).packed(), matrix.ui.px(4));
+  drawNumber(list, at(matrix.members, group), palette::kBackground, low, high);
 }
 
 /// Filled as far as the groups blend: with a dot where they add up, else with the percents if there is room.
@@ -195,12 +202,7 @@ void drawLink(const Matrix& matrix, ImDrawList& list, const Tint& tint, float am
   list.AddRectFilled(low, {low.x + amount * (high.x - low.x), high.y}, tint.faded(0.42f).packed(), matrix.ui.px(4),
                      amount < 1.0f ? ImDrawFlags_RoundCornersLeft : ImDrawFlags_RoundCornersAll);
   if (amount == 1.0f) return list.AddCircleFilled(middle, 0.2f * matrix.cell, tint.packed(), 14);
-  const std::string text = std::to_string(std::lround(100.0f * amount));
-  const float size = std::min(0.5f * (high.y - low.y), 0.8f * ImGui::GetFontSize());
-  const ImVec2 extent = ImGui::GetFont()->CalcTextSizeA(size, FLT_MAX, 0.0f, text.c_str());
-  if (extent.x > high.x - low.x) return;
-  list.AddText(ImGui::GetFont(), size, {middle.x - 0.5f * extent.x, middle.y - 0.5f * extent.y},
-               palette::kText.packed(), text.c_str());
+  drawNumber(list, static_cast<int>(std::lround(100.0f * amount)), palette::kText, low, high);
 }
 
 void drawCell(Matrix& matrix, ImDrawList& list, int i, int j) {
@@ -218,6 +220,9 @@ void drawCell(Matrix& matrix, ImDrawList& list, int i, int j) {
       list.AddRectFilled(low, high, (across ? palette::kLine : palette::kBackground).packed(), matrix.ui.px(4));
     const Tint mixed = between(groupTint(*matrix.rig, i), groupTint(*matrix.rig, j));
     if (amount > 0.0f) drawLink(matrix, list, mixed, amount, low, high);
+    if (const Link* link = animatedLink(*matrix.rig, i, j)) {
+      list.AddRect(low, high, animationTint(*link).packed(), matrix.ui.px(4), 0, matrix.ui.px(1));
+    }
   }
   if (i == matrix.row && j == matrix.column) {
     list.AddRect(low, high, palette::kText.packed(), matrix.ui.px(4), 0, matrix.ui.px(1.5f));

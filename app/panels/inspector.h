@@ -85,6 +85,7 @@ void drawTerritoryRows(PanelUi& ui, const Subjects& subjects);
 void drawAnimationRows(PanelUi& ui, const Subjects& subjects);  ///< Only where something is keyed or driven.
 void drawSurfaceAnimation(PanelUi& ui);
 void drawMorphAnimation(PanelUi& ui, int morph);  ///< @param morph  index into Rig::morphs
+void drawLinkAnimation(PanelUi& ui, int link);    ///< @param link  index into Rig::links
 
 // The inspector's rows about the lines of the selected muscles.
 

@@ -1,4 +1,4 @@
-// app/panels/inspector_animation.cpp: drivers and keys of the active muscle, its line and the surface.
+// app/panels/inspector_animation.cpp: drivers and keys of the active muscle, its line, the surface, shapes and links.
 
 #include <algorithm>
 #include <array>
@@ -71,7 +71,8 @@ Shown shownValues(Parameter parameter, DriverMode mode) {
   if (mode == DriverMode::kMultiply) return {1.0f, "x %.3g"};
   const bool percent = parameter == Parameter::kAmount || parameter == Parameter::kFlexHeight ||
                        parameter == Parameter::kFlexWidth || parameter == Parameter::kRest ||
-                       parameter == Parameter::kSkinBlend || parameter == Parameter::kGrooves;
+                       parameter == Parameter::kSkinBlend || parameter == Parameter::kGrooves ||
+                       parameter == Parameter::kLinkAmount;
   return percent ? Shown{100.0f, "%.3g %%"} : Shown{};
 }
 
@@ -331,7 +332,7 @@ std::string countText(const std::vector<Animated>& all) {
 /// Whether the section of these owners was requested.
 bool isAsked(const AnimateState& animate, bool ofSurface) {
   const ParameterOwner owner = ownerOf(animate.chosen.number.parameter);
-  if (!animate.sectionWanted || owner == ParameterOwner::kMorph) return false;
+  if (!animate.sectionWanted || owner == ParameterOwner::kMorph || owner == ParameterOwner::kLink) return false;
   return ofSurface == (owner == ParameterOwner::kSurface);
 }
 
@@ -376,6 +377,16 @@ void drawSurfaceAnimation(PanelUi& ui) {
   std::vector<Animated> all;
   addAll(all, ui.state.document.rig().surface.animated, 0);
   drawSection(ui, kSurfaceAnimation.id, all, true, "of the surface");
+}
+
+void drawLinkAnimation(PanelUi& ui, int link) {
+  std::vector<Animated> all;
+  addAll(all, at(ui.state.document.rig().links, link).animated, link);
+  ImGui::PushID(link);
+  for (const Animated& one : all) {
+    if (!numberRows(ui, one)) break;
+  }
+  ImGui::PopID();
 }
 
 void drawMorphAnimation(PanelUi& ui, int morph) {

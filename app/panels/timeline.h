@@ -44,7 +44,7 @@ struct KeyRow {
   [[nodiscard]] bool isChannel() const { return !channel.empty(); }
 };
 
-/// Rows of the selected muscles, their lines and the surface, then all channels. None in the bind pose.
+/// Rows of the selected muscles, their lines, the surface, shapes and links, then all channels. None in the bind pose.
 [[nodiscard]] std::vector<KeyRow> keyRows(const EditorState& state);
 
 /// Replaces a key at the same time.

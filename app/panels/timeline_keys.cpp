@@ -59,6 +59,9 @@ std::vector<KeyRow> keyRows(const EditorState& state) {
   for (std::size_t i = 0; i < rig.morphs.size(); ++i) {
     addNumbers(rows, state, rig.morphs[i].animated, static_cast<int>(i));
   }
+  for (std::size_t i = 0; i < rig.links.size(); ++i) {
+    addNumbers(rows, state, rig.links[i].animated, static_cast<int>(i));
+  }
   addChannels(rows, state);
   return rows;
 }
@@ -269,11 +272,11 @@ void channelValue(const ShownRow& row, float right) {
   tooltip(ui, "The channel's value at this moment. An edit sets a key here");
 }
 
-/// The number's muscle, or the first on its line; -1: a number of the surface or a shape.
+/// The number's muscle, or the first on its line; -1: a number of another owner.
 int muscleOf(const Rig& rig, const NumberRef& ref) {
   const ParameterOwner owner = ownerOf(ref.parameter);
   if (owner == ParameterOwner::kPrimitive) return ref.owner;
-  if (owner == ParameterOwner::kSurface || owner == ParameterOwner::kMorph) return -1;
+  if (owner != ParameterOwner::kLine) return -1;
   const std::string& line = rig.lines[static_cast<std::size_t>(ref.owner)].name;
   const auto found = std::ranges::find(rig.primitives, line, &Primitive::line);
   return found == rig.primitives.end() ? -1 : static_cast<int>(found - rig.primitives.begin());

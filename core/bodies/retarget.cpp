@@ -85,6 +85,7 @@ class RigRetargeter {
     }
     moveAnimated(rig.surface.animated, "surface");
     for (MorphWeight& morph : rig.morphs) moveAnimated(morph.animated, morph.name);
+    for (Link& link : rig.links) moveAnimated(link.animated, link.groups[0] + " and " + link.groups[1]);
     rig = withMorphsOf(removePrimitives(std::move(rig), gone), to_);
     rig.clipFiles.clear();  // Their paths are relative to the other rig, and the other character has its own clips.
     // Corrections belong to the first body, but still apply to bones of the same name.

@@ -100,6 +100,7 @@ Json shapesNode(const std::vector<MorphWeight>& morphs) {
 
 /// The oldest version that can express the rig, so that older programs can read it.
 int versionOf(const Rig& rig) {
+  if (!std::ranges::all_of(rig.links, isList)) return 3;
   const bool newer = std::ranges::any_of(rig.primitives, [](const Primitive& p) {
     return !p.placement.shape.isPlain() || p.amount != 1.0f || !p.animated.empty();
   });
@@ -171,7 +172,7 @@ namespace {
 
 using Kind = Json::Kind;
 
-constexpr int kNewestVersion = 2;
+constexpr int kNewestVersion = 3;
 
 SurfaceSettings readSurface(Reader& reader, const Json& node) {
   SurfaceSettings surface;
@@ -212,18 +213,6 @@ std::string readItem(Reader& reader, const Json& node, const Place& place) { ret
 Group readGroup(Reader& reader, const Json& node, const Place& place) {
   if (!reader.object(node, place)) return {};
   return {readNeededText(reader, node, place, "name"), unknownKeys(node, {"name"})};
-}
-
-Link readLink(Reader& reader, const Json& node, const Place& place) {
-  const std::size_t size = node.kind == Kind::kArray ? node.children.size() : 0;
-  if (size != 2 && size != 3) {
-    reader.expect(place, "an array of two groups' names, and an amount if it is not 1", node);
-    return {};
-  }
-  const auto nameAt = [&](std::size_t i) { return reader.text(node.children[i], Reader::at(place, i)); };
-  Link link{{nameAt(0), nameAt(1)}};
-  if (size == 3) link.amount = reader.number(node.children[2], Reader::at(place, 2));
-  return link;
 }
 
 /// The numbers of one key: a single number or a list.
@@ -324,15 +313,15 @@ void readHeader(Reader& reader, const Json& root) {
   if (!format) return;
   if (format->kind != Kind::kString || format->content != "sinew-rig")
     reader.expect("format", "\"sinew-rig\"", *format);
-  const Json* version = reader.need(root, "", "version", "1 or 2");
+  const Json* version = reader.need(root, "", "version", "1, 2 or 3");
   if (!version || reader.error()) return;
-  const int number = reader.wholeNumber(*version, "version", "1 or 2");
+  const int number = reader.wholeNumber(*version, "version", "1, 2 or 3");
   if (number > kNewestVersion) {
     reader.refuse("version", "this rig is of version " + std::to_string(number) +
                                  ", made by a newer Sinew; this one reads versions up to " +
                                  std::to_string(kNewestVersion));
   } else if (number < 1) {
-    reader.expect("version", "1 or 2", *version);
+    reader.expect("version", "1, 2 or 3", *version);
   }
 }
 

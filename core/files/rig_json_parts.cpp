@@ -3,6 +3,8 @@
 
 #include <utility>
 
+#include "core/rig/validation.h"
+
 namespace sinew {
 
 void readName(Reader& reader, const Json& object, const Place& place, const char* key, const char* expected,
@@ -308,9 +310,50 @@ std::vector<AnimatedNumber> readAnimated(Reader& reader, const Json& owner, cons
 }
 
 Json linkNode(const Link& link) {
-  Json node = jsonList(link.groups);
-  if (link.amount != 1.0f) node.push(link.amount);
-  return node;
+  if (isList(link)) {
+    Json node = jsonList(link.groups);
+    if (link.amount != 1.0f) node.push(link.amount);
+    return node;
+  }
+  ObjectWriter writer;
+  writer.set("groups", jsonList(link.groups));
+  setNumber(writer, "amount", link.amount, 1.0f);
+  setAnimated(writer, link.animated);
+  return writer.finish(link.unknownKeys);
+}
+
+namespace {
+
+/// Names of two groups, then perhaps the amount.
+Link readLinkList(Reader& reader, const Json& node, const Place& place) {
+  const std::size_t size = node.kind == Json::Kind::kArray ? node.children.size() : 0;
+  if (size != 2 && size != 3) {
+    reader.expect(place, "an array of two groups' names, and an amount if it is not 1", node);
+    return {};
+  }
+  const auto nameAt = [&](std::size_t i) { return reader.text(node.children[i], Reader::at(place, i)); };
+  Link link{{nameAt(0), nameAt(1)}};
+  if (size == 3) link.amount = reader.number(node.children[2], Reader::at(place, 2));
+  return link;
+}
+
+}  // namespace
+
+Link readLink(Reader& reader, const Json& node, const Place& place) {
+  if (node.kind != Json::Kind::kObject) return readLinkList(reader, node, place);
+  Link link;
+  const std::vector<std::string> groups =
+      readList(reader, node, place, "groups", "group",
+               [](Reader& names, const Json& item, const Place& own) { return names.text(item, own); });
+  if (groups.size() != 2) {
+    reader.refuse(Reader::join(place, "groups"), "expected two groups' names, got " + std::to_string(groups.size()));
+    return link;
+  }
+  link.groups = {groups[0], groups[1]};
+  readFloat(reader, node, place, "amount", link.amount);
+  link.animated = readAnimated(reader, node, place);
+  link.unknownKeys = unknownKeys(node, {"groups", "amount", "animated"});
+  return link;
 }
 
 Json channelNode(const RigChannel& channel) {

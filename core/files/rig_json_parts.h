@@ -13,11 +13,13 @@ namespace sinew {
 [[nodiscard]] Json lineNode(const MuscleLine& line);  ///< Omits defaults.
 [[nodiscard]] MuscleLine readLine(Reader& reader, const Json& node, const Place& place);
 
-/// Sets "animated" of a primitive, line, shape or the surface, unless empty.
+/// Sets "animated" of a primitive, line, shape, link or the surface, unless empty.
 void setAnimated(ObjectWriter& writer, const std::vector<AnimatedNumber>& animated);
 [[nodiscard]] std::vector<AnimatedNumber> readAnimated(Reader& reader, const Json& owner, const Place& place);
 
-[[nodiscard]] Json linkNode(const Link& link);  ///< Omits an amount of 1.
+/// A list, without an amount of 1; with keys, drivers or unknown keys an object.
+[[nodiscard]] Json linkNode(const Link& link);
+[[nodiscard]] Link readLink(Reader& reader, const Json& node, const Place& place);
 [[nodiscard]] Json channelNode(const RigChannel& channel);
 [[nodiscard]] RigChannel readChannel(Reader& reader, const Json& node, const Place& place);
 

@@ -21,6 +21,7 @@ void eachList(AnyRig& rig, Visit visit) {
   for (auto& primitive : rig.primitives) visit(primitive.animated);
   for (auto& line : rig.lines) visit(line.animated);
   for (auto& morph : rig.morphs) visit(morph.animated);
+  for (auto& link : rig.links) visit(link.animated);
   visit(rig.surface.animated);
 }
 
@@ -95,6 +96,8 @@ std::vector<AnimatedNumber>& listOf(Rig& rig, const NumberRef& ref) {
       return at(rig.lines, ref.owner).animated;
     case ParameterOwner::kMorph:
       return at(rig.morphs, ref.owner).animated;
+    case ParameterOwner::kLink:
+      return at(rig.links, ref.owner).animated;
     case ParameterOwner::kSurface:
       break;
   }
@@ -110,6 +113,8 @@ std::string placeOf(const NumberRef& ref) {
       return indexed("lines", index);
     case ParameterOwner::kMorph:
       return indexed("shapes", index);
+    case ParameterOwner::kLink:
+      return indexed("links", index);
     case ParameterOwner::kSurface:
       break;
   }
@@ -181,6 +186,9 @@ float& numberIn(Rig& rig, const NumberRef& ref) {
       break;
     case ParameterOwner::kMorph:
       number = numberIn(at(rig.morphs, ref.owner), ref.parameter);
+      break;
+    case ParameterOwner::kLink:
+      number = numberIn(at(rig.links, ref.owner), ref.parameter);
       break;
     case ParameterOwner::kSurface:
       number = numberIn(rig.surface, ref.parameter);

@@ -162,7 +162,8 @@ constexpr std::array kParameterRows{
     Row{Parameter::kFlexWidth, kLine, "flex.width", "Flex width", kLeastFlex, kMostFlex},
     Row{Parameter::kSkinBlend, ParameterOwner::kSurface, "skin_blend", "Skin blend", kLeastSkinBlend, kMostSkinBlend},
     Row{Parameter::kGrooves, ParameterOwner::kSurface, "grooves", "Grooves", 0.0f, kMostGrooves},
-    Row{Parameter::kMorphWeight, ParameterOwner::kMorph, "weight", "Weight", kLeastMorphWeight, kMostMorphWeight}};
+    Row{Parameter::kMorphWeight, ParameterOwner::kMorph, "weight", "Weight", kLeastMorphWeight, kMostMorphWeight},
+    Row{Parameter::kLinkAmount, ParameterOwner::kLink, "link_amount", "Link amount", 0.0f, 1.0f}};
 
 const ShapeNumber& shapeNumberOf(Parameter parameter) {
   return shapeNumbers()[static_cast<std::size_t>(parameter) - static_cast<std::size_t>(Parameter::kShape)];
@@ -218,7 +219,7 @@ const char* nameOf(Parameter parameter) { return rowOf(parameter).name; }
 const char* wordsFor(Parameter parameter) { return rowOf(parameter).words; }
 
 std::optional<Parameter> parameterNamed(const std::string& name) {
-  for (int i = 0; i <= static_cast<int>(Parameter::kMorphWeight); ++i) {
+  for (int i = 0; i <= static_cast<int>(Parameter::kLinkAmount); ++i) {
     const Row row = rowOf(static_cast<Parameter>(i));
     if (row.name == name) return row.parameter;
   }
@@ -259,6 +260,10 @@ float* numberIn(SurfaceSettings& surface, Parameter parameter) {
 
 float* numberIn(MorphWeight& morph, Parameter parameter) {
   return parameter == Parameter::kMorphWeight ? &morph.weight : nullptr;
+}
+
+float* numberIn(Link& link, Parameter parameter) {
+  return parameter == Parameter::kLinkAmount ? &link.amount : nullptr;
 }
 
 float numberOf(const Primitive& primitive, Parameter parameter) { return read(primitive, parameter); }

@@ -18,7 +18,7 @@ namespace {
 constexpr float kUnitTolerance = 1e-3f;
 
 const char* wordsFor(ParameterOwner owner) {
-  constexpr std::array kOwners{"a muscle", "a muscle line", "the surface", "a shape"};
+  constexpr std::array kOwners{"a muscle", "a muscle line", "the surface", "a shape", "a link"};
   return kOwners[static_cast<std::size_t>(owner)];
 }
 
@@ -201,6 +201,10 @@ Result<void> validateInputs(const Rig& rig) {
   for (std::size_t i = 0; i < rig.morphs.size(); ++i) {
     auto morph = checkInputs(rig.morphs[i].animated, known, indexed("shapes", i));
     if (!morph) return about(quoted("shape", rig.morphs[i].name), morph.error());
+  }
+  for (std::size_t i = 0; i < rig.links.size(); ++i) {
+    auto link = checkInputs(rig.links[i].animated, known, indexed("links", i));
+    if (!link) return about("link " + std::to_string(i + 1), link.error());
   }
   return {};
 }

@@ -14,8 +14,9 @@ namespace {
 
 Result<const BlendingGraph*> graphOf(const Rig& rig, BlendingGraphMemo& graphs) {
   std::vector<GroupLink> links;
-  for (const auto& [groups, amount] : rig.links) {
-    links.push_back({findGroup(rig, groups[0]), findGroup(rig, groups[1]), amount});
+  for (const Link& link : rig.links) {
+    const auto& [a, b] = link.groups;
+    links.push_back({findGroup(rig, a), findGroup(rig, b), link.amount, !link.animated.empty()});
   }
   return graphs.graph(static_cast<int>(rig.groups.size()), links);
 }
@@ -120,6 +121,10 @@ std::vector<MissingBone> missingBones(const Rig& rig, const Skeleton& skeleton) 
     const MorphWeight& morph = rig.morphs[i];
     checkDriverBones(morph.animated, "shapes[" + std::to_string(i) + "]", "shape \"" + morph.name + '"', check);
   }
+  for (std::size_t i = 0; i < rig.links.size(); ++i) {
+    const std::string number = std::to_string(i + 1);
+    checkDriverBones(rig.links[i].animated, "links[" + std::to_string(i) + "]", "link " + number, check);
+  }
   return missing;
 }
 
@@ -162,7 +167,7 @@ float territoryWeight(const Character& character, int vertex, const std::vector<
   return smoothstep(0.0f, 0.5f, sum);
 }
 
-bool sameCandidates(const Rig& a, const Rig& b) {
+bool samePlaces(const Rig& a, const Rig& b) {
   const auto sameGroup = [](const Group& x, const Group& y) { return x.name == y.name; };
   const auto samePlace = [](const Primitive& x, const Primitive& y) {
     return x.bone == y.bone && x.group == y.group && x.line == y.line && x.territory == y.territory;
@@ -172,7 +177,21 @@ bool sameCandidates(const Rig& a, const Rig& b) {
            x.via.has_value() == y.via.has_value() && (!x.via || x.via->bone == y.via->bone);
   };
   return std::ranges::equal(a.lines, b.lines, sameSpan) && std::ranges::equal(a.primitives, b.primitives, samePlace) &&
-         a.links == b.links && std::ranges::equal(a.groups, b.groups, sameGroup);
+         std::ranges::equal(a.groups, b.groups, sameGroup);
+}
+
+bool sameCandidates(const Rig& a, const Rig& b) {
+  const auto sameLink = [](const Link& x, const Link& y) {
+    return x.groups == y.groups && x.amount == y.amount && x.animated.empty() == y.animated.empty();
+  };
+  return samePlaces(a, b) && std::ranges::equal(a.links, b.links, sameLink);
+}
+
+Result<Attachment> relinked(Attachment attachment, const Rig& rig, BlendingGraphMemo& graphs) {
+  const Result<const BlendingGraph*> graph = graphOf(rig, graphs);
+  if (!graph) return graph.error();
+  attachment.graph = *graph.value();
+  return attachment;
 }
 
 std::vector<FieldPrimitive> fieldPrimitives(const Rig& rig, const Attachment& attachment) {

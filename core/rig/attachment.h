@@ -46,7 +46,9 @@ struct MissingBone : Error {
 /// m_i(v) = smoothstep(0, 0.5, sum of v's weights on the territory).
 [[nodiscard]] float territoryWeight(const Character& character, int vertex, const std::vector<bool>& isTerritoryBone);
 
-/// Both rigs have the same candidates and graph on any character: at most shapes, signs, names and settings differ.
+/// Both rigs have the same candidates on any character: at most shapes, signs, names, settings and links differ.
+[[nodiscard]] bool samePlaces(const Rig& a, const Rig& b);
+/// Also the same graph: of links at most keys and drivers differ.
 [[nodiscard]] bool sameCandidates(const Rig& a, const Rig& b);
 
 /// The attached primitives with the shapes, strengths and signs of another rig with the same candidates. No cost per
@@ -60,5 +62,7 @@ void setNumbers(const RigNumbers& numbers, float iso, const Attachment& attachme
 [[nodiscard]] Result<Attachment> attach(const Rig& rig, const Character& character);
 /// With the graph that validate() has made.
 [[nodiscard]] Result<Attachment> attach(const Rig& rig, const Character& character, BlendingGraphMemo& graphs);
+/// With the links of another rig with the same places. No cost per vertex but for the copy.
+[[nodiscard]] Result<Attachment> relinked(Attachment attachment, const Rig& rig, BlendingGraphMemo& graphs);
 
 }  // namespace sinew

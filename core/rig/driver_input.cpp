@@ -179,6 +179,7 @@ DrivenNumbers::DrivenNumbers(const Rig& rig, const Character& character) {
     add(rig.primitives[i].animated, static_cast<int>(i), rig, character);
   }
   for (std::size_t i = 0; i < rig.morphs.size(); ++i) add(rig.morphs[i].animated, static_cast<int>(i), rig, character);
+  for (std::size_t i = 0; i < rig.links.size(); ++i) add(rig.links[i].animated, static_cast<int>(i), rig, character);
 }
 
 void DrivenNumbers::add(const std::vector<AnimatedNumber>& animated, int owner, const Rig& rig,

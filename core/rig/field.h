@@ -1,74 +1,15 @@
-// core/rig/field.h: the blending graph of groups, and the field F of posed primitives with its gradient.
+// core/rig/field.h: the field F of posed primitives, with its gradient.
 #pragma once
 
 #include <algorithm>
-#include <array>
-#include <optional>
 #include <span>
 #include <vector>
 
+#include "core/rig/blending_graph.h"
 #include "core/rig/group_blend.h"
 #include "sinew/geometry/ellipsoid.h"
-#include "sinew/geometry/result.h"
 
 namespace sinew {
-
-// The groups that add up: maximal cliques of the link graph.
-
-/// Largest number of maximal cliques; nobody draws such a graph on purpose. docs/design.md.
-inline constexpr int kMaxCliques = 4096;
-
-/// Two groups and how much they blend, above 0, at most 1.
-struct GroupLink {
-  int a = 0;
-  int b = 0;
-  float amount = 1.0f;
-
-  friend bool operator==(const GroupLink&, const GroupLink&) = default;
-};
-
-/// The graph without links below an amount.
-struct GraphLevel {
-  float amount = 1.0f;
-  CliqueLists cliques;  ///< Of groups: maximal, each sorted; the list is sorted. Every group is in at least one.
-};
-
-/// The blending graph after Guy & Wyvill 1995: the field is the maximum over cliques of sums; with links in part, the
-/// mean of these over all amounts that a link may have to have. docs/design.md.
-struct BlendingGraph {
-  int groupCount = 0;
-  std::vector<GraphLevel> levels;  ///< For each amount of a link, ascending; the last is that of 1. Not empty.
-};
-
-/// Enumerates the maximal cliques (Bron & Kerbosch 1973, with pivoting).
-/// @param links  between groups < groupCount; order does not matter, of repeats the largest amount counts, a group
-/// linked to itself is ignored.
-/// Error: more than kMaxCliques.
-[[nodiscard]] Result<BlendingGraph> makeBlendingGraph(int groupCount, std::span<const GroupLink> links);
-
-/// Remembers the last graph, so that repeated calls do not enumerate its cliques again.
-class BlendingGraphMemo {
- public:
-  /// makeBlendingGraph(); valid until the next call. An error keeps the graph before.
-  [[nodiscard]] Result<const BlendingGraph*> graph(int groupCount, std::span<const GroupLink> links);
-
- private:
-  std::optional<BlendingGraph> graph_;
-  std::vector<GroupLink> links_;  ///< Links of graph_.
-};
-
-/// One part of the field at a place.
-struct CliqueLevel {
-  double weight = 1.0;
-  CliqueLists cliques;  ///< Of slots.
-};
-/// The parts of the field at a place, whose weights add up to 1: several where groups are linked in part. Empty: all
-/// groups add up.
-using CliqueLevels = std::vector<CliqueLevel>;
-
-/// The cliques restricted to `presentGroups` (sorted), without those that others contain, as slots: their indices
-/// there. Where only these groups reach, the field is the same as with the whole graph, since positive parts are >= 0.
-[[nodiscard]] CliqueLevels cliquesAmong(const BlendingGraph& graph, std::span<const int> presentGroups);
 
 /// A primitive resolved for the field (core/rig/attachment.h).
 struct FieldPrimitive {
@@ -128,9 +69,9 @@ void poseField(std::span<const FieldPrimitive> primitives, std::span<const glm::
 /// values. Without carves, or with all groups linked, it makes no difference. With soft grooves the maximum is over
 /// shares of the cliques (core/rig/group_blend.h). Of several levels the maxima's mean counts. docs/design.md.
 [[nodiscard]] FieldSample sampleField(std::span<const PosedPrimitive> primitives, std::span<const Candidate> candidates,
-                                      const CliqueLevels& levels, const glm::vec3& point, FieldScratch& scratch);
+                                      CliqueLevelsView levels, const glm::vec3& point, FieldScratch& scratch);
 /// For single points.
 [[nodiscard]] FieldSample sampleField(std::span<const PosedPrimitive> primitives, std::span<const Candidate> candidates,
-                                      const CliqueLevels& levels, const glm::vec3& point);
+                                      CliqueLevelsView levels, const glm::vec3& point);
 
 }  // namespace sinew

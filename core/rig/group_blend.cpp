@@ -64,9 +64,7 @@ void exchange(Blending blending, int first, int second, Real given) {
 
 std::vector<BlendedGroup>& GroupBlend::start(const CliqueLists& cliques) {
   cliques_ = &cliques;
-  int last = 0;
-  for (const std::vector<int>& clique : cliques) last = std::max(last, clique.back());
-  groups_.resize(toIndex(last + 1));
+  groups_.resize(cliques.slotCount());
   findOwners(cliques, owners_);
   return clear();
 }

@@ -21,7 +21,7 @@ Rig excerpt(const Rig& rig, std::span<const int> primitives) {
   using Names = std::unordered_set<std::string>;
   Rig part;
   part.character = rig.character;
-  Names muscles, groups, ridden, read, channels;
+  Names muscles, groups, ridden, read, channels;  // Lines and channels that drivers read.
   const auto note = [&](Named kind, const std::string& name) { (kind == Named::kLine ? read : channels).insert(name); };
   for (const int index : primitives) muscles.insert(at(rig.primitives, index).name);
   for (const int index : primitives) {
@@ -37,6 +37,10 @@ Rig excerpt(const Rig& rig, std::span<const int> primitives) {
     if (!ridden.contains(copy.mirror)) copy.mirror.clear();
     eachReference(copy.animated, note);
   }
+  for (const Link& link : rig.links) {
+    if (!groups.contains(link.groups[0]) || !groups.contains(link.groups[1])) continue;
+    eachReference(part.links.emplace_back(link).animated, note);
+  }
   for (const MuscleLine& line : rig.lines) {
     if (!read.contains(line.name) || ridden.contains(line.name)) continue;
     MuscleLine& copy = part.lines.emplace_back(line);
@@ -49,9 +53,6 @@ Rig excerpt(const Rig& rig, std::span<const int> primitives) {
   for (const Group& group : rig.groups) {
     if (groups.contains(group.name)) part.groups.push_back(group);
   }
-  for (const Link& link : rig.links) {
-    if (groups.contains(link.groups[0]) && groups.contains(link.groups[1])) part.links.push_back(link);
-  }
   return part;
 }
 
@@ -60,14 +61,17 @@ namespace {
 Error lacksBone(const std::string& bone) { return errorAt("", "this character has no bone \"" + bone + '"'); }
 
 /// Adds groups of `from` that the rig lacks, with their links.
-Result<void> addGroups(Rig& rig, const Rig& from) {
+/// @param mirror  of the muscles that come, or null
+Result<void> addGroups(Rig& rig, const Rig& from, const MirrorPlan* mirror) {
   const auto former = static_cast<int>(rig.groups.size());
   for (const Group& group : from.groups) {
     if (findGroup(rig, group.name) < 0) rig.groups.push_back({group.name, {}});
   }
   for (const Link& link : from.links) {
     const auto isNew = [&](const std::string& group) { return findGroup(rig, group) >= former; };
-    if (std::ranges::any_of(link.groups, isNew)) rig.links.push_back(link);
+    if (!std::ranges::any_of(link.groups, isNew)) continue;
+    Link& added = rig.links.emplace_back(link);
+    if (mirror) added.animated = mirroredAnimation(*mirror, link);
   }
   return static_cast<int>(rig.groups.size()) > former ? validateLinks(rig) : Result<void>();
 }
@@ -91,7 +95,8 @@ class Merge {
   }
 
   Result<Merged> run() {
-    if (auto grouped = addGroups(rig(), from_); !grouped) return grouped.error();
+    const std::size_t formerLinks = rig().links.size();
+    if (auto grouped = addGroups(rig(), from_, mirror_); !grouped) return grouped.error();
     addChannels(rig(), from_);
     for (int i = 0; i < static_cast<int>(from_.primitives.size()); ++i) {
       if (auto added = addWithLine(i); !added) merged_.refusals.push_back({i, added.error()});
@@ -99,6 +104,9 @@ class Merge {
     linkLines();
     relinkDrivers(merged_.lines, rig().lines);
     relinkDrivers(merged_.primitives, rig().primitives);
+    for (Link& link : std::span(rig().links).subspan(formerLinks)) {
+      relinkDrivers(link.groups[0] + " and " + link.groups[1], link.animated);
+    }
     return std::move(merged_);
   }
 
@@ -178,17 +186,20 @@ class Merge {
   void relinkDrivers(const std::vector<int>& came, std::vector<Item>& items) {
     for (const int index : came) {
       if (index < 0) continue;
-      Item& item = at(items, index);
-      keepDrivers(item.animated, [&](const DriverInput& input) {
-        if (input.kind != DriverInputKind::kLength || lineNow(input.line)) return true;
-        merged_.lostDrivers.push_back({item.name, input.line});
-        return false;
-      });
-      eachReference(item.animated, [&](Named kind, std::string& name) {
-        const std::string* now = kind == Named::kLine ? lineNow(name) : nullptr;
-        if (now) name = *now;
-      });
+      relinkDrivers(at(items, index).name, at(items, index).animated);
     }
+  }
+
+  void relinkDrivers(const std::string& owner, std::vector<AnimatedNumber>& animated) {
+    keepDrivers(animated, [&](const DriverInput& input) {
+      if (input.kind != DriverInputKind::kLength || lineNow(input.line)) return true;
+      merged_.lostDrivers.push_back({owner, input.line});
+      return false;
+    });
+    eachReference(animated, [&](Named kind, std::string& name) {
+      const std::string* now = kind == Named::kLine ? lineNow(name) : nullptr;
+      if (now) name = *now;
+    });
   }
 
   const Rig& from_;

@@ -15,8 +15,8 @@
 
 namespace sinew {
 
-/// A rig of some primitives with their lines, the lines and channels that their drivers read, their groups and the
-/// links between these. Without links to other twins, and without drivers of lines that are only read.
+/// A rig of some primitives with their lines, their groups and the links between these, and the lines and channels that
+/// drivers of all these read. Without links to other twins, and without drivers of lines that are only read.
 /// @param primitives  rig indices, in the order of the result
 [[nodiscard]] Rig excerpt(const Rig& rig, std::span<const int> primitives);
 
@@ -28,7 +28,7 @@ struct Merged {
   };
   /// A driver that was left out because its line does not exist.
   struct LostDriver {
-    std::string owner;  ///< Name of the primitive or line in the result.
+    std::string owner;  ///< Name of the primitive or line in the result; of a link "legs and torso".
     std::string line;
   };
 

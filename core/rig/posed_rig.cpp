@@ -88,6 +88,7 @@ RigPoser::RigPoser(const Rig& rig, const Character& character)
       driven_(rig, character),
       drivesMuscles_(driven_.changes(ParameterOwner::kPrimitive)),
       drivesLines_(driven_.changes(ParameterOwner::kLine)),
+      drivesLinks_(driven_.changes(ParameterOwner::kLink)),
       rests_(lineRests(rig, character)),
       morphWeights_(morphWeightsOr(character, {})) {
   const auto& targets = character.morphTargets;

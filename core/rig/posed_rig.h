@@ -63,6 +63,7 @@ class RigPoser {
   [[nodiscard]] const RigNumbers& drawn() const { return drawn_; }  ///< The numbers without keys and drivers.
   /// Whether keys or drivers change numbers of primitives.
   [[nodiscard]] bool drivesMuscles() const { return drivesMuscles_; }
+  [[nodiscard]] bool drivesLinks() const { return drivesLinks_; }  ///< The same of links.
 
  private:
   /// Bone and line of a primitive; -1: none.
@@ -84,6 +85,7 @@ class RigPoser {
   DrivenNumbers driven_;
   bool drivesMuscles_;
   bool drivesLines_;
+  bool drivesLinks_;
   std::vector<std::optional<LineRest>> rests_;  ///< [Rig::lines]
   std::vector<Ride> rides_;                     ///< [Rig::primitives]
   std::vector<float> morphWeights_;             ///< [Character::morphTargets] as in the file.

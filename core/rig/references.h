@@ -62,6 +62,7 @@ template <class Visit>
 void eachReference(Rig& rig, Visit visit) {
   for (Link& link : rig.links) {
     for (std::string& group : link.groups) visit(Named::kGroup, group);
+    eachReference(link.animated, visit);
   }
   eachReference(rig.surface.animated, visit);
   for (MuscleLine& line : rig.lines) eachReference(line, visit);

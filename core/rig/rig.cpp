@@ -82,6 +82,11 @@ float linkAmount(const Rig& rig, const std::string& a, const std::string& b) {
   return amount;
 }
 
+int findLink(const Rig& rig, const std::string& a, const std::string& b) {
+  const auto found = std::ranges::find_if(rig.links, [&](const Link& link) { return link.joins(a, b); });
+  return found == rig.links.end() ? -1 : static_cast<int>(found - rig.links.begin());
+}
+
 const MuscleLine* lineOf(const Rig& rig, const Primitive& primitive) {
   const int line = primitive.line.empty() ? -1 : findLine(rig, primitive.line);
   return line < 0 ? nullptr : &rig.lines[static_cast<std::size_t>(line)];

@@ -109,6 +109,7 @@ RigNumbers drawnNumbers(const Rig& rig) {
     numbers.primitives.push_back({primitive.placement, primitive.reach, primitive.amount});
   }
   for (const MorphWeight& morph : rig.morphs) numbers.morphs.push_back(morph.weight);
+  for (const Link& link : rig.links) numbers.links.push_back(link.amount);
   return numbers;
 }
 
@@ -120,6 +121,8 @@ float& numberIn(RigNumbers& numbers, const NumberRef& ref) {
       return *numberIn(at(numbers.lines, ref.owner), ref.parameter);
     case ParameterOwner::kMorph:
       return at(numbers.morphs, ref.owner);
+    case ParameterOwner::kLink:
+      return at(numbers.links, ref.owner);
     case ParameterOwner::kSurface:
       break;
   }

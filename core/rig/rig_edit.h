@@ -35,7 +35,7 @@ enum class KeepIdle { kNo, kYes };
 
 struct NumberRef {
   Parameter parameter = Parameter::kAmount;
-  int owner = 0;  ///< Index into Rig::primitives, Rig::lines or Rig::morphs; not read for the surface.
+  int owner = 0;  ///< Index into Rig::primitives, lines, morphs or links; not read for the surface.
 
   friend bool operator==(const NumberRef&, const NumberRef&) = default;
 };
@@ -56,6 +56,7 @@ struct RigNumbers {
   std::vector<LineSettings> lines;        ///< [Rig::lines]
   std::vector<MuscleNumbers> primitives;  ///< [Rig::primitives]
   std::vector<float> morphs;              ///< [Rig::morphs] MorphWeight::weight
+  std::vector<float> links;               ///< [Rig::links] Link::amount
 
   friend bool operator==(const RigNumbers&, const RigNumbers&) = default;
 };

@@ -188,13 +188,26 @@ std::vector<AnimatedNumber> mirroredAnimation(const MirrorPlan& plan, const Prim
   return images;
 }
 
-std::vector<AnimatedNumber> mirroredAnimation(const MirrorPlan& plan, const MuscleLine& line) {
+namespace {
+
+/// Of numbers that are the same on the other side.
+std::vector<AnimatedNumber> mirroredInputs(const MirrorPlan& plan, const std::vector<AnimatedNumber>& animated) {
   std::vector<AnimatedNumber> images;
-  for (const AnimatedNumber& number : line.animated) {
+  for (const AnimatedNumber& number : animated) {
     const NumberMap same{number.parameter, 1.0f, 0.0f};
     if (std::optional<AnimatedNumber> image = mirrored(plan, number, same)) images.push_back(std::move(*image));
   }
   return images;
+}
+
+}  // namespace
+
+std::vector<AnimatedNumber> mirroredAnimation(const MirrorPlan& plan, const MuscleLine& line) {
+  return mirroredInputs(plan, line.animated);
+}
+
+std::vector<AnimatedNumber> mirroredAnimation(const MirrorPlan& plan, const Link& link) {
+  return mirroredInputs(plan, link.animated);
 }
 
 namespace {

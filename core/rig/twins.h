@@ -24,6 +24,8 @@ namespace sinew {
 [[nodiscard]] std::vector<AnimatedNumber> mirroredAnimation(const MirrorPlan& plan, const Primitive& primitive);
 /// Keys and drivers of a line's image.
 [[nodiscard]] std::vector<AnimatedNumber> mirroredAnimation(const MirrorPlan& plan, const MuscleLine& line);
+/// The same of a link whose muscles are mirrored.
+[[nodiscard]] std::vector<AnimatedNumber> mirroredAnimation(const MirrorPlan& plan, const Link& link);
 
 // Mirror images of muscle lines.
 

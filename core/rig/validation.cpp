@@ -157,28 +157,33 @@ Result<void> validateMirror(const std::vector<Twinned>& items, std::size_t i, co
                  subject);
 }
 
+Result<void> validateAmount(const Link& link, const std::string& place, const std::string& subject) {
+  if (link.amount > 0.0f && link.amount <= 1.0f) return {};
+  return outOfRange(place + (isList(link) ? "[2]" : ".amount"), "an amount above 0, at most 1", link.amount, subject);
+}
+
 Result<void> validateLinksAmong(const Rig& rig, const NameIndex& groups, BlendingGraphMemo& graphs) {
   std::vector<GroupLink> links;
   links.reserve(rig.links.size());
   for (std::size_t i = 0; i < rig.links.size(); ++i) {
     const Link& link = rig.links[i];
     const std::string subject = "link " + std::to_string(i + 1);
+    const std::string place = indexed("links", i);
     std::array<int, 2> ends{};
     for (std::size_t end = 0; end < 2; ++end) {
       const auto group = groups.find(link.groups[end]);
       if (group == groups.end()) {
-        return errorAt(indexed("links", i) + indexed("", end),
+        return errorAt(place + indexed(isList(link) ? "" : ".groups", end),
                        "expected the name of a group, but there is no \"" + link.groups[end] + '"', subject);
       }
       ends[end] = static_cast<int>(group->second);
     }
     if (ends[0] == ends[1])
-      return errorAt(indexed("links", i), "expected two different groups, got \"" + link.groups[0] + "\" twice",
-                     subject);
-    if (!(link.amount > 0.0f && link.amount <= 1.0f))
-      return errorAt(indexed("links", i) + indexed("", 2),
-                     "expected an amount above 0, at most 1, got " + numberText(link.amount), subject);
-    links.push_back({ends[0], ends[1], link.amount});
+      return errorAt(place, "expected two different groups, got \"" + link.groups[0] + "\" twice", subject);
+    if (auto amount = validateAmount(link, place, subject); !amount) return amount;
+    if (auto animated = validateAnimated(link.animated, ParameterOwner::kLink, place); !animated)
+      return about(subject, animated.error());
+    links.push_back({ends[0], ends[1], link.amount, !link.animated.empty()});
   }
   if (const auto graph = graphs.graph(static_cast<int>(rig.groups.size()), links); !graph) {
     return errorAt("links", graph.error().reason, "links");

@@ -41,6 +41,9 @@ inline constexpr int kMaxPrimitives = 65536;
 [[nodiscard]] Result<void> validateLine(const MuscleLine& line, const std::string& place);
 [[nodiscard]] Result<void> validateSurface(const SurfaceSettings& surface);
 [[nodiscard]] Result<void> validateSmoothing(const SmoothingSettings& smoothing);
+[[nodiscard]] inline bool isList(const Link& link) {  ///< In files; else an object.
+  return link.animated.empty() && link.unknownKeys.empty();
+}
 /// Links name two different groups that exist and have an amount, and the blending graph has few enough cliques.
 [[nodiscard]] Result<void> validateLinks(const Rig& rig);
 /// Parameters of this owner, each once; curves with ascending x and finite numbers; inputs in range.

@@ -9,7 +9,7 @@
 namespace sinew::gamefile {
 
 inline constexpr std::array<char, 8> kMagic{'S', 'i', 'n', 'e', 'w', 'G', 'm', '\n'};
-inline constexpr std::uint32_t kVersion = 3;
+inline constexpr std::uint32_t kVersion = 4;
 
 /// Little endian; `bytes` bytes follow.
 struct Head {

@@ -417,7 +417,7 @@ void fields(A& a, typename A::template Ref<Driver> value) {
 template <class A>
 void fields(A& a, typename A::template Ref<AnimatedNumber> value) {
   auto& [parameter, keys, drivers, unknownKeys] = value;
-  a.choice(parameter, Parameter::kMorphWeight);
+  a.choice(parameter, Parameter::kLinkAmount);
   a.list(keys, kTextBytes + kCountBytes + 1);
   a.list(drivers, 80);
 }
@@ -463,9 +463,10 @@ void fields(A& a, typename A::template Ref<Group> value) {
 
 template <class A>
 void fields(A& a, typename A::template Ref<Link> value) {
-  auto& [groups, amount] = value;
+  auto& [groups, amount, animated, unknownKeys] = value;
   for (auto& name : groups) a.text(name);
   a.floats(amount);
+  a.list(animated, kAnimatedBytes);
 }
 
 template <class A>
@@ -532,7 +533,7 @@ void fields(A& a, typename A::template Ref<Rig> value) {
   fields(a, surface);
   fields(a, smoothing);
   a.list(groups, kTextBytes);
-  a.list(links, 2 * kTextBytes + 4);
+  a.list(links, 2 * kTextBytes + 4 + kCountBytes);
   a.list(channels, 2 * kTextBytes + kCountBytes + 1);
   a.section("lines");
   a.list(lines, 90);

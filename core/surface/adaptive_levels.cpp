@@ -89,6 +89,7 @@ class FeatureReader {
       out.push_back(numbers.amount);
       out.push_back(numbers.reach);
     }
+    out.insert(out.end(), posed_.numbers.links.begin(), posed_.numbers.links.end());
     return out;
   }
 

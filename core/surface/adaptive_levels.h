@@ -33,6 +33,7 @@ struct LevelMuscles {
   std::vector<PosedPrimitive> primitives;  ///< [A] world; hidden ones included.
   float skinBlend = 0.0f;
   float grooves = 0.0f;
+  std::vector<float> links;  ///< [Rig::links] amounts.
 };
 
 /// The input of levels, besides the character.

@@ -36,7 +36,7 @@ bool samePosed(const PosedPrimitive& a, const PosedPrimitive& b) {
 /// Compares what affects all samples.
 bool sameElsewhere(const LevelSources& a, const LevelSources& b) {
   const auto sameWidths = [](const LevelMuscles& x, const LevelMuscles& y) {
-    return x.skinBlend == y.skinBlend && x.grooves == y.grooves;
+    return x.skinBlend == y.skinBlend && x.grooves == y.grooves && x.links == y.links;
   };
   return a.tolerance == b.tolerance && a.poses == b.poses && sameCandidates(*a.rig, *b.rig) &&
          a.rig->surface.mode == b.rig->surface.mode && a.rig->surface.iso == b.rig->surface.iso &&
@@ -233,6 +233,7 @@ LevelSources levelSources(const Preparation& next, std::shared_ptr<const Rig> ri
     LevelMuscles& muscles = out.muscles.emplace_back();
     muscles.skinBlend = posed.numbers.skinBlend;
     muscles.grooves = posed.numbers.grooves;
+    muscles.links = posed.numbers.links;
     posePrimitives(next, posed, numbers, muscles.primitives);
   }
   return out;

@@ -15,10 +15,15 @@ void driveNumbers(const Preparation& preparation, const PosedRig& rig, std::vect
 void readDriven(const std::shared_ptr<const Preparation>& preparation, const PosedRig& rig, PosedField& out) {
   driveNumbers(*preparation, rig, out.driven);
   out.bind = &preparation->bind;
-  if (rig.numbers.primitives == preparation->poser->drawn().primitives) return;
-  if (!out.readFrom || out.readWith != rig.numbers.primitives) {
-    readBindPose(*preparation, out.driven, out.scratch, out.drivenBind);
+  const RigNumbers& drawn = preparation->poser->drawn();
+  const bool reads = preparation->poser->drivesLinks() && !preparation->swells();  // Influences know no links.
+  if (rig.numbers.primitives == drawn.primitives && (!reads || rig.numbers.links == drawn.links)) return;
+  const bool sameLinks = !reads || out.readWithLinks == rig.numbers.links;
+  if (!out.readFrom || out.readWith != rig.numbers.primitives || !sameLinks) {
+    const PosedCliqueSets* sets = reads ? &out.cliqueSets : nullptr;
+    readBindPose(*preparation, out.driven, sets, out.scratch, out.drivenBind);
     out.readWith = rig.numbers.primitives;
+    out.readWithLinks = rig.numbers.links;
     out.readFrom = preparation;
   }
   out.bind = &out.drivenBind;
@@ -45,7 +50,9 @@ void placeMuscles(const std::shared_ptr<const Preparation>& preparation, const P
   out.skinnedFrom = preparation;
   if (out.readFrom != preparation) out.readFrom.reset();  // Does not keep a former preparation alive.
   out.bind = &preparation->bind;
-  const bool driven = preparation->poser->drivesMuscles();
+  const bool relinked = preparation->poser->drivesLinks();
+  if (relinked) out.cliqueSets.pose(*preparation->seen, rig.numbers.links);
+  const bool driven = preparation->poser->drivesMuscles() || relinked;
   if (driven) readDriven(preparation, rig, out);
   placePrimitives(*preparation, driven ? out.driven : preparation->primitives, rig, out.primitives);
 }

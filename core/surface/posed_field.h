@@ -17,14 +17,21 @@ struct PosedField {
   SkinnedMesh control;                               ///< World.
   std::shared_ptr<const Preparation> skinnedFrom{};  ///< Preparation whose morph targets `control` caches.
   std::vector<PosedPrimitive> primitives;            ///< [A] world.
+  PosedCliqueSets cliqueSets;                        ///< If keys or drivers change links.
   const BindReading* bind = nullptr;                 ///< For the numbers of this pose.
 
-  // If keys or drivers change primitives:
+  // If keys or drivers change primitives or links:
   std::vector<FieldPrimitive> driven;  ///< [A]
   BindReading drivenBind;
-  std::vector<MuscleNumbers> readWith;            ///< Numbers of drivenBind.
+  std::vector<MuscleNumbers> readWith;  ///< Numbers of drivenBind.
+  std::vector<float> readWithLinks;
   std::shared_ptr<const Preparation> readFrom{};  ///< Preparation of drivenBind; null: it is empty.
   BindScratch scratch;
+
+  /// What vertices see.  @param preparation  that of this pose
+  [[nodiscard]] FieldView view(const Preparation& preparation) const {
+    return {primitives, preparation.seen.get(), {}, preparation.poser->drivesLinks() ? &cliqueSets : nullptr};
+  }
 };
 
 /// @param rig  posed by preparation->poser in this pose; must outlive the use of `out`.

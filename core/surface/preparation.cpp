@@ -24,8 +24,8 @@ constexpr std::size_t kFewClassified = 4096;  ///< Triangles for one thread.
 
 /// [T] Implicit with omega = 1 at all three corners, normal with 0 at all, straddling otherwise (paper 3).
 /// @param omega [V] 0 or 1.
-std::vector<TriangleClass> classifyTriangles(const ControlMesh& mesh, std::span<const float> omega) {
-  std::vector<TriangleClass> classes(mesh.triangles.size());
+void classifyTriangles(const ControlMesh& mesh, std::span<const float> omega, std::vector<TriangleClass>& classes) {
+  classes.resize(mesh.triangles.size());
   forEachIndex(classes.size(), kFewClassified, [&](std::size_t t) {
     const auto isInside = [&](int vertex) { return at(omega, vertex) > 0.0f; };
     const auto inside = std::ranges::count_if(mesh.triangles[t].vertices, isInside);
@@ -33,12 +33,14 @@ std::vector<TriangleClass> classifyTriangles(const ControlMesh& mesh, std::span<
                  : inside == 0 ? TriangleClass::kNormal
                                : TriangleClass::kStraddling;
   });
-  return classes;
 }
 
 /// [V] omega in `swell`, used only by the overlay and the report: 1 inside some influence, else 0.
-std::vector<float> influenceWeights(const ControlMesh& mesh, const FieldView& bindField) {
-  std::vector<float> omega(mesh.positions.size(), 0.0f);
+void influenceWeights(const ControlMesh& mesh, const FieldView& bindField, ImplicitWeights& weights) {
+  std::vector<float>& omega = weights.omega;
+  omega.assign(mesh.positions.size(), 0.0f);
+  weights.wraps = true;
+  weights.unwrapped = 0;
   forEachIndex(omega.size(), kFewClassified / 4, [&](std::size_t v) {
     const bool isInside =
         std::ranges::any_of(bindField.lists->of(static_cast<int>(v)), [&](const CarrierCandidate& candidate) {
@@ -46,7 +48,6 @@ std::vector<float> influenceWeights(const ControlMesh& mesh, const FieldView& bi
         });
     if (isInside) omega[v] = 1.0f;
   });
-  return omega;
 }
 
 constexpr double kRootTolerance = 1e-6;                   ///< Fraction of H.
@@ -100,12 +101,16 @@ Result<std::shared_ptr<const AttachedRig>> attachRig(const Rig& rig, const Chara
                                                      const LayeredSkin* layered, const Preparation* former,
                                                      BlendingGraphMemo& graphs) {
   if (former && former->layered.get() == layered && sameCandidates(former->attached->rig, rig)) return former->attached;
-  Result<Attachment> attachment = attach(rig, character, graphs);
+  const bool relinks = former && former->layered.get() == layered && samePlaces(former->attached->rig, rig);
+  Result<Attachment> attachment =
+      relinks ? relinked(former->attached->attachment, rig, graphs) : attach(rig, character, graphs);
   if (!attachment) return attachment.error();
   auto attached = std::make_shared<AttachedRig>();
   attached->rig = rig;
   attached->attachment = std::move(attachment).value();
-  attached->candidates = makeCandidateLists(character.mesh, attached->attachment, layered ? &layered->layers : nullptr);
+  attached->candidates =
+      relinks ? relinked(former->attached->candidates, attached->attachment)
+              : makeCandidateLists(character.mesh, attached->attachment, layered ? &layered->layers : nullptr);
   return std::shared_ptr<const AttachedRig>(std::move(attached));
 }
 
@@ -192,7 +197,7 @@ std::shared_ptr<const RefinedMesh> refineMesh(const Preparation& next, const Pre
 }
 
 std::shared_ptr<const VertexTiles> tilesOf(const Preparation& next, const Preparation* former) {
-  if (former && former->refined->refinement == next.refined->refinement && former->seen == next.seen) {
+  if (former && former->refined->refinement == next.refined->refinement && sameSeen(*former->seen, *next.seen)) {
     return former->tiles;
   }
   return std::make_shared<const VertexTiles>(makeVertexTiles(next.mesh(), next.refinement(), *next.seen));
@@ -225,13 +230,13 @@ std::shared_ptr<const std::vector<Anchor>> anchorsOf(const Preparation& next, co
   return std::make_shared<const std::vector<Anchor>>(findAnchors(next.character().skeleton, positions));
 }
 
-ImplicitWeights replaceWeights(const Preparation& preparation, const FieldView& bindField, const Pose& bind,
-                               BindScratch& scratch) {
+void replaceWeights(const Preparation& preparation, const FieldView& bindField, BindScratch& scratch,
+                    ImplicitWeights& out) {
   const ControlMesh& mesh = preparation.mesh();
   evaluatePatch(preparation, PatchKind::kFlat, mesh.positions, mesh.normals, scratch.positions, scratch.normals);
-  poseAnchors(*preparation.anchors, bind, scratch.anchors);
-  return implicitWeights(mesh, bindField, replaceSettings(preparation),
-                         {scratch.positions, scratch.normals, scratch.anchors}, scratch.projection);
+  poseAnchors(*preparation.anchors, preparation.tables->bind, scratch.anchors);
+  implicitWeights(mesh, bindField, replaceSettings(preparation), {scratch.positions, scratch.normals, scratch.anchors},
+                  scratch.projection, out);
 }
 
 }  // namespace
@@ -242,8 +247,10 @@ std::shared_ptr<const CharacterTables> characterTables(std::shared_ptr<const Cha
   std::vector<float> limits = inverseRiseLimits(character->mesh, directions, rise);
   std::vector<float> fronts = bindFrontInverses(character->mesh);
   std::vector<SkinLayer> layers = guessLayers(*character);
-  return std::make_shared<const CharacterTables>(CharacterTables{
-      std::move(character), std::move(directions), std::move(limits), std::move(fronts), std::move(layers)});
+  Pose bind = bindPose(character->skeleton);
+  return std::make_shared<const CharacterTables>(CharacterTables{std::move(character), std::move(bind),
+                                                                 std::move(directions), std::move(limits),
+                                                                 std::move(fronts), std::move(layers)});
 }
 
 Result<std::shared_ptr<const Preparation>> prepare(const std::shared_ptr<const CharacterTables>& tables, const Rig& rig,
@@ -287,7 +294,7 @@ Result<std::shared_ptr<const Preparation>> prepare(const std::shared_ptr<const C
   readBindPatch(former, *next);
   next->anchors = anchorsOf(*next, former);
   BindScratch scratch;
-  readBindPose(*next, next->primitives, scratch, next->bind);
+  readBindPose(*next, next->primitives, nullptr, scratch, next->bind);
   return std::shared_ptr<const Preparation>(std::move(next));
 }
 
@@ -301,19 +308,18 @@ std::shared_ptr<const Preparation> prepareSamples(const Preparation& next, Refin
   own->tiles = tilesOf(*own, nullptr);
   own->anchors = anchorsOf(*own, nullptr);
   BindScratch scratch;
-  readBindPose(*own, own->primitives, scratch, own->bind);
+  readBindPose(*own, own->primitives, nullptr, scratch, own->bind);
   return own;
 }
 
-void readBindPose(const Preparation& preparation, std::span<const FieldPrimitive> primitives, BindScratch& scratch,
-                  BindReading& out) {
-  const Pose bind = bindPose(preparation.character().skeleton);
+void readBindPose(const Preparation& preparation, std::span<const FieldPrimitive> primitives,
+                  const PosedCliqueSets* cliqueSets, BindScratch& scratch, BindReading& out) {
   const float grooves = preparation.poser->drawn().grooves * preparation.character().height;
-  poseField(primitives, bind.boneInWorld, grooves, scratch.primitives);
-  const FieldView bindField{scratch.primitives, preparation.seen.get(), {}};
-  if (preparation.swells()) out.weights = {influenceWeights(preparation.mesh(), bindField)};
-  else out.weights = replaceWeights(preparation, bindField, bind, scratch);
-  out.classes = classifyTriangles(preparation.mesh(), out.weights.omega);
+  poseField(primitives, preparation.tables->bind.boneInWorld, grooves, scratch.primitives);
+  const FieldView bindField{scratch.primitives, preparation.seen.get(), {}, cliqueSets};
+  if (preparation.swells()) influenceWeights(preparation.mesh(), bindField, out.weights);
+  else replaceWeights(preparation, bindField, scratch, out.weights);
+  classifyTriangles(preparation.mesh(), out.weights.omega, out.classes);
 }
 
 SwellSettings swellSettings(const Preparation& preparation, float skinBlend) {

@@ -17,6 +17,7 @@
 #include "core/surface/projection/swell.h"
 #include "core/surface/projection/vertex_tiles.h"
 #include "sinew/character/character.h"
+#include "sinew/character/pose.h"
 #include "sinew/geometry/result.h"
 #include "sinew/rig/rig.h"
 #include "sinew/surface/refinement.h"
@@ -28,6 +29,7 @@ namespace sinew {
 /// Data that follow from the character alone.
 struct CharacterTables {
   std::shared_ptr<const Character> character;
+  Pose bind;
   std::vector<glm::vec3> riseInBind;       ///< [V] riseDirections()
   std::vector<float> inverseLimitsInBind;  ///< [V] inverseRiseLimits()
   std::vector<float> perBindFront;         ///< [T] bindFrontInverses()
@@ -133,8 +135,9 @@ struct BindScratch {
   ProjectionScratch projection;
 };
 /// @param primitives [A] possibly of other shapes than the preparation's
-void readBindPose(const Preparation& preparation, std::span<const FieldPrimitive> primitives, BindScratch& scratch,
-                  BindReading& out);
+/// @param cliqueSets  for other amounts of links than those drawn, or null
+void readBindPose(const Preparation& preparation, std::span<const FieldPrimitive> primitives,
+                  const PosedCliqueSets* cliqueSets, BindScratch& scratch, BindReading& out);
 
 /// Constants of the modes. @param skinBlend  in the pose
 [[nodiscard]] SwellSettings swellSettings(const Preparation& preparation, float skinBlend);

@@ -75,6 +75,7 @@ CandidateLists candidatesOf(const Preparation& next, const PartNumbers& numbers)
   const CandidateLists& whole = *next.seen;
   CandidateLists out;
   out.cliqueSets = whole.cliqueSets;
+  out.most = whole.most;
   const std::size_t firstEdge = next.mesh().positions.size();
   const std::size_t firstTriangle = firstEdge + next.mesh().edges.size();
   const auto forEachCarrier = [&](const auto& visit) {
@@ -101,6 +102,7 @@ std::shared_ptr<const CharacterTables> tablesOf(const Preparation& next, const P
   character->skeleton = next.character().skeleton;
   character->height = next.character().height;
   auto out = std::make_shared<CharacterTables>();
+  out->bind = next.tables->bind;
   out->character = std::move(character);
   for (const int v : numbers.vertices.kept) {
     out->riseInBind.push_back(at(next.tables->riseInBind, v));
@@ -186,7 +188,8 @@ const Surface& SurfaceSampler::sample(const Pose& pose) {
   poseFieldAndSkin(preparation_, rig_, pose, posed_);
   layPatch(*preparation_, posed_, workspace_, surface_);
   if (preparation_->shownPrimitives > 0) {
-    const FieldView field{posed_.primitives, preparation_->seen.get(), skipped_};
+    FieldView field = posed_.view(*preparation_);
+    field.skipped = skipped_;
     chosenProjector(*preparation_).project({*preparation_, posed_, field}, pose, workspace_, surface_);
   }
   return surface_;

@@ -90,7 +90,7 @@ void layPatch(const Preparation& preparation, const PosedField& posed, Workspace
 
 void project(const Preparation& preparation, const PosedField& posed, const Pose& pose,
              const std::optional<glm::vec3>& eye, Workspace& workspace, Surface& out) {
-  FieldView field{posed.primitives, preparation.seen.get(), {}};
+  FieldView field = posed.view(preparation);
   if (eye) {
     cullFaces(preparation.mesh(), preparation.refinement(), posed.control, *eye, workspace.culling);
     out.report.culledTriangles = workspace.culling.culled;

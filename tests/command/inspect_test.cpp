@@ -95,10 +95,13 @@ TEST_F(Program, InspectReportsLinesKeysAndDrivers) {
   const auto json = Json::parse(run({"inspect", demo("humanoid-flex.rig.json"), "--json"}).out);
   ASSERT_TRUE(json.ok());
   EXPECT_FALSE(json->at("lines").items().empty());
-  const std::string rig = R"({"format": "sinew-rig", "version": 2, "character": ")" + demo("demo.glb") + R"(",
+  const std::string rig = R"({"format": "sinew-rig", "version": 3, "character": ")" + demo("demo.glb") + R"(",
     "channels": [{"name": "effort", "clip": "Walk", "times": [0, 1], "values": [0, 1]},
                  {"name": "effort", "clip": "Idle", "times": [0], "values": [1]}],
-    "groups": [{"name": "g"}], "primitives": [{"name": "wing", "bone": "hand.L", "group": "g", "center": [0, 0, 0],
+    "groups": [{"name": "g"}, {"name": "h"}],
+    "links": [{"groups": ["g", "h"], "amount": 0.5,
+               "animated": [{"parameter": "link_amount", "keys": [{"times": [0, 1], "values": [0, 1]}]}]}],
+    "primitives": [{"name": "wing", "bone": "hand.L", "group": "g", "center": [0, 0, 0],
     "radii": [1, 1, 1], "core": 0.5, "animated": [{"parameter": "radii.x",
       "keys": [{"clip": "Walk", "times": [0, 0.5, 1], "values": [1, 2, 1]}],
       "drivers": [{"input": {"kind": "channel", "channel": "effort"}, "curve": [[0, 0], [1, 1]]}]}]}]})";
@@ -107,14 +110,15 @@ TEST_F(Program, InspectReportsLinesKeysAndDrivers) {
   ASSERT_EQ(moved.status, 0) << moved.error;
   const auto told = Json::parse(moved.out);
   EXPECT_EQ(told->at("shapes").number(0), 1);
-  EXPECT_EQ(told->at("keys").number(0), 3);
-  EXPECT_EQ(told->at("keyed_numbers").number(0), 1);
+  EXPECT_EQ(told->at("keys").number(0), 5);
+  EXPECT_EQ(told->at("keyed_numbers").number(0), 2);
   EXPECT_EQ(told->at("drivers").number(0), 1);
   ASSERT_EQ(told->at("channels").items().size(), 1u);
   EXPECT_EQ(told->at("channels").items()[0].text(""), "effort");
   const std::string words = run({"inspect", "moved.rig.json"}).out;
-  for (const char* line : {"primitives  1, 1 of them shaped\n", "keys        3, of 1 number\n",
-                           "channels    1: effort\n", "drivers     1\n", "lines       0\n"}) {
+  for (const char* line :
+       {"primitives  1, 1 of them shaped\n", "links       1: g - h (50 %, animated)\n", "keys        5, of 2 numbers\n",
+        "channels    1: effort\n", "drivers     1\n", "lines       0\n"}) {
     EXPECT_NE(words.find(line), std::string::npos) << line << words;
   }
 }

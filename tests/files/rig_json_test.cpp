@@ -8,6 +8,7 @@
 
 #include "core/files/disk/atomic_file.h"
 #include "core/rig/validation.h"
+#include "tests/files/rig_text.h"
 #include "tests/support/rigs/random_documents.h"
 #include "tests/support/temporary_folder.h"
 
@@ -198,6 +199,27 @@ TEST(RigJson, AmountsOfLinksAreWrittenOnlyIfInPart) {
   EXPECT_EQ(rigFromJson(part).value(), rig);
 }
 
+TEST(RigJson, LinksWithMoreThanAnAmountAreObjects) {
+  Rig rig;
+  rig.character = "fox.glb";
+  rig.groups = {{"legs", {}}, {"torso", {}}, {"arms", {}}};
+  rig.links = {{{"legs", "torso"}, 0.5f}, {{"torso", "arms"}}};
+  const std::string constant = rigToJson(rig);
+  rig.links[0].animated = {{Parameter::kLinkAmount, {{"Walk", {{{0.0f, 0.2f}}, CurveKind::kSmooth}, {}}}, {}, {}}};
+  rig.links[1].unknownKeys = R"({"later":[1]})";
+  const std::string text = squeezed(rigToJson(rig));
+  EXPECT_TRUE(has(text, R"("version":3)")) << text;
+  EXPECT_TRUE(has(text, R"({"groups":["legs","torso"],"amount":0.5,"animated":[{"parameter":"link_amount",)"
+                        R"("keys":[{"clip":"Walk","times":[0],"values":[0.2]}]}]})"))
+      << text;
+  EXPECT_TRUE(has(text, R"({"groups":["torso","arms"],"later":[1]})")) << text;
+  const Result<Rig> read = rigFromJson(rigToJson(rig));
+  ASSERT_TRUE(read) << read.error().text();
+  EXPECT_EQ(read.value(), rig);
+  for (Link& link : rig.links) link = {link.groups, link.amount};
+  EXPECT_EQ(rigToJson(rig), constant);
+}
+
 TEST(RigJson, AutoDepthIsWrittenOnlyIfOn) {
   const auto loaded = loadRig(dataFile("v1-auto.rig.json"));
   ASSERT_TRUE(loaded.ok()) << loaded.error().text();
@@ -278,9 +300,9 @@ INSTANTIATE_TEST_SUITE_P(
         BadRig{"\"version\": 1,", "\"version\": 1, \"layers\": {\"Shirt\": \"silk\"},", "layers.Shirt", "\"rigid\""},
         BadRig{"\"version\": 1,", "\"version\": 1, \"layers\": {\"Shirt\": 1},", "layers.Shirt", "expected"},
         BadRig{"\"version\": 1,", "\"version\": 1, \"layers\": {\"\": \"skin\"},", "layers.", "expected"},
-        BadRig{"\"version\": 1", "\"version\": 3", "version", "newer"},
-        BadRig{"\"version\": 1", "\"version\": 0", "version", "expected 1 or 2, got 0"},
-        BadRig{"\"version\": 1", "\"version\": \"1\"", "version", "expected 1 or 2, got \"1\""},
+        BadRig{"\"version\": 1", "\"version\": 4", "version", "newer"},
+        BadRig{"\"version\": 1", "\"version\": 0", "version", "expected 1, 2 or 3, got 0"},
+        BadRig{"\"version\": 1", "\"version\": \"1\"", "version", "expected 1, 2 or 3, got \"1\""},
         BadRig{"\"character\": \"models/fox.glb\"", "\"character\": 7", "character", "expected a text, got 7"},
         BadRig{"\"models/fox.glb\"", "\"\"", "character", "expected the path of a character"},
         BadRig{"\"character\": \"models/fox.glb\",", "", "character", "the key is missing"},
@@ -319,6 +341,14 @@ INSTANTIATE_TEST_SUITE_P(
         BadRig{"\"torso\"] ]", "\"torso\", 1.5] ]", "links[0][2]", "at most 1, got 1.5"},
         BadRig{"\"torso\"] ]", "\"torso\", \"half\"] ]", "links[0][2]", "expected a number, got \"half\""},
         BadRig{"\"torso\"] ]", "\"torso\", 0.5, 1] ]", "links[0]", "and an amount if it is not 1"},
+        BadRig{"[\"hind legs\", \"torso\"] ]", "{\"amount\": 1} ]", "links[0].groups", "got 0"},
+        BadRig{"[\"hind legs\", \"torso\"] ]", "{\"groups\": [\"torso\"]} ]", "links[0].groups",
+               "expected two groups' names, got 1"},
+        BadRig{"[\"hind legs\", \"torso\"] ]", "{\"groups\": [\"torso\", 3]} ]", "links[0].groups[1]", "got 3"},
+        BadRig{"[\"hind legs\", \"torso\"] ]", "{\"groups\": [\"torso\", \"tail\"], \"x\": 1} ]", "links[0].groups[1]",
+               "there is no \"tail\""},
+        BadRig{"[\"hind legs\", \"torso\"] ]", "{\"groups\": [\"hind legs\", \"torso\"], \"amount\": 0, \"x\": 1} ]",
+               "links[0].amount", "an amount above 0, at most 1, got 0"},
         BadRig{"\"name\": \"navel\"", "\"name\": \"thigh L\"", "primitives[2].name", "primitives[0]"},
         BadRig{"\"name\": \"navel\", ", "", "primitives[2].name", "the key is missing"},
         BadRig{"\"bone\": \"b_Spine01_02\", ", "", "primitives[2].bone", "the key is missing"},

@@ -4,7 +4,7 @@ import os
 import pathlib
 import shutil
 
-from tools import ASSETS, Case, main, needs_program, numpy, run, sinew
+from tools import ASSETS, Case, bits, main, needs_program, numpy, run, sinew
 
 
 class Rigs(Case):
@@ -91,6 +91,28 @@ class Rigs(Case):
         self.new.unlink("muscles", "limbs")
         self.new.remove_group("limbs")
         self.assertEqual((self.new.groups, self.new.links), (("muscles",), ()))
+
+    def test_keys_of_links_stay_until_the_groups_are_unlinked(self):
+        told = json.loads((ASSETS / "humanoid.rig.json").read_text())
+        a, b = told["links"][0]
+        animated = [{"parameter": "link_amount", "keys": [{"times": [0], "values": [0.25]}]}]
+        told["links"][0] = {"groups": [a, b], "amount": 0.5, "animated": animated}
+        told["version"] = 3
+        file = self.folder / "keyed.rig.json"
+        file.write_text(json.dumps(told))
+        rig = sinew.load_rig(file, self.character)
+        self.assertEqual((rig.links[0], rig.link_amount(a, b)), ((a, b), 0.5))
+        rig.link(b, a, 0.75)
+        self.assertEqual(json.loads(rig.to_json())["links"][0],
+                         {"groups": [a, b], "amount": 0.75, "animated": animated})
+        rig.detail, rig.depth = "uniform", 2
+        clip = next(iter(self.character.clips))
+        keyed = next(iter(sinew.Smoother(self.character, rig).frames(clip, fps=10))).positions.copy()
+        rig.unlink(a, b)
+        rig.link(a, b, 0.25)
+        constant = next(iter(sinew.Smoother(self.character, rig).frames(clip, fps=10))).positions
+        self.assertEqual(bits(keyed), bits(constant))
+        self.assertNotIn("animated", rig.to_json())
 
     def test_invalid_and_duplicate_names_are_refused(self):
         self.new.add_muscle("a", bone="chest")

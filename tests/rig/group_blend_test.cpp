@@ -23,7 +23,7 @@ double uniform(Random& random, double low, double high) {
 
 /// Cliques of up to three groups of their own, `common` groups that all have, and maybe one in two of them.
 CliqueLists drawnCliques(Random& random, int common, bool overlap) {
-  CliqueLists out(static_cast<std::size_t>(2 + random.below(4)));
+  std::vector<std::vector<int>> out(static_cast<std::size_t>(2 + random.below(4)));
   int slots = 0;
   for (; slots < common; ++slots) {
     for (std::vector<int>& clique : out) clique.push_back(slots);
@@ -35,7 +35,9 @@ CliqueLists drawnCliques(Random& random, int common, bool overlap) {
     out[0].push_back(slots);
     out[1].push_back(slots);
   }
-  return out;
+  CliqueLists lists;
+  for (const std::vector<int>& clique : out) lists.add(clique);
+  return lists;
 }
 
 /// @param tolerance  of shares; F errs by its square.
@@ -55,7 +57,7 @@ void expectMatches(const CliqueLists& cliques, double tolerance, Random& random,
     scale += x[j];
   }
   std::vector<oracle::Clique> sets;
-  for (const std::vector<int>& clique : cliques) {
+  for (const std::span<const int> clique : cliques) {
     oracle::Clique& set = sets.emplace_back(0);
     for (const int slot : clique) set |= 1u << slot;
   }

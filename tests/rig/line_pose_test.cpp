@@ -59,9 +59,9 @@ PosedLine posed(const MuscleLine& line, const Character& character, const Pose& 
   return posedLine(rest.value(), character.skeleton, pose, pose.flex);
 }
 
-class Random {
+class RandomNumbers {
  public:
-  explicit Random(unsigned seed) : engine_(seed) {}
+  explicit RandomNumbers(unsigned seed) : engine_(seed) {}
   double in(double low, double high) { return std::uniform_real_distribution<double>(low, high)(engine_); }
   glm::dvec3 direction() {
     const glm::dvec3 v(in(-1, 1), in(-1, 1), in(-1, 1));
@@ -101,7 +101,7 @@ double determinantOf(const PosedLine& line) { return glm::determinant(glm::dmat3
 
 TEST(LinePose, BindPoseDeformsNothingBitForBit) {
   const Character character = arm();
-  Random random(1);
+  RandomNumbers random(1);
   for (int i = 0; i < 200; ++i) {
     const PosedLine line = posed(random.line(), character, bindPose(character.skeleton));
     ASSERT_TRUE(line.usable);
@@ -111,7 +111,7 @@ TEST(LinePose, BindPoseDeformsNothingBitForBit) {
 
 TEST(LinePose, FormulaGivesIdentityInTheBindPose) {
   const Character character = arm();
-  Random random(2);
+  RandomNumbers random(2);
   Pose almost = bindPose(character.skeleton);
   almost.boneInWorld[kFore][3].x = 1e-6f;
   for (int i = 0; i < 200; ++i) {
@@ -147,7 +147,7 @@ TEST(LinePose, BicepsMatchesTheDocumentedTable) {
 
 TEST(LinePose, VolumeIsPreservedIfRequested) {
   const Character character = arm();
-  Random random(3);
+  RandomNumbers random(3);
   int kept = 0;
   for (int i = 0; i < 10000; ++i) {
     MuscleLine line = random.line();
@@ -174,7 +174,7 @@ TEST(LinePose, VolumeIsPreservedIfRequested) {
 
 TEST(LinePose, BellyLiesAlongTheLine) {
   const Character character = arm();
-  Random random(4);
+  RandomNumbers random(4);
   for (int i = 0; i < 2000; ++i) {
     const MuscleLine line = random.line();
     const LineRest rest = lineRest(line, character).value();
@@ -190,7 +190,7 @@ TEST(LinePose, BellyLiesAlongTheLine) {
 
 TEST(LinePose, FlexingKeepsThePivot) {
   const Character character = arm();
-  Random random(5);
+  RandomNumbers random(5);
   for (int i = 0; i < 500; ++i) {
     MuscleLine line = random.line();
     line.settings.gain = 0.0f;
@@ -209,7 +209,7 @@ TEST(LinePose, FlexingKeepsThePivot) {
 
 TEST(LinePose, TendonsKeepTheirLength) {
   const Character character = arm();
-  Random random(6);
+  RandomNumbers random(6);
   for (int i = 0; i < 500; ++i) {
     MuscleLine line = random.line();
     line.via.reset();
@@ -248,7 +248,7 @@ TEST(LinePose, GirthDecreasesWithStretchAndLevelsOff) {
 
 TEST(LinePose, MovesAndScalesWithTheWholeBody) {
   const Character character = arm();
-  Random random(7);
+  RandomNumbers random(7);
   for (int i = 0; i < 500; ++i) {
     const MuscleLine line = random.line();
     const Pose pose = elbowAt(character, random.in(1.0, 140.0));
@@ -269,7 +269,7 @@ TEST(LinePose, MovesAndScalesWithTheWholeBody) {
 
 TEST(LinePose, MirroredPoseGivesAMirroredBelly) {
   const Character character = arm();
-  Random random(8);
+  RandomNumbers random(8);
   const glm::dmat4 mirror = glm::scale(glm::dmat4(1.0), glm::dvec3(-1.0, 1.0, 1.0));
   for (int i = 0; i < 500; ++i) {
     const MuscleLine line = random.line();
@@ -338,7 +338,7 @@ TEST(LinePose, ViaPointKeepsTheBellyOutOfTheJoint) {
 
 TEST(LinePose, MovesContinuously) {
   const Character character = arm();
-  Random random(9);
+  RandomNumbers random(9);
   for (int i = 0; i < 20; ++i) {
     const MuscleLine line = random.line();
     glm::dvec3 before(0.0);
@@ -375,7 +375,7 @@ TEST(LinePose, UnusableLinesAreHidden) {
 }
 
 TEST(NearestRotation, RecoversTheRotationOfScaledAndShearedMatrices) {
-  Random random(10);
+  RandomNumbers random(10);
   for (int i = 0; i < 1000; ++i) {
     const glm::dmat3 turn(glm::rotate(glm::dmat4(1.0), random.in(-kPi, kPi), random.direction()));
     const glm::dmat3 axes(glm::rotate(glm::dmat4(1.0), random.in(-kPi, kPi), random.direction()));

@@ -13,12 +13,12 @@ const glm::dvec3 kOrigin(3.0, -1.0, 2.0);
 const glm::dvec3 kAlong = glm::normalize(glm::dvec3(1.0, 2.0, -2.0));
 const glm::dvec3 kBeside = glm::normalize(glm::cross(kAlong, glm::dvec3(0.3, 0.1, 1.0)));
 constexpr double kTendon = 2.0;
-constexpr double kBelly = 10.0;
+constexpr double kBellyLength = 10.0;
 
 /// Shift by a via point at y; the belly's ends are -1 and 1.
 glm::dvec3 shiftAt(double y, double beside) {
-  const glm::dvec3 via = kOrigin + (kTendon + 0.5 * kBelly * (1.0 + y)) * kAlong + beside * kBeside;
-  return viaShift(kOrigin, kAlong, via, kTendon, kBelly);
+  const glm::dvec3 via = kOrigin + (kTendon + 0.5 * kBellyLength * (1.0 + y)) * kAlong + beside * kBeside;
+  return viaShift(kOrigin, kAlong, via, kTendon, kBellyLength);
 }
 
 /// Factor applied to `beside`.
@@ -56,10 +56,10 @@ TEST(ViaShift, IsPerpendicularToTheLineAndAtMostHalfTheBelly) {
     for (const double beside : {-3.0, 0.5, 4.9, 50.0}) {
       const glm::dvec3 shift = shiftAt(y, beside);
       EXPECT_NEAR(glm::dot(shift, kAlong), 0.0, 1e-12);
-      EXPECT_LT(glm::length(shift), 0.5 * kBelly + 1e-12);
+      EXPECT_LT(glm::length(shift), 0.5 * kBellyLength + 1e-12);
       EXPECT_GT(glm::dot(shift, kBeside) * beside, 0.0);
     }
-    EXPECT_NEAR(glm::length(shiftAt(y, 50.0)), 0.5 * kBelly, 1e-12);
+    EXPECT_NEAR(glm::length(shiftAt(y, 50.0)), 0.5 * kBellyLength, 1e-12);
     EXPECT_LT(glm::length(shiftAt(y, 0.0)), 1e-12);
   }
 }

@@ -107,7 +107,7 @@ TEST(GameFile, RefusesOtherFilesAndOtherVersions) {
   EXPECT_NE(reasonOf(other).find("not a Sinew game file"), std::string::npos) << reasonOf(other);
   other = bytes;
   other[8] = std::byte{1};
-  EXPECT_NE(reasonOf(other).find("expected version 3, got 1"), std::string::npos) << reasonOf(other);
+  EXPECT_NE(reasonOf(other).find("expected version 4, got 1"), std::string::npos) << reasonOf(other);
   other = bytes;
   other.push_back(std::byte{0});
   EXPECT_NE(reasonOf(other).find("bytes after its head"), std::string::npos) << reasonOf(other);

@@ -17,6 +17,7 @@ Rig typedIn(Rig rig) {
   rig.surface.animated.clear();
   for (MuscleLine& line : rig.lines) line.animated.clear();
   for (Primitive& primitive : rig.primitives) primitive.animated.clear();
+  for (Link& link : rig.links) link.animated.clear();
   return rig;
 }
 

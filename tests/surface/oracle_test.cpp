@@ -12,6 +12,8 @@
 #include "tests/support/characters/synthetic_characters.h"
 #include "tests/support/long_run.h"
 #include "tests/support/oracle/compare.h"
+#include "tests/support/rigs/driven_rig.h"
+#include "tests/support/rigs/keyed_links.h"
 #include "tests/support/rigs/random_rigs.h"
 #include "tests/support/surface/every_kind.h"
 #include "tests/support/surface/mesh_checks.h"
@@ -347,6 +349,37 @@ TEST(Oracle, LinksInPartMatchByEveryInstructionSet) {
                             nameOf(mode) + ", " + nameOf(set),
                         tallyOf(character, rig, 3, 200));
       }
+    }
+  }
+}
+
+TEST(Oracle, AnimatedLinksMatchAtEachMoment) {
+  const CharacterPtr character = makeTwoLegged();
+  const AnimationClip& clip = character->clips.back();
+  for (const SurfaceMode mode : {SurfaceMode::kSwell, SurfaceMode::kReplace}) {
+    for (const float grooves : {0.0f, 0.02f}) {
+      Rig rig = groovedRig(*character, mode, 5);
+      rig.surface.grooves = grooves;
+      rig = withKeyedLinks(std::move(rig), clip, 5);
+      Smoother smoother(character);
+      ASSERT_TRUE(smoother.prepare(rig).ok());
+      Surface surface;
+      oracle::Tally total;
+      for (const float part : {0.1f, 0.4f, 0.75f}) {
+        const Pose pose = samplePose(character->skeleton, clip, part * clip.duration);
+        smoother.smooth(pose, surface);
+        const Rig now = withoutKeys(drivenRig(rig, *character, pose));
+        oracle::Oracle oracle(*character, now);
+        oracle.pose(pose);
+        Projected projected(*character, now);
+        const Surface& raw = projected.at(pose);
+        const oracle::Stages stages(oracle, projected.bindPatch(), projected.patch(), raw);
+        const int stride = std::max(1, static_cast<int>(surface.positions.size()) / 300);
+        total.add(oracle::compare(oracle, *character, stages, surface, stride, 0));
+      }
+      expectAgreement(std::string("two-legged, keyed links, grooves ") + std::to_string(grooves) + ", " + nameOf(mode),
+                      total);
+      EXPECT_GT(total.sought, 0);
     }
   }
 }

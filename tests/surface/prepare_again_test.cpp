@@ -135,6 +135,38 @@ TEST(RepeatedPrepare, ReattachesOnlyIfMoreThanShapesChanges) {
   EXPECT_TRUE(isAttachedAnew());
 }
 
+// A drag of how much two groups blend.
+TEST(RepeatedPrepare, AnotherAmountOfALinkChangesOnlyCliques) {
+  const auto character = makeTwoLegged();
+  RigRecipe recipe;
+  recipe.groups = 4;
+  recipe.linkChance = 0.8f;
+  Rig rig = randomRig(*character, recipe, 3);
+  ASSERT_FALSE(rig.links.empty());
+  rig.links[0].amount = 0.2f;
+  PreparedInTurn preparations(character);
+  const auto first = preparations.next(rig);
+  for (const float amount : {0.3f, 0.7f, 0.9f}) {
+    rig.links[0].amount = amount;
+    const auto next = preparations.next(rig);
+    EXPECT_EQ(next->tiles, first->tiles);
+    EXPECT_EQ(next->refined, first->refined);
+    const auto anew = PreparedInTurn(character).next(rig);
+    ASSERT_EQ(next->seen->cliqueSets.size(), anew->seen->cliqueSets.size());
+    EXPECT_EQ(next->seen->cliqueSet, anew->seen->cliqueSet);
+    EXPECT_EQ(next->seen->items, anew->seen->items);
+    for (std::size_t set = 0; set < next->seen->cliqueSets.size(); ++set) {
+      const CliqueLevels& own = next->seen->cliqueSets[set].drawn;
+      const CliqueLevels& wanted = anew->seen->cliqueSets[set].drawn;
+      ASSERT_EQ(own.size(), wanted.size());
+      for (std::size_t i = 0; i < own.size(); ++i) {
+        EXPECT_EQ(own[i].weight, wanted[i].weight);
+        EXPECT_EQ(own[i].cliques, wanted[i].cliques);
+      }
+    }
+  }
+}
+
 // Groups in threes, each linked to all but its own two: 3^8 cliques.
 TEST(RepeatedPrepare, RigWithTooManyCliquesIsRefusedAndThePreviousOneStays) {
   const auto character = makeTwoLegged();

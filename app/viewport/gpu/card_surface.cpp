@@ -60,8 +60,8 @@ std::optional<std::string> tooMany(const CandidateLists& lists) {
     muscles = std::max(muscles, own.size());
     for (const CarrierCandidate& one : own) groups = std::max(groups, one.slot + 1);
   }
-  for (const CliqueLevels& levels : lists.cliqueSets) {
-    for (const CliqueLevel& level : levels) ways = std::max(ways, level.cliques.size());
+  for (const CliqueSet& set : lists.cliqueSets) {
+    for (const CliqueLevel& level : set.drawn) ways = std::max(ways, level.cliques.size());
   }
   const auto most = [](const auto& number) { return " one place of the skin, at most " + std::to_string(number); };
   if (muscles > card::kMostCandidates) {
@@ -85,7 +85,8 @@ std::optional<std::string> leftToProcessor(const Preparation& preparation, int b
   if (preparation.layered && preparation.layered->layers.hasCloth()) return "the character wears cloth";
   if (preparation.refined->creased) return "the surface has creases";
   if (bodies > 1 && !preparation.character().morphTargets.empty()) return "a crowd's bodies have morph targets";
-  const auto inPart = [](const CliqueLevels& levels) { return levels.size() > 1; };
+  if (preparation.poser->drivesLinks()) return "keys or drivers change links";
+  const auto inPart = [](const CliqueSet& set) { return set.drawn.size() > 1; };
   if (std::ranges::any_of(preparation.seen->cliqueSets, inPart)) return "groups are linked in part";
   return tooMany(*preparation.seen);
 }

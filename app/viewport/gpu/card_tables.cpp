@@ -121,13 +121,13 @@ void fillSeen(const CandidateLists& lists, CardTables& out) {
   out.seen.assign(lists.begin.begin(), lists.begin.end());
   out.seen.insert(out.seen.end(), lists.cliqueSet.begin(), lists.cliqueSet.end());
   std::vector<std::uint64_t> cliques;
-  for (const CliqueLevels& levels : lists.cliqueSets) {
+  for (const CliqueSet& set : lists.cliqueSets) {
     out.seen.push_back(static_cast<std::int32_t>(cliques.size()));
-    if (levels.empty()) {
+    if (set.drawn.empty()) {
       cliques.push_back(~std::uint64_t{0});  // Everything sums.
       continue;
     }
-    for (const std::vector<int>& clique : levels.front().cliques) {
+    for (const std::span<const int> clique : set.drawn.front().cliques) {
       std::uint64_t bits = 0;
       for (const int slot : clique) bits |= std::uint64_t{1} << static_cast<unsigned>(slot);
       cliques.push_back(bits);

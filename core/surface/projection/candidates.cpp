@@ -34,6 +34,13 @@ class Gatherer {
     all ? closeCarrier(cliqueSet) : finishCarrier(first);
   }
 
+  /// Adds a carrier for other links.
+  void addRelinked(std::span<const CarrierCandidate> candidates) {
+    const std::size_t first = out_.items.size();
+    out_.items.insert(out_.items.end(), candidates.begin(), candidates.end());
+    finishCarrier(first);
+  }
+
  private:
   void finishCarrier(std::size_t first) { closeCarrier(numberSlots(std::span(out_.items).subspan(first))); }
 
@@ -74,9 +81,10 @@ class Gatherer {
   }
 
   int makeSet(const std::vector<int>& groups) {
-    CliqueLevels levels = cliquesAmong(attachment_.graph, groups);
-    if (levels.empty()) return 0;
-    out_.cliqueSets.push_back(std::move(levels));
+    CliqueSet set{cliquesAmong(attachment_.graph, groups), animatedAmong(attachment_.graph, groups)};
+    if (set.drawn.empty() && set.animated.isEmpty()) return 0;
+    out_.most.cover(sizesOf(set.drawn));
+    out_.cliqueSets.push_back(std::move(set));
     return static_cast<int>(out_.cliqueSets.size()) - 1;
   }
 
@@ -86,6 +94,37 @@ class Gatherer {
 };
 
 }  // namespace
+
+bool sameSeen(const CandidateLists& a, const CandidateLists& b) {
+  return &a == &b || (a.begin == b.begin && a.cliqueSet == b.cliqueSet && a.items == b.items);
+}
+
+void PosedCliqueSets::pose(const CandidateLists& lists, std::span<const float> amounts) {
+  const std::size_t count = lists.cliqueSets.size();
+  if (sets_.size() < count) sets_.resize(count);
+  views_.resize(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    const CliqueSet& set = lists.cliqueSets[i];
+    views_[i] = set.drawn;
+    if (set.animated.isEmpty()) continue;
+    const CliqueSizes sizes = sizesOf(set.animated);
+    growth_.reserve(sizes.cliques, sizes.slots);
+    sets_[i].reserve(sizes);
+    views_[i] = sets_[i].pose(set.animated, amounts, set.drawn, growth_);
+    most_.cover(sizes);
+    most_.cover(sizesOf(views_[i]));
+  }
+}
+
+CandidateLists relinked(const CandidateLists& lists, const Attachment& attachment) {
+  CandidateLists out;
+  out.items.reserve(lists.items.size());
+  Gatherer gatherer(attachment, out);
+  for (std::size_t carrier = 0; carrier < lists.cliqueSet.size(); ++carrier) {
+    gatherer.addRelinked(lists.of(static_cast<int>(carrier)));
+  }
+  return out;
+}
 
 CandidateLists makeCandidateLists(const ControlMesh& mesh, const Attachment& attachment, const MeshLayers* layers) {
   CandidateLists lists;
@@ -107,6 +146,7 @@ CandidateLists withoutHidden(const CandidateLists& lists, const Attachment& atta
   CandidateLists shown;
   shown.items.reserve(lists.items.size());
   shown.cliqueSets = lists.cliqueSets;
+  shown.most = lists.most;
   Gatherer gatherer(attachment, shown);
   for (std::size_t carrier = 0; carrier < lists.cliqueSet.size(); ++carrier) {
     gatherer.addShown(lists.of(static_cast<int>(carrier)), lists.cliqueSet[carrier], hidden);

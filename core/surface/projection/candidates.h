@@ -13,6 +13,7 @@
 #include "core/rig/attachment.h"
 #include "core/rig/field.h"
 #include "core/rig/mesh_layers.h"
+#include "core/rig/posed_cliques.h"
 #include "sinew/geometry/control_mesh.h"
 #include "sinew/surface/refinement.h"
 
@@ -24,10 +25,17 @@ struct CarrierCandidate {
   int slot = 0;  ///< See Candidate::slot.
   std::array<float, 3> weights{};
 
+  friend bool operator==(const CarrierCandidate&, const CarrierCandidate&) = default;
   /// m_i at barycentric coordinates of the carrier.
   [[nodiscard]] float weightAt(const std::array<float, 3>& barycentric) const {
     return weights[0] * barycentric[0] + weights[1] * barycentric[1] + weights[2] * barycentric[2];
   }
+};
+
+/// How the groups at some carriers blend.
+struct CliqueSet {
+  CliqueLevels drawn;  ///< Of the links' amounts as drawn. Empty: all groups add up.
+  AnimatedCliques animated;
 };
 
 /// Candidate lists per carrier: control vertices first, then edges (corners: smaller vertex, larger), then triangles.
@@ -35,19 +43,41 @@ struct CarrierCandidate {
 struct CandidateLists {
   std::vector<int> begin;  ///< [V+E+T+1]
   std::vector<CarrierCandidate> items;
-  std::vector<int> cliqueSet;            ///< [V+E+T] index into cliqueSets.
-  std::vector<CliqueLevels> cliqueSets;  ///< [0] is empty: all groups add up.
+  std::vector<int> cliqueSet;         ///< [V+E+T] index into cliqueSets.
+  std::vector<CliqueSet> cliqueSets;  ///< In [0] all groups add up.
+  CliqueSizes most;                   ///< Of any set as drawn.
 
   [[nodiscard]] std::span<const CarrierCandidate> of(int carrier) const {
     const int first = at(begin, carrier);
     return std::span(items).subspan(toIndex(first), toIndex(at(begin, carrier + 1) - first));
   }
-  [[nodiscard]] const CliqueLevels& cliquesOf(int carrier) const { return at(cliqueSets, at(cliqueSet, carrier)); }
 };
+
+/// The clique sets of some lists for the amounts that links have in a pose. Keeps its memory.
+class PosedCliqueSets {
+ public:
+  /// @param amounts  [Rig::links]
+  void pose(const CandidateLists& lists, std::span<const float> amounts);
+
+  [[nodiscard]] CliqueLevelsView of(int set) const { return at(views_, set); }
+  [[nodiscard]] const CliqueSizes& most() const { return most_; }  ///< Of any set.
+
+ private:
+  std::vector<PosedCliques> sets_;
+  std::vector<CliqueLevelsView> views_;
+  CliqueGrowth growth_;
+  CliqueSizes most_;
+};
+
+/// Carriers see the same and have the same sets; the cliques of these may differ.
+[[nodiscard]] bool sameSeen(const CandidateLists& a, const CandidateLists& b);
 
 /// @param layers  pieces that are not skin see nothing; null: all is skin
 [[nodiscard]] CandidateLists makeCandidateLists(const ControlMesh& mesh, const Attachment& attachment,
                                                 const MeshLayers* layers = nullptr);
+
+/// The same lists with other links.  @param attachment  of the same places
+[[nodiscard]] CandidateLists relinked(const CandidateLists& lists, const Attachment& attachment);
 
 /// The lists without the hidden primitives, whose indices stay in use: slots and cliques are those of the remaining
 /// groups. Does not read territories again.  @param hidden [A]
@@ -74,6 +104,12 @@ struct FieldView {
   std::span<const PosedPrimitive> primitives;
   const CandidateLists* lists = nullptr;
   std::span<const std::uint8_t> skipped = {};  ///< [V+E+T] 1: leave this carrier out (face_culling.h); or empty.
+  const PosedCliqueSets* posedSets = nullptr;  ///< Null: links have the amounts as drawn.
+
+  [[nodiscard]] CliqueLevelsView cliquesIn(int set) const {
+    return posedSets ? posedSets->of(set) : CliqueLevelsView(at(lists->cliqueSets, set).drawn);
+  }
+  [[nodiscard]] CliqueLevelsView cliquesOf(int carrier) const { return cliquesIn(at(lists->cliqueSet, carrier)); }
 };
 
 namespace carrier_walk {

@@ -67,7 +67,7 @@ class VertexReplacer {
   /// Reads the candidates of a vertex. False if none has weight.
   bool gatherCandidates(const CarriedVertex& vertex, std::span<const CarrierCandidate> near) {
     sinew::gatherCandidates(vertex, near, scratch_);
-    cliques_ = &field_.lists->cliquesOf(vertex.carrier);
+    cliques_ = field_.cliquesOf(vertex.carrier);
     return !scratch_.candidates.empty();
   }
 
@@ -102,11 +102,11 @@ class VertexReplacer {
 
  private:
   float fieldAt(const glm::vec3& point) const {
-    return sampleField(field_.primitives, scratch_.candidates, *cliques_, point, scratch_.field).value;
+    return sampleField(field_.primitives, scratch_.candidates, cliques_, point, scratch_.field).value;
   }
 
   void gatherTerms(const glm::vec3& p, const glm::vec3& direction) {
-    scratch_.ray.reset(static_cast<double>(settings_.iso), *cliques_);
+    scratch_.ray.reset(static_cast<double>(settings_.iso), cliques_);
     for (const Candidate& candidate : scratch_.candidates) {
       scratch_.ray.addPrimitive(at(field_.primitives, candidate.primitive), candidate.weight, candidate.slot, p,
                                 direction);
@@ -179,7 +179,7 @@ class VertexReplacer {
     result.residual = std::max(result.residual, residual);
     if (weight <= 0.0f) return;
     const glm::vec3 gradient =
-        sampleField(field_.primitives, scratch_.candidates, *cliques_, position, scratch_.field).gradient;
+        sampleField(field_.primitives, scratch_.candidates, cliques_, position, scratch_.field).gradient;
     result.position += weight * position;
     result.normal += weight * normalizeOr(-gradient, n);
     result.weight = own == 1.0f ? 1.0f : result.weight + weight;
@@ -188,7 +188,7 @@ class VertexReplacer {
   const FieldView& field_;
   const ReplaceSettings& settings_;
   VertexScratch& scratch_;
-  const CliqueLevels* cliques_ = nullptr;
+  CliqueLevelsView cliques_;
   bool looksInwards_ = true;
 };
 
@@ -254,10 +254,10 @@ void replaceVertex(const CarriedVertex& vertex, const FieldView& field, const Re
   moveVertex(vertex, field.lists->of(vertex.carrier), projector, flat, weights, surface, scratch.counts);
 }
 
-ImplicitWeights implicitWeights(const ControlMesh& mesh, const FieldView& bindField, const ReplaceSettings& settings,
-                                const FlatVertices& flat, ProjectionScratch& scratch) {
-  ImplicitWeights weights;
+void implicitWeights(const ControlMesh& mesh, const FieldView& bindField, const ReplaceSettings& settings,
+                     const FlatVertices& flat, ProjectionScratch& scratch, ImplicitWeights& weights) {
   weights.omega.assign(mesh.positions.size(), 0.0f);
+  weights.unwrapped = 0;
   VertexReplacer projector(bindField, settings, scratch);
   const auto eachInRegion = [&](auto&& visit) {
     for (int v = 0; v < static_cast<int>(mesh.positions.size()); ++v) {
@@ -277,7 +277,6 @@ ImplicitWeights implicitWeights(const ControlMesh& mesh, const FieldView& bindFi
     if (!weights.wraps && !projector.isInside(flat.positions[v])) ++weights.unwrapped;
     else if (projector.project(flat, v, weights.wraps).found) weights.omega[v] = 1.0f;
   });
-  return weights;
 }
 
 void replace(const ControlMesh& mesh, const FieldView& field, const ReplaceSettings& settings, const FlatVertices& flat,

@@ -66,9 +66,8 @@ struct ImplicitWeights {
 /// vertex is within the influence and has a projection within the search length, else 0. On other bodies the muscles
 /// lie in the skin: omega is 1 where a vertex is inside a muscle. A muscle that only touches the skin pulls nothing in,
 /// which would tear the skin.  @param flat  of the bind pose; its first V entries are read.
-[[nodiscard]] ImplicitWeights implicitWeights(const ControlMesh& mesh, const FieldView& bindField,
-                                              const ReplaceSettings& settings, const FlatVertices& flat,
-                                              ProjectionScratch& scratch);
+void implicitWeights(const ControlMesh& mesh, const FieldView& bindField, const ReplaceSettings& settings,
+                     const FlatVertices& flat, ProjectionScratch& scratch, ImplicitWeights& weights);
 
 // Constants of the scalar and the vector path.
 inline constexpr float kFadeBegin = 0.8f;        ///< Fraction of the search length beyond which weights fade.

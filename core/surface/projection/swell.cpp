@@ -70,7 +70,7 @@ class Sweller {
     if (scratch_.candidates.empty()) return;
     const auto index = static_cast<std::size_t>(vertex.index);
     const glm::vec3 p = surface_.positions[index];
-    const CliqueLevels& cliques = field_.lists->cliquesOf(vertex.carrier);
+    const CliqueLevelsView cliques = field_.cliquesOf(vertex.carrier);
     const float onSkin = sampleField(field_.primitives, scratch_.candidates, cliques, p, scratch_.field).value;
     if (onSkin == 0.0f) return;
     ++scratch_.counts.projected;
@@ -104,7 +104,7 @@ class Sweller {
 
   /// s*, signed along the direction.
   double findRoot(const SkinField& skin, const glm::vec3& p, const glm::vec3& outwards, bool outward,
-                  const CliqueLevels& cliques) {
+                  CliqueLevelsView cliques) {
     scratch_.ray.reset(static_cast<double>(settings_.iso), cliques);
     scratch_.ray.addTerm(skin.term(outward));
     const glm::vec3 direction = outward ? outwards : -outwards;
@@ -147,7 +147,7 @@ class Sweller {
                     : -in_float::limitedRise(-s, touch);
   }
 
-  void place(const SkinField& skin, float onSkin, std::size_t index, const Root& root, const CliqueLevels& cliques) {
+  void place(const SkinField& skin, float onSkin, std::size_t index, const Root& root, CliqueLevelsView cliques) {
     const float s = root.s;
     const glm::vec3 n = surface_.normals[index];
     const glm::vec3 d = rise_.directions[index];

@@ -27,14 +27,14 @@ class TileField {
   void start(const VertexTile& tile, std::span<const glm::vec3> positions) {
     tile_ = &tile;
     for (std::size_t first = 0; first < kLanes; first += width()) points_.gather(positions, tile.vertices, first);
-    const TileCliqueSet& set = tiles_.cliqueSets[static_cast<std::size_t>(tile.cliqueSet)];
-    const std::size_t count = set.levels.size();
-    for (std::size_t i = 0; i < count; ++i) {
-      const TileCliques& of = set.levels[i];
-      scratch_.lanes.levels[i] = {of.weight, {of.begins, of.slots, of.owners, set.slotCount, soft_}};
+    const CliqueLevelsView all = field_.cliquesIn(tile.cliqueSet);
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      const CliqueLists& cliques = all[i].cliques;
+      scratch_.lanes.levels[i] = {static_cast<float>(all[i].weight),
+                                  {cliques.begins(), cliques.slots(), all[i].owners, cliques.slotCount(), soft_}};
     }
-    levels_.first = scratch_.lanes.levels[0].cliques;
-    levels_.several = std::span<const LaneLevel>(scratch_.lanes.levels).first(count > 1 ? count : 0);
+    levels_.first = all.empty() ? LaneCliques{.soft = soft_} : scratch_.lanes.levels[0].cliques;
+    levels_.several = std::span<const LaneLevel>(scratch_.lanes.levels).first(all.size() > 1 ? all.size() : 0);
   }
 
   Bounds boundsOfTile() const {

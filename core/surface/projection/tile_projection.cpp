@@ -13,18 +13,18 @@ constexpr std::size_t kTilesInRange = 16;   ///< Fewer are not worth another thr
 constexpr std::size_t kRangesOfThread = 4;  ///< So that idle threads can help.
 
 /// Makes room for a range of that many tiles.
-void makeRoom(const VertexTiles& tiles, std::size_t range, TileScratch& scratch) {
+void makeRoom(const VertexTiles& tiles, const CliqueSizes& most, std::size_t range, TileScratch& scratch) {
   const auto grow = [](auto& items, std::size_t size) {
     if (items.size() < size) items.resize(size);
   };
   grow(scratch.lanes.terms, tiles.mostCandidates);
   grow(scratch.lanes.shapes, tiles.mostCandidates);
   grow(scratch.lines, tiles.mostCandidates);
-  grow(scratch.lanes.sums, tiles.mostSlots);
-  grow(scratch.lanes.levels, tiles.mostLevels);
-  grow(scratch.lanes.shares, tiles.mostCliques);
-  scratch.lanes.sharing.reserve(tiles.mostCliques);
-  scratch.lanes.present.makeRoom(tiles.mostLevels, tiles.mostSlots, tiles.mostInCliques);
+  grow(scratch.lanes.sums, most.slots);
+  grow(scratch.lanes.levels, most.levels);
+  grow(scratch.lanes.shares, most.cliques);
+  scratch.lanes.sharing.reserve(most.cliques);
+  scratch.lanes.present.makeRoom(most.levels, most.slots, most.inCliques);
   grow(scratch.spans, tiles.mostCandidates);
   grow(scratch.near, tiles.mostCandidates);
   scratch.counts = {};
@@ -36,8 +36,10 @@ void makeRoom(const VertexTiles& tiles, std::size_t range, TileScratch& scratch)
 /// Calls moveTiles(tiles, scratch) for ranges of tiles on all cores, each range with its own scratch, and
 /// moveVertex(vertex, scratch) for every vertex left uncertified. Adds the counts to the report.
 template <class MoveTiles, class MoveVertex>
-void projectTiles(const VertexTiles& tiles, ProjectionScratch& scratch, SmoothingReport& report, MoveTiles moveTiles,
-                  MoveVertex moveVertex) {
+void projectTiles(const VertexTiles& tiles, const FieldView& field, ProjectionScratch& scratch, SmoothingReport& report,
+                  MoveTiles moveTiles, MoveVertex moveVertex) {
+  CliqueSizes most = field.lists->most;
+  if (field.posedSets) most.cover(field.posedSets->most());
   const std::size_t count = tiles.tiles.size();
   const std::size_t ranges =
       std::clamp(count / kTilesInRange, std::size_t{1}, kRangesOfThread * static_cast<std::size_t>(threadCount()));
@@ -46,7 +48,7 @@ void projectTiles(const VertexTiles& tiles, ProjectionScratch& scratch, Smoothin
     TileScratch& own = scratch.tiles[range];
     const std::size_t begin = count * range / ranges;
     const std::size_t end = count * (range + 1) / ranges;
-    makeRoom(tiles, end - begin, own);
+    makeRoom(tiles, most, end - begin, own);
     moveTiles(std::span(tiles.tiles).subspan(begin, end - begin), own);
     for (const int vertex : own.uncertified) moveVertex(vertex, own.vertices);
   });
@@ -72,7 +74,7 @@ void swellInTiles(const ControlMesh& mesh, const FieldView& field, const SwellSe
   const auto moveVertex = [&](int vertex, VertexScratch& range) {
     swellVertex(carriedVertex(mesh, *surface.refinement, vertex), field, settings, rise, surface, range);
   };
-  projectTiles(tiles, scratch, surface.report, moveTiles, moveVertex);
+  projectTiles(tiles, field, scratch, surface.report, moveTiles, moveVertex);
 }
 
 void replaceInTiles(const ControlMesh& mesh, const FieldView& field, const ReplaceSettings& settings,
@@ -88,7 +90,7 @@ void replaceInTiles(const ControlMesh& mesh, const FieldView& field, const Repla
   const auto moveVertex = [&](int vertex, VertexScratch& range) {
     replaceVertex(carriedVertex(mesh, *surface.refinement, vertex), field, settings, flat, weights, surface, range);
   };
-  projectTiles(tiles, scratch, surface.report, moveTiles, moveVertex);
+  projectTiles(tiles, field, scratch, surface.report, moveTiles, moveVertex);
 }
 
 }  // namespace sinew

@@ -117,32 +117,6 @@ void fillWeights(const VertexTile& tile, const ControlMesh& mesh, const Refineme
   }
 }
 
-TileCliques flattened(const CliqueLists& cliques, double weight) {
-  TileCliques out{static_cast<float>(weight), {0}, {}, {}};
-  for (const std::vector<int>& clique : cliques) {
-    out.slots.insert(out.slots.end(), clique.begin(), clique.end());
-    out.begins.push_back(static_cast<int>(out.slots.size()));
-  }
-  findOwners(cliques, out.owners);
-  return out;
-}
-
-void flattenCliques(const CandidateLists& lists, VertexTiles& out) {
-  for (const CliqueLevels& levels : lists.cliqueSets) {
-    TileCliqueSet& set = out.cliqueSets.emplace_back();
-    if (levels.empty()) set.levels.push_back(flattened({}, 1.0));
-    for (const auto& [weight, cliques] : levels) {
-      for (const std::vector<int>& clique : cliques)
-        set.slotCount = std::max(set.slotCount, toIndex(clique.back()) + 1);
-      set.levels.push_back(flattened(cliques, weight));
-      out.mostCliques = std::max(out.mostCliques, cliques.size());
-      out.mostInCliques = std::max(out.mostInCliques, set.levels.back().slots.size());
-    }
-    out.mostSlots = std::max(out.mostSlots, set.slotCount);
-    out.mostLevels = std::max(out.mostLevels, set.levels.size());
-  }
-}
-
 }  // namespace
 
 CarriedVertex edgeCarried(const ControlMesh& mesh, const Refinement& refinement, int edge, int vertex) {
@@ -173,7 +147,6 @@ CarriedVertex carriedVertex(const ControlMesh& mesh, const Refinement& refinemen
 
 VertexTiles makeVertexTiles(const ControlMesh& mesh, const Refinement& refinement, const CandidateLists& lists) {
   VertexTiles out;
-  flattenCliques(lists, out);
   Packer packer(lists, out);
   std::vector<bool> known(toIndex(refinement.controlVertices + refinement.controlEdges), false);
   const auto once = [&](int carrier) {

@@ -18,7 +18,7 @@ struct VertexTile {
   int used = 0;
   int firstCandidate = 0;
   int candidateCount = 0;
-  int cliqueSet = 0;
+  int cliqueSet = 0;  ///< Index into CandidateLists::cliqueSets.
 };
 
 struct TileCandidate {
@@ -26,29 +26,11 @@ struct TileCandidate {
   int slot = 0;  ///< See Candidate::slot.
 };
 
-/// One level of a clique set; see LaneCliques.
-struct TileCliques {
-  float weight = 1.0f;
-  std::vector<int> begins;
-  std::vector<int> slots;
-  std::vector<int> owners;
-};
-
-struct TileCliqueSet {
-  std::size_t slotCount = 0;
-  std::vector<TileCliques> levels;  ///< At least one.
-};
-
 struct VertexTiles {
   std::vector<VertexTile> tiles;
   std::vector<TileCandidate> candidates;  ///< Tile by tile, ascending by primitive.
   std::vector<LaneFloats> weights;        ///< m_i of each candidate at each lane; 0 if the carrier does not see it.
-  std::vector<TileCliqueSet> cliqueSets;
   std::size_t mostCandidates = 0;
-  std::size_t mostSlots = 0;
-  std::size_t mostCliques = 0;    ///< Of a level.
-  std::size_t mostInCliques = 0;  ///< Sum of a level's cliques' sizes.
-  std::size_t mostLevels = 0;
 };
 
 [[nodiscard]] VertexTiles makeVertexTiles(const ControlMesh& mesh, const Refinement& refinement,

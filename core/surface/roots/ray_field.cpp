@@ -18,11 +18,11 @@ void add(ValueAndSlope& sum, const ValueAndSlope& part) {
 
 }  // namespace
 
-void RayField::reset(double iso, const CliqueLevels& levels) {
+void RayField::reset(double iso, CliqueLevelsView levels) {
   terms_.clear();
   shaped_.clear();
   iso_ = iso;
-  levels_ = &levels;
+  levels_ = levels;
   isSoft_ = false;
 }
 
@@ -100,7 +100,7 @@ inline ValueAndSlope RayField::sampleTerm(const RayTerm& term, double t) const {
 
 ValueAndSlope RayField::sample(double t, RayScratch& scratch) const {
   ValueAndSlope everywhere{-iso_, 0.0};
-  if (levels_->empty()) {
+  if (levels_.empty()) {
     for (const RayTerm& term : terms_) add(everywhere, sampleTerm(term, t));
     return everywhere;
   }
@@ -121,7 +121,7 @@ ValueAndSlope RayField::sample(double t, RayScratch& scratch) const {
     add(scratch.softness[slot], {term.groove * part.value, term.groove * part.slope});
   }
   ValueAndSlope out;
-  for (const CliqueLevel& level : *levels_) {
+  for (const CliqueLevel& level : levels_) {
     const ValueAndSlope part = isSoft_ ? softest(level.cliques, scratch) : highest(level.cliques, scratch);
     add(out, {level.weight * part.value, level.weight * part.slope});
   }
@@ -132,7 +132,7 @@ ValueAndSlope RayField::sample(double t, RayScratch& scratch) const {
 ValueAndSlope RayField::highest(const CliqueLists& cliques, const RayScratch& scratch) {
   const std::vector<ValueAndSlope>& ofSlot = scratch.ofSlot;
   ValueAndSlope best;
-  for (const std::vector<int>& clique : cliques) {
+  for (const std::span<const int> clique : cliques) {
     ValueAndSlope sum;
     for (const int slot : clique) {
       if (static_cast<std::size_t>(slot) < ofSlot.size()) add(sum, at(ofSlot, slot));
@@ -222,7 +222,7 @@ void fillSums(const RayField& field, double begin, double end, double sign, Poly
   if (oneSum) {
     out.sums.push_back(everywhere);
   } else {
-    for (const std::vector<int>& clique : field.levels().front().cliques) {
+    for (const std::span<const int> clique : field.levels().front().cliques) {
       Polynomial sum = everywhere;
       for (const int slot : clique) {
         if (static_cast<std::size_t>(slot) < ofSlot.size()) sum.addScaled(at(ofSlot, slot), 1.0);
@@ -239,7 +239,7 @@ void fillSums(const RayField& field, double begin, double end, double sign, Poly
 void fillSoftSums(const RayField& field, double begin, double end, SoftFallScratch& scratch) {
   if (scratch.halves.empty()) scratch.halves.emplace_back();
   SoftSums& out = scratch.halves.front();
-  const CliqueLevels& levels = field.levels();
+  const CliqueLevelsView levels = field.levels();
   if (scratch.blends.size() < levels.size()) scratch.blends.resize(levels.size());
   for (std::size_t i = 0; i < levels.size(); ++i) scratch.blends[i].start(levels[i].cliques);
   out.everywhere = {};

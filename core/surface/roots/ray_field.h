@@ -53,23 +53,23 @@ struct RayScratch {
 /// phi(t) = skin(t) + F(p + t d) - T. Refilled from ray to ray, so that nothing is allocated.
 class RayField {
  public:
-  void reset(double iso, const CliqueLevels& levels);  ///< Removes all terms. @param levels  must outlive the use.
+  void reset(double iso, CliqueLevelsView levels);  ///< Removes all terms. @param levels  must outlive the use.
   /// Adds a primitive if the ray meets its influence at some t > 0 (or >= 0 inside). Distances along the ray are in
   /// world units. @param weight  m_i.  @param direction  unit.
   void addPrimitive(const PosedPrimitive& primitive, float weight, int slot, const glm::vec3& origin,
                     const glm::vec3& direction);
   void addTerm(const RayTerm& term) {
     terms_.push_back(term);
-    isSoft_ = isSoft_ || (term.groove > 0.0 && term.slot != RayTerm::kEverySum && !levels_->empty());
+    isSoft_ = isSoft_ || (term.groove > 0.0 && term.slot != RayTerm::kEverySum && !levels_.empty());
   }
 
   [[nodiscard]] bool empty() const { return terms_.empty(); }
   [[nodiscard]] std::span<const RayTerm> terms() const { return terms_; }
   [[nodiscard]] std::span<const ShapedRay> shaped() const { return shaped_; }
-  [[nodiscard]] const CliqueLevels& levels() const { return *levels_; }
+  [[nodiscard]] CliqueLevelsView levels() const { return levels_; }
   [[nodiscard]] double iso() const { return iso_; }
   /// phi is the maximum of polynomials, one per clique: no groove is soft, and no groups are linked in part.
-  [[nodiscard]] bool isMaximum() const { return !isSoft_ && levels_->size() < 2; }
+  [[nodiscard]] bool isMaximum() const { return !isSoft_ && levels_.size() < 2; }
 
   /// phi and its derivative: with crisp grooves of the clique with the largest sum.
   [[nodiscard]] ValueAndSlope sample(double t, RayScratch& scratch) const;
@@ -88,7 +88,7 @@ class RayField {
 
   std::vector<RayTerm> terms_;
   std::vector<ShapedRay> shaped_;
-  const CliqueLevels* levels_ = nullptr;
+  CliqueLevelsView levels_;
   double iso_ = 0.25;
   bool isSoft_ = false;
 };

@@ -50,7 +50,7 @@ struct FallBounds {
 
 class SoftFall {
  public:
-  SoftFall(const CliqueLevels& levels, double sense, double tolerance, BracketSolver solver, SoftFallScratch& scratch)
+  SoftFall(CliqueLevelsView levels, double sense, double tolerance, BracketSolver solver, SoftFallScratch& scratch)
       : levels_(levels), sense_(sense), tolerance_(tolerance), solver_(solver), scratch_(scratch) {}
 
   /// On scratch.halves[level], whose [0, 1] is [low, high] of the interval.
@@ -123,7 +123,7 @@ class SoftFall {
     std::vector<SoftPartBounds>& bounds = scratch_.bounds;
     for (SoftPartBounds& part : bounds) part.mayShare = false;
     double surely = 0.0;
-    for (const std::vector<int>& clique : cliques) {
+    for (const std::span<const int> clique : cliques) {
       double least = 0.0;
       for (const int slot : clique) least += at(bounds, slot).sum.low - 0.5 * at(bounds, slot).softest;
       surely = std::max(surely, least);
@@ -131,7 +131,7 @@ class SoftFall {
     Extent value{0.0, 0.0};
     Extent slope{kInfinity, -kInfinity};
     int mayWin = 0;
-    for (const std::vector<int>& clique : cliques) {
+    for (const std::span<const int> clique : cliques) {
       Extent own;
       Extent ownSlope;
       double possibly = 0.0;
@@ -204,7 +204,7 @@ class SoftFall {
     return u;
   }
 
-  const CliqueLevels& levels_;
+  CliqueLevelsView levels_;
   double sense_;
   double tolerance_;
   BracketSolver solver_;
@@ -221,7 +221,7 @@ SoftPart& SoftSums::of(int slot) {
   return added;
 }
 
-std::optional<double> firstSoftFall(const CliqueLevels& levels, double sense, double tolerance, BracketSolver solver,
+std::optional<double> firstSoftFall(CliqueLevelsView levels, double sense, double tolerance, BracketSolver solver,
                                     SoftFallScratch& scratch) {
   return SoftFall(levels, sense, tolerance, solver, scratch).find(0, isolation::kMostHalvings, 0.0, 1.0);
 }

@@ -47,7 +47,7 @@ struct SoftFallScratch {
 /// First u in [0, 1] at which sense * phi, positive before, becomes <= 0; 0 if it is not positive there. Halves
 /// the interval until bounds of its polynomials prove that there is no root, or that phi only falls. A touch does not
 /// count. Changes scratch.halves.  @param levels  those that scratch.blends were started with.
-[[nodiscard]] std::optional<double> firstSoftFall(const CliqueLevels& levels, double sense, double tolerance,
+[[nodiscard]] std::optional<double> firstSoftFall(CliqueLevelsView levels, double sense, double tolerance,
                                                   BracketSolver solver, SoftFallScratch& scratch);
 
 }  // namespace sinew

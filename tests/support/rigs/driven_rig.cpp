@@ -12,6 +12,8 @@ Rig withNumbers(Rig rig, const RigNumbers& numbers) {
     rig.primitives[i].reach = numbers.primitives[i].reach;
     rig.primitives[i].amount = numbers.primitives[i].amount;
   }
+  for (std::size_t i = 0; i < rig.links.size(); ++i) rig.links[i].amount = numbers.links[i];
+  std::erase_if(rig.links, [](const Link& link) { return link.amount == 0.0f; });
   return rig;
 }
 

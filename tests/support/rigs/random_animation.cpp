@@ -111,6 +111,9 @@ void addAnimation(Random& random, const std::vector<std::string>& bones, const s
   for (MuscleLine& line : rig.lines) some(Parameter::kActivation, Parameter::kFlexWidth, line.animated);
   for (Primitive& primitive : rig.primitives)
     some(Parameter::kAmount, shapeParameter(kShapeNumbers - 1), primitive.animated);
+  for (Link& link : rig.links) {
+    if (random.chance(0.5f)) animate(random, bones, clips, Parameter::kLinkAmount, rig, link.animated);
+  }
 }
 
 }  // namespace sinew::test

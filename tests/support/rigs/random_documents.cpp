@@ -10,6 +10,7 @@
 #include "core/geometry/at.h"
 #include "tests/support/rigs/random_animation.h"
 #include "tests/support/rigs/random_rigs.h"
+#include "tests/support/surface/mesh_checks.h"
 
 namespace sinew::test {
 namespace {
@@ -146,13 +147,6 @@ void pairTwins(Random& random, std::vector<Twinned>& items) {
   }
 }
 
-bool sameBits(const glm::vec3& a, const glm::vec3& b) {
-  for (int i = 0; i < 3; ++i) {
-    if (std::bit_cast<std::uint32_t>(a[i]) != std::bit_cast<std::uint32_t>(b[i])) return false;
-  }
-  return true;
-}
-
 std::vector<std::uint32_t> bitsOf(const Primitive& p) {
   const auto& [c, q, r, s] = p.placement;
   std::vector<std::uint32_t> bits;
@@ -190,6 +184,7 @@ Rig randomDocument(std::uint64_t seed) {
       if (!random.chance(0.4f)) continue;
       const float amount = random.chance(0.5f) ? 1.0f : random.uniform(0.001f, 1.0f);
       rig.links.push_back({{at(rig.groups, a).name, at(rig.groups, b).name}, amount});
+      if (random.chance(0.1f)) rig.links.back().unknownKeys = anyUnknownKeys(random);
     }
   }
   for (int i = random.below(8); i > 0; --i) rig.primitives.push_back(anyPrimitive(random, rig));

@@ -16,7 +16,7 @@ struct Level {
   std::vector<int> owners{};
 
   explicit Level(const CliqueLists& cliques) {
-    for (const std::vector<int>& clique : cliques) {
+    for (const std::span<const int> clique : cliques) {
       slots.insert(slots.end(), clique.begin(), clique.end());
       begin.push_back(static_cast<int>(slots.size()));
     }
@@ -53,11 +53,10 @@ struct Place {
   LaneCliques cut(const std::vector<Term>& terms) { return cutLevels(terms).first; }
 };
 
-std::vector<std::vector<int>> listsOf(const LaneCliques& cliques) {
-  std::vector<std::vector<int>> out;
+CliqueLists listsOf(const LaneCliques& cliques) {
+  CliqueLists out;
   for (std::size_t k = 0; k < cliques.count(); ++k) {
-    const std::span<const int> slots = cliques.slotsOf(k);
-    out.emplace_back(slots.begin(), slots.end());
+    out.add(cliques.slotsOf(k));
   }
   return out;
 }

@@ -10,6 +10,7 @@
 #include "sinew/files/gltf_import.h"
 #include "tests/support/characters/dressed_humanoid.h"
 #include "tests/support/characters/synthetic_characters.h"
+#include "tests/support/rigs/keyed_links.h"
 #include "tests/support/rigs/random_rigs.h"
 #include "tests/support/rigs/trial_scenes.h"
 
@@ -49,6 +50,8 @@ TEST(GpuCoverage, GivesTheReasonForTheProcessor) {
   ASSERT_FALSE(scene.rig.links.empty());
   scene.rig.links.front().amount = 0.5f;
   EXPECT_EQ(reasonOf(scene), "groups are linked in part");
+  scene.rig = withKeyedLinks(scene.rig, scene.character->clips.front(), 1);
+  EXPECT_EQ(reasonOf(scene), "keys or drivers change links");
 
   EXPECT_EQ(reasonOf({"", dressedHumanoid(), bundledTrialScene("humanoid").rig}), "the character wears cloth");
 

@@ -9,6 +9,7 @@
 namespace sinew {
 
 struct Primitive;
+struct Link;
 struct LineSettings;
 struct MorphWeight;
 struct SurfaceSettings;
@@ -35,9 +36,11 @@ enum class Parameter {
   kGrooves,
   // A morph target's.
   kMorphWeight,
+  // A link's.
+  kLinkAmount,
 };
 
-enum class ParameterOwner { kPrimitive, kLine, kSurface, kMorph };
+enum class ParameterOwner { kPrimitive, kLine, kSurface, kMorph, kLink };
 
 [[nodiscard]] ParameterOwner ownerOf(Parameter parameter);
 [[nodiscard]] constexpr bool isRadius(Parameter parameter) {
@@ -62,6 +65,7 @@ enum class ParameterOwner { kPrimitive, kLine, kSurface, kMorph };
 [[nodiscard]] float* numberIn(LineSettings& line, Parameter parameter);
 [[nodiscard]] float* numberIn(SurfaceSettings& surface, Parameter parameter);
 [[nodiscard]] float* numberIn(MorphWeight& morph, Parameter parameter);
+[[nodiscard]] float* numberIn(Link& link, Parameter parameter);
 [[nodiscard]] float numberOf(const Primitive& primitive, Parameter parameter);
 [[nodiscard]] float numberOf(const LineSettings& line, Parameter parameter);
 [[nodiscard]] float numberOf(const SurfaceSettings& surface, Parameter parameter);

@@ -96,6 +96,8 @@ struct Group {
 struct Link {
   std::array<std::string, 2> groups;  ///< Names of two groups of the rig.
   float amount = 1.0f;                ///< Above 0, at most 1: the groups add up. In between: from groove to sum.
+  std::vector<AnimatedNumber> animated{};
+  std::string unknownKeys{};
 
   [[nodiscard]] bool joins(const std::string& a, const std::string& b) const {
     return (groups[0] == a && groups[1] == b) || (groups[0] == b && groups[1] == a);
@@ -181,6 +183,7 @@ struct Rig {
 [[nodiscard]] int findMorph(const Rig& rig, const std::string& name);
 /// How much two groups blend, 0..1; 0: they are not linked.
 [[nodiscard]] float linkAmount(const Rig& rig, const std::string& a, const std::string& b);
+[[nodiscard]] int findLink(const Rig& rig, const std::string& a, const std::string& b);  ///< The first, or -1.
 /// The line that carries a primitive, or null.
 [[nodiscard]] const MuscleLine* lineOf(const Rig& rig, const Primitive& primitive);
 [[nodiscard]] int findPrimitive(const Rig& rig, PrimitiveId id);  ///< Index by identity, or -1.

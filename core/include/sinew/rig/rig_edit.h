@@ -27,7 +27,7 @@ namespace sinew {
 [[nodiscard]] Result<Rig> addGroup(Rig rig, const std::string& name);
 [[nodiscard]] Result<Rig> renameGroup(Rig rig, int group, const std::string& name);
 [[nodiscard]] Result<Rig> removeGroup(Rig rig, int group);  ///< Error: primitives are in it.
-/// Links two different groups with an amount of 0..1, or unlinks them with 0.
+/// Links two different groups with an amount of 0..1, or unlinks them with 0: then keys and drivers of the amount go.
 [[nodiscard]] Result<Rig> setLink(Rig rig, int groupA, int groupB, float amount);
 [[nodiscard]] Result<Rig> setSurface(Rig rig, const SurfaceSettings& surface);
 [[nodiscard]] Result<Rig> setSmoothing(Rig rig, const SmoothingSettings& smoothing);
