@@ -14,32 +14,45 @@ int takeSlot(inout uvec2 slots) {
   return slot;
 }
 
-// Cliques of some groups, at least one; none is part of another, since that would never have a share.
-uvec2 blended[kMostCliques];
-int blendedCount;
+// Cliques of some groups, level after level, in each at least one; none is part of another of its level, since that
+// would never have a share.
+uvec2 blendedOfAll[kMostCliques];
+int blendedEnds[kMostCliques];  // Of each level.
 uvec2 blendedSlots;
+
+int blendedFirst, blendedCount;  // Those of one level.
+uvec2 blended(int clique) { return blendedOfAll[blendedFirst + clique]; }
+void useLevel(int level) {
+  blendedFirst = level > 0 ? blendedEnds[level - 1] : 0;
+  blendedCount = blendedEnds[level] - blendedFirst;
+}
 
 void blendAmong(uvec2 slots) {
   blendedSlots = slots;
-  blendedCount = 0;
-  for (int k = 0; k < cliquesSeen; ++k) {
-    uvec2 own = cliqueAt(k) & slots;
-    bool counts = holdsAny(own);
-    int kept = 0;
-    for (int i = 0; i < blendedCount && counts; ++i) {
-      uvec2 other = blended[i];
-      counts = holdsAny(own & ~other);
-      if (!counts || holdsAny(other & ~own)) blended[kept++] = other;
+  int end = 0;
+  for (int level = 0, k = 0; level < levelsSeen; ++level) {
+    int first = end;
+    for (; k < levelEnd(level); ++k) {
+      uvec2 own = cliqueAt(k) & slots;
+      bool counts = holdsAny(own);
+      int kept = first;
+      for (int i = first; i < end && counts; ++i) {
+        uvec2 other = blendedOfAll[i];
+        counts = holdsAny(own & ~other);
+        if (!counts || holdsAny(other & ~own)) blendedOfAll[kept++] = other;
+      }
+      if (!counts) continue;
+      end = kept;
+      blendedOfAll[end++] = own;
     }
-    if (!counts) continue;
-    blendedCount = kept;
-    blended[blendedCount++] = own;
+    if (end == first) blendedOfAll[end++] = uvec2(0u);
+    blendedEnds[level] = end;
   }
-  if (blendedCount == 0) blended[blendedCount++] = uvec2(0u);
 }
 
 // x, y and m of GroupBlend, of the groups in groupSlots.
 Real groupSums[kMostSlots], groupSoftness[kMostSlots], groupShares[kMostSlots];
+Real meanShares[kMostSlots], meanSoftness[kMostSlots];  // What counts of x and of y, mean of the levels.
 uvec2 groupSlots;
 
 void clearGroups() { groupSlots = uvec2(0u); }
@@ -52,12 +65,12 @@ void addToGroup(uint slot, Real value, Real groove) {
 }
 
 // How much of a derivative of a part of a group counts in that of F, which is largest at the shares.
-Real countedOf(uint slot, Real groove) { return softPart(Real(1.0), groove, groupShares[slot]); }
+Real countedOf(uint slot, Real groove) { return meanShares[slot] + groove * meanSoftness[slot]; }
 
 Real cliqueSums[kMostCliques], cliqueSoftness[kMostCliques];  // Of `blended`, sums of x and y; then levels.
 uvec2 inEvery;                                                // Groups that all of them have.
 
-uvec2 ownOf(int clique) { return blended[clique] & groupSlots & ~inEvery; }
+uvec2 ownOf(int clique) { return blended(clique) & groupSlots & ~inEvery; }
 
 #define Leveling int
 int levelCount(Leveling leveling) { return blendedCount; }
@@ -80,7 +93,7 @@ int sharingCount;
 int cliqueCount(Blending blending) { return sharingCount; }
 Real shareOf(Blending blending, int clique) { return cliqueShares[clique]; }
 Exchange exchangeOf(Blending blending, int first, int second) {
-  uvec2 a = blended[sharing[first]], b = blended[sharing[second]];
+  uvec2 a = blended(sharing[first]), b = blended(sharing[second]);
   Exchange found = Exchange(Real(0.0), Real(0.0));
   for (uvec2 slots = (a ^ b) & groupSlots; holdsAny(slots);) {
     int j = takeSlot(slots);
@@ -91,7 +104,7 @@ Exchange exchangeOf(Blending blending, int first, int second) {
   return found;
 }
 void exchange(Blending blending, int first, int second, Real given) {
-  uvec2 a = blended[sharing[first]], b = blended[sharing[second]];
+  uvec2 a = blended(sharing[first]), b = blended(sharing[second]);
   cliqueShares[first] += given;
   cliqueShares[second] -= given;
   for (uvec2 slots = (a ^ b) & groupSlots; holdsAny(slots);) {
@@ -134,15 +147,16 @@ void exchangeShares() {
   if (sharingCount > 1) settleShares(0, Real(kSettled) * largest, true);
 }
 
-// Finds the shares for the groups' sums. @return F
-Real settleGroups() {
+// Finds the shares in the level in use for the groups' sums. @return its F
+Real settleLevel() {
   uvec2 inSome = uvec2(0u), inSeveral = uvec2(0u);
   inEvery = groupSlots;
   for (int k = 0; k < blendedCount; ++k) {
-    inSeveral |= inSome & blended[k];
-    inSome |= blended[k];
-    inEvery &= blended[k];
+    inSeveral |= inSome & blended(k);
+    inSome |= blended(k);
+    inEvery &= blended(k);
   }
+  for (uvec2 slots = groupSlots; holdsAny(slots);) groupShares[takeSlot(slots)] = Real(0.0);
   for (uvec2 slots = inEvery; holdsAny(slots);) groupShares[takeSlot(slots)] = Real(1.0);
   sumCliques();
   if (holdsAny(inSeveral & groupSlots & ~inEvery)) exchangeShares();
@@ -151,6 +165,26 @@ Real settleGroups() {
   for (uvec2 slots = groupSlots; holdsAny(slots);) {
     int j = takeSlot(slots);
     field += softPart(groupSums[j], groupSoftness[j], groupShares[j]);
+  }
+  return field;
+}
+
+// Finds the shares in all levels. @return F
+Real settleGroups() {
+  Real field = Real(0.0);
+  for (uvec2 slots = groupSlots; holdsAny(slots);) {
+    int j = takeSlot(slots);
+    meanShares[j] = meanSoftness[j] = Real(0.0);
+  }
+  for (int level = 0; level < levelsSeen; ++level) {
+    Real weight = Real(levelWeight(level));
+    useLevel(level);
+    field += weight * settleLevel();
+    for (uvec2 slots = groupSlots; holdsAny(slots);) {
+      int j = takeSlot(slots);
+      meanShares[j] += weight * softPart(Real(1.0), Real(0.0), groupShares[j]);
+      meanSoftness[j] += weight * softPart(Real(0.0), Real(1.0), groupShares[j]);
+    }
   }
   return field;
 }

@@ -29,7 +29,7 @@ struct Root {
 const int kUntouched = 0, kFound = 1, kUnsure = 2, kUnsureShaped = 3;
 
 layout(std430, binding = 0) readonly buffer RefinedVertices { Refined refined[]; };
-// By carrier: first candidate, set of cliques; cliques.
+// By carrier: first candidate, set of cliques; by set: first level; by level: first clique and weight; cliques.
 layout(std430, binding = 1) readonly buffer Seen { int seen[]; };
 layout(std430, binding = 2) readonly buffer Candidates { Candidate candidates[]; };
 layout(std430, binding = 3) readonly buffer Primitives { Primitive primitives[]; };  // [bodies * primitives]
@@ -37,7 +37,9 @@ layout(std430, binding = 3) readonly buffer Primitives { Primitive primitives[];
 const int kMostCliques = 64;
 const uint kEverySum = 0xffffffffu;  // In place of a slot: counts in every clique.
 
-int firstCandidate, endCandidate, firstClique, cliquesSeen;
+int firstCandidate, endCandidate;
+int firstLevel, levelsSeen;    // Several where groups are linked in part: F is the weighted mean.
+int firstClique, cliquesSeen;  // Of all levels, one after another.
 vec3 corners;        // Weights of the carrier's corners.
 int firstPrimitive;  // Of the body.
 // Cliques share F, instead of the highest having it. Without SOFT the compiler leaves out what that takes.
@@ -47,15 +49,20 @@ bool softGrooves;
 const bool softGrooves = false;
 #endif
 
+int levelEnd(int level) { return seen[firstLevel + 2 * level + 2] - seen[firstLevel]; }  // Among all cliques.
+float levelWeight(int level) { return intBitsToFloat(seen[firstLevel + 2 * level + 1]); }
+
 void see(int vertex, int ofBody) {
   int carrier = refined[vertex].place.x;
   corners = refined[vertex].weights.xyz;
   firstCandidate = seen[carrier];
   endCandidate = seen[carrier + 1];
-  int sets = 2 * carriers + 1;
+  int sets = 2 * carriers + 1, levels = sets + cliqueSets + 1;
   int set = seen[carriers + 1 + carrier];
-  firstClique = sets + cliqueSets + 1 + 2 * seen[sets + set];
-  cliquesSeen = seen[sets + set + 1] - seen[sets + set];
+  levelsSeen = seen[sets + set + 1] - seen[sets + set];
+  firstLevel = levels + 2 * seen[sets + set];
+  firstClique = levels + 2 * (seen[sets + cliqueSets] + 1) + 2 * seen[firstLevel];
+  cliquesSeen = levelEnd(levelsSeen - 1);
   firstPrimitive = ofBody * primitiveCount;
 #ifdef SOFT
   bool blends = cliquesSeen > 1 && firstCandidate < endCandidate;

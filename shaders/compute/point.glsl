@@ -26,13 +26,13 @@ vec4 softFieldAt(vec3 x) {
   for (int i = firstCandidate; i < endCandidate; ++i) {
     Candidate c = candidates[i];
     Primitive p = primitives[firstPrimitive + c.primitive];
-    if (strengthOf(p) < 0.0 || !holds(groupSlots, c.slot) || groupShares[c.slot] == Real(0.0)) continue;
+    if (strengthOf(p) < 0.0 || !holds(groupSlots, c.slot) || meanShares[c.slot] == Real(0.0)) continue;
     field.yzw += float(countedOf(c.slot, Real(grooveOf(p)))) * partAt(c, p, x).yzw;
   }
   return field;
 }
 
-// F and its gradient: with crisp grooves of the highest clique, or the mean of two that tie.
+// F and its gradient: with crisp grooves of the highest clique, or the mean of two that tie; of levels the mean.
 vec4 fieldAt(vec3 x) {
   if (softGrooves) return softFieldAt(x);
   vec4 carved = vec4(0.0);
@@ -51,21 +51,25 @@ vec4 fieldAt(vec3 x) {
       if (holds(cliqueAt(k), c.slot)) sums[k] += part;
     }
   }
-  vec4 best = vec4(0.0);
-  for (int k = 0; k < cliquesSeen; ++k) {
-    if (sums[k].x > best.x) best = sums[k];
+  vec4 together = vec4(0.0);
+  for (int level = 0, first = 0; level < levelsSeen; first = levelEnd(level), ++level) {
+    vec4 best = vec4(0.0);
+    for (int k = first; k < levelEnd(level); ++k) {
+      if (sums[k].x > best.x) best = sums[k];
+    }
+    vec4 other = vec4(0.0);  // x: by how much it ties, of kTie.
+    float most = 0.0;
+    for (int k = first; k < levelEnd(level); ++k) {
+      float near = min(kTie - (best.x - sums[k].x), sums[k].x);
+      vec3 apart = sums[k].yzw - best.yzw;
+      float pull = near * near * dotOf(apart, apart);
+      if (!(near > 0.0 && pull > most)) continue;
+      most = pull;
+      other = vec4(near, sums[k].yzw);
+    }
+    float share = other.x / kTie;
+    best.yzw = (best.yzw + share * other.yzw) / (1.0 + share);
+    together += levelWeight(level) * best;
   }
-  vec4 other = vec4(0.0);  // x: by how much it ties, of kTie.
-  float most = 0.0;
-  for (int k = 0; k < cliquesSeen; ++k) {
-    float near = min(kTie - (best.x - sums[k].x), sums[k].x);
-    vec3 apart = sums[k].yzw - best.yzw;
-    float pull = near * near * dotOf(apart, apart);
-    if (!(near > 0.0 && pull > most)) continue;
-    most = pull;
-    other = vec4(near, sums[k].yzw);
-  }
-  float share = other.x / kTie;
-  best.yzw = (best.yzw + share * other.yzw) / (1.0 + share);
-  return best + carved;
+  return together + carved;
 }

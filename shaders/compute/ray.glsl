@@ -135,23 +135,27 @@ Sample sampleSoftRay(Real t) {
 // psi and its slope.
 Sample sampleRay(Real t) {
   if (softGrooves) return sampleSoftRay(t);
-  Sample everywhere = Sample(Real(0.0), Real(0.0)), best = everywhere;
-  for (int k = 0; k < cliquesSeen; ++k) {
-    uvec2 clique = cliqueAt(k);
-    Sample sum = Sample(Real(0.0), Real(0.0));
-    for (int i = 0; i < termCount; ++i) {
-      bool carves = terms[i].slot == kEverySum;
-      if (carves ? k > 0 : !holds(clique, terms[i].slot)) continue;
-      Sample at = potentialAt(terms[i], t);
-      Real value = potential(terms[i].factor, at.value);
-      Real slope = terms[i].factor * potentialRate(at.value) * at.slope;
-      if (carves) everywhere = Sample(everywhere.value + value, everywhere.slope + slope);
-      else sum = Sample(sum.value + value, sum.slope + slope);
+  Sample everywhere = Sample(Real(0.0), Real(0.0));
+  for (int level = 0, k = 0; level < levelsSeen; ++level) {
+    Sample best = Sample(Real(0.0), Real(0.0));
+    for (; k < levelEnd(level); ++k) {
+      uvec2 clique = cliqueAt(k);
+      Sample sum = Sample(Real(0.0), Real(0.0));
+      for (int i = 0; i < termCount; ++i) {
+        bool carves = terms[i].slot == kEverySum;
+        if (carves ? k > 0 : !holds(clique, terms[i].slot)) continue;
+        Sample at = potentialAt(terms[i], t);
+        Real value = potential(terms[i].factor, at.value);
+        Real slope = terms[i].factor * potentialRate(at.value) * at.slope;
+        if (carves) everywhere = Sample(everywhere.value + value, everywhere.slope + slope);
+        else sum = Sample(sum.value + value, sum.slope + slope);
+      }
+      if (skin.sense * sum.value > skin.sense * best.value) best = sum;
     }
-    if (skin.sense * sum.value > skin.sense * best.value) best = sum;
+    Real weight = Real(levelWeight(level));
+    everywhere = Sample(everywhere.value + weight * best.value, everywhere.slope + weight * best.slope);
   }
-  return Sample(skinValue(skin, t) + everywhere.value + best.value,
-                -4.0 * (skinSlope(skin, t) + everywhere.slope + best.slope));
+  return Sample(skinValue(skin, t) + everywhere.value, -4.0 * (skinSlope(skin, t) + everywhere.slope));
 }
 
 PotentialBounds boundsOf(Term term, Real t0, Real t1) {
@@ -179,49 +183,62 @@ struct TermSums {
   Bounds together;
 };
 
-TermSums crispSumsOf(Real t0, Real t1) {
-  Bounds all;
-  all.value = all.maxSlope = all.minSlope = all.values = all.slopes = all.atEnd = Real(0.0);
-  Real value = Real(-kFar), atEnd = Real(-kFar), maxSlope = Real(-kFar), minSlope = Real(kFar);
-  for (int k = 0; k < cliquesSeen; ++k) {
-    uvec2 clique = cliqueAt(k);
-    Real sumLow = Real(0.0), sumEnd = Real(0.0), sumMax = Real(0.0), sumMin = Real(0.0);
-    for (int i = 0; i < termCount; ++i) {
-      bool carves = terms[i].slot == kEverySum;
-      if (k > 0 && (carves || !holds(clique, terms[i].slot))) continue;
-      TermBounds term = termBounds(terms[i].factor, boundsOf(terms[i], t0, t1));
-      if (k == 0) {
-        all.values += term.most;
-        all.slopes += max(abs(term.slope.high), abs(term.slope.low));
-      }
-      if (carves) {
-        all.value += term.value.low;
-        all.atEnd += term.atEnd;
-        all.maxSlope += term.slope.high;
-        all.minSlope += term.slope.low;
-      } else if (holds(clique, terms[i].slot)) {
-        sumLow += term.value.low;
-        sumEnd += term.atEnd;
-        sumMax += term.slope.high;
-        sumMin += term.slope.low;
-      }
-    }
-    value = max(value, skin.sense * sumLow);
-    atEnd = max(atEnd, skin.sense * sumEnd);
-    maxSlope = max(maxSlope, sumMax);
-    minSlope = min(minSlope, sumMin);
-  }
-  return TermSums(
-      all, Bounds(skin.sense * value, maxSlope, minSlope, Real(0.0), Real(0.0), skin.sense * atEnd));
+const Bounds kNoBounds = Bounds(Real(0.0), Real(0.0), Real(0.0), Real(0.0), Real(0.0), Real(0.0));
+
+void addLevel(int level, Bounds of, inout Bounds together) {
+  Real weight = Real(levelWeight(level));
+  together.value += weight * of.value;
+  together.maxSlope += weight * of.maxSlope;
+  together.minSlope += weight * of.minSlope;
+  together.atEnd += weight * of.atEnd;
 }
 
-// F is the largest of the cliques' sums, and with soft grooves up to sum y_j / 8 more: only those that may be the
-// largest somewhere bound the slope.
+TermSums crispSumsOf(Real t0, Real t1) {
+  TermSums sums;
+  sums.everywhere = sums.together = kNoBounds;
+  for (int level = 0, k = 0; level < levelsSeen; ++level) {
+    Real value = Real(-kFar), atEnd = Real(-kFar), maxSlope = Real(-kFar), minSlope = Real(kFar);
+    for (; k < levelEnd(level); ++k) {
+      uvec2 clique = cliqueAt(k);
+      Real sumLow = Real(0.0), sumEnd = Real(0.0), sumMax = Real(0.0), sumMin = Real(0.0);
+      for (int i = 0; i < termCount; ++i) {
+        bool carves = terms[i].slot == kEverySum;
+        if (k > 0 && (carves || !holds(clique, terms[i].slot))) continue;
+        TermBounds term = termBounds(terms[i].factor, boundsOf(terms[i], t0, t1));
+        if (k == 0) {
+          sums.everywhere.values += term.most;
+          sums.everywhere.slopes += max(abs(term.slope.high), abs(term.slope.low));
+        }
+        if (carves) {
+          sums.everywhere.value += term.value.low;
+          sums.everywhere.atEnd += term.atEnd;
+          sums.everywhere.maxSlope += term.slope.high;
+          sums.everywhere.minSlope += term.slope.low;
+        } else if (holds(clique, terms[i].slot)) {
+          sumLow += term.value.low;
+          sumEnd += term.atEnd;
+          sumMax += term.slope.high;
+          sumMin += term.slope.low;
+        }
+      }
+      value = max(value, skin.sense * sumLow);
+      atEnd = max(atEnd, skin.sense * sumEnd);
+      maxSlope = max(maxSlope, sumMax);
+      minSlope = min(minSlope, sumMin);
+    }
+    addLevel(level, Bounds(skin.sense * value, maxSlope, minSlope, Real(0.0), Real(0.0), skin.sense * atEnd),
+             sums.together);
+  }
+  return sums;
+}
+
+// In the level in use F is the largest of the cliques' sums, and with soft grooves up to sum y_j / 8 more: only those
+// that may be the largest somewhere bound the slope.
 Bounds softlyTogether(TermBounds own[kMostTerms]) {
   bool outward = skin.sense > 0.0;
   Real surely = Real(-kFar), value = surely, atEnd = surely;  // F is nowhere less than `surely`.
   for (int k = 0; k < blendedCount; ++k) {
-    uvec2 clique = blended[k];
+    uvec2 clique = blended(k);
     Real low = Real(0.0), high = Real(0.0), end = Real(0.0), softest = Real(0.0);
     for (int i = 0; i < termCount; ++i) {
       if (terms[i].slot == kEverySum || !holds(clique, terms[i].slot)) continue;
@@ -237,7 +254,7 @@ Bounds softlyTogether(TermBounds own[kMostTerms]) {
   Real maxSlope = Real(-kFar), minSlope = Real(kFar);
   int mayWin = 0;
   for (int k = 0; k < blendedCount; ++k) {
-    uvec2 clique = blended[k];
+    uvec2 clique = blended(k);
     Real most = Real(0.0), softest = Real(0.0), sumMax = Real(0.0), sumMin = Real(0.0);
     for (int i = 0; i < termCount; ++i) {
       if (terms[i].slot == kEverySum || !holds(clique, terms[i].slot)) continue;
@@ -258,7 +275,7 @@ Bounds softlyTogether(TermBounds own[kMostTerms]) {
       if (own[i].atEnd != 0.0) addToGroup(terms[i].slot, skin.sense * own[i].atEnd, terms[i].groove);
       if (!outward) value += 0.125 * terms[i].groove * own[i].most;
     }
-    atEnd = settleGroups();
+    atEnd = settleLevel();
     for (uvec2 slots = blendedSlots; holdsAny(slots);) {
       uint slot = uint(takeSlot(slots));
       Real rise = Real(0.0), fall = Real(0.0);
@@ -276,8 +293,7 @@ Bounds softlyTogether(TermBounds own[kMostTerms]) {
 
 TermSums softSumsOf(Real t0, Real t1) {
   TermBounds own[kMostTerms];
-  Bounds all;
-  all.value = all.maxSlope = all.minSlope = all.values = all.slopes = all.atEnd = Real(0.0);
+  Bounds all = kNoBounds;
   for (int i = 0; i < termCount; ++i) {
     own[i] = termBounds(terms[i].factor, boundsOf(terms[i], t0, t1));
     all.values += own[i].most;
@@ -288,7 +304,12 @@ TermSums softSumsOf(Real t0, Real t1) {
     all.maxSlope += own[i].slope.high;
     all.minSlope += own[i].slope.low;
   }
-  return TermSums(all, softlyTogether(own));
+  Bounds together = kNoBounds;
+  for (int level = 0; level < levelsSeen; ++level) {
+    useLevel(level);
+    addLevel(level, softlyTogether(own), together);
+  }
+  return TermSums(all, together);
 }
 
 Bounds boundsOf(Real t0, Real t1) {

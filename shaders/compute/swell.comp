@@ -61,7 +61,11 @@ vec3 skinAt(vec3 p) {
     }
   }
   float together = 0.0;
-  for (int k = 0; k < cliquesSeen; ++k) together = max(together, sums[k]);
+  for (int level = 0, k = 0; level < levelsSeen; ++level) {
+    float best = 0.0;
+    for (; k < levelEnd(level); ++k) best = max(best, sums[k]);
+    together += levelWeight(level) * best;
+  }
   if (softGrooves) {
     blendAmong(groupSlots);
     together = settleGroups();
@@ -93,8 +97,8 @@ void main() {
     bool slowly = known && steep < way && boundsOf(steep, way).maxSlope > -sigma;
     if (known) height = sense * (slowly ? heightBelowOverhangs(0, way, sigma, here.y, true) : way);
   }
-  // Bounds serve soft grooves and any shape; swell_exact.comp knows maxima of quartics only.
-  int unsureState = meetsShape || softGrooves ? kUnsureShaped : kUnsure;
+  // Bounds serve soft grooves, links in part and any shape; swell_exact.comp knows maxima of quartics only.
+  int unsureState = meetsShape || softGrooves || levelsSeen > 1 ? kUnsureShaped : kUnsure;
   roots[at] = Root(sense * way, here.x, here.y, known ? kFound : unsureState, height);
   if (!known) leaveUnsure(uint(at));
 }

@@ -1,6 +1,6 @@
 #version 450 core
 // shaders/compute/swell_shaped.comp: the listed vertices whose rays may meet a muscle that is no ellipsoid, or with
-// soft grooves: the bounds of swell.comp in double precision, halved until they tell.
+// soft grooves or links in part: the bounds of swell.comp in double precision, halved until they tell.
 #include "compute/items.glsl"
 #include "compute/field.glsl"
 

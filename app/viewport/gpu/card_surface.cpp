@@ -53,24 +53,19 @@ namespace {
 
 /// The limit that the lists of muscles exceed.
 std::optional<std::string> tooMany(const CandidateLists& lists) {
-  std::size_t muscles = 0, ways = 0;
+  std::size_t muscles = 0;
   int groups = 0;
   for (std::size_t carrier = 0; carrier + 1 < lists.begin.size(); ++carrier) {
     const auto own = lists.of(static_cast<int>(carrier));
     muscles = std::max(muscles, own.size());
     for (const CarrierCandidate& one : own) groups = std::max(groups, one.slot + 1);
   }
-  for (const CliqueSet& set : lists.cliqueSets) {
-    for (const CliqueLevel& level : set.drawn) ways = std::max(ways, level.cliques.size());
-  }
   const auto most = [](const auto& number) { return " one place of the skin, at most " + std::to_string(number); };
   if (muscles > card::kMostCandidates) {
     return std::to_string(muscles) + " muscles reach" + most(card::kMostCandidates);
   }
   if (groups > card::kMostSlots) return std::to_string(groups) + " groups reach" + most(card::kMostSlots);
-  if (ways > card::kMostCliques)
-    return "groups blend in " + std::to_string(ways) + " ways at" + most(card::kMostCliques);
-  return std::nullopt;
+  return tooManyWays(lists, nullptr);
 }
 
 }  // namespace
@@ -80,14 +75,16 @@ std::optional<std::string> leftToProcessor(const Preparation& preparation, int b
     return "in replace, keys or drivers change muscles";
   }
   if (!preparation.swells() && preparation.poser->drawn().grooves > 0.0f) {
-    return "in replace, grooves between muscles are soft";
+    return kSoftInReplace;
   }
+  if (!preparation.swells() && preparation.poser->drivesLinks()) return "in replace, keys or drivers change links";
+  const auto inPart = [](const CliqueSet& set) { return set.drawn.size() > 1; };
+  if (!preparation.swells() && std::ranges::any_of(preparation.seen->cliqueSets, inPart))
+    return "in replace, groups are linked in part";
   if (preparation.layered && preparation.layered->layers.hasCloth()) return "the character wears cloth";
   if (preparation.refined->creased) return "the surface has creases";
   if (bodies > 1 && !preparation.character().morphTargets.empty()) return "a crowd's bodies have morph targets";
-  if (preparation.poser->drivesLinks()) return "keys or drivers change links";
-  const auto inPart = [](const CliqueSet& set) { return set.drawn.size() > 1; };
-  if (std::ranges::any_of(preparation.seen->cliqueSets, inPart)) return "groups are linked in part";
+  if (bodies > 1 && preparation.poser->drivesLinks()) return "keys or drivers change links of a crowd's bodies";
   return tooMany(*preparation.seen);
 }
 
@@ -235,18 +232,21 @@ std::optional<std::string> CardSurface::setPose(const Pose& pose, int body) {
   fillMatrices(*preparation_, pose, std::span(matrices_).subspan(b * bindings, bindings));
   fillPrimitives(*preparation_, posed_.field, std::span(primitives_).subspan(b * muscles, muscles));
   const auto bones = static_cast<std::size_t>(making_.bones);
+  if (preparation_->poser->drivesLinks()) seenOf(*preparation_->seen, &posed_.field.cliqueSets, seen_);
   if (!bones_.empty()) std::ranges::copy(pose.boneInWorld, std::span(bones_).subspan(b * bones, bones).begin());
   return std::nullopt;
 }
 
 std::size_t CardSurface::poseBytes() const {
-  return std::span(bones_).size_bytes() + std::span(matrices_).size_bytes() + std::span(primitives_).size_bytes();
+  return std::span(bones_).size_bytes() + std::span(matrices_).size_bytes() + std::span(primitives_).size_bytes() +
+         std::span(seen_).size_bytes();
 }
 
 void CardSurface::uploadPoses() {
   refill(Buffer::kMatrices, std::span<const glm::mat4>(matrices_));
   refill(Buffer::kPrimitives, std::span<const card::Primitive>(primitives_));
   refill(Buffer::kBones, std::span<const glm::mat4>(bones_));
+  if (!seen_.empty()) uploadBuffer(of(Buffer::kSeen), std::span<const std::int32_t>(seen_), GL_DYNAMIC_DRAW);
   refill(Buffer::kMaking, std::span<const card::Making>(&making_, 1));
   glBindBufferBase(GL_UNIFORM_BUFFER, kMakingBinding, of(Buffer::kMaking).id());
   const MorphedMesh& morphed = posed_.field.control.morphed;

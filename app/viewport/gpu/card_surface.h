@@ -226,6 +226,7 @@ class CardSurface {
   std::vector<glm::mat4> bones_;             ///< [bodies * bones] in `replace`, else empty.
   std::vector<glm::mat4> matrices_;          ///< [bodies * bindings]
   std::vector<card::Primitive> primitives_;  ///< [bodies * primitives]
+  std::vector<std::int32_t> seen_;           ///< Uploaded, if keys or drivers change links.
   std::vector<card::Control> bindControls_;  ///< [V] uploaded, with morph targets.
   std::vector<float> morphedWith_;           ///< Weights of the morph targets.
 };

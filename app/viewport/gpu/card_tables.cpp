@@ -2,6 +2,7 @@
 #include "app/viewport/gpu/card_tables.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 #include "core/character/skinning.h"
@@ -32,9 +33,9 @@ std::optional<std::string> poseMuscles(const std::shared_ptr<const Preparation>&
   const bool plain =
       std::ranges::all_of(out.field.primitives, [](const PosedPrimitive& one) { return one.influence.isPlain(); });
   if (!plain && !preparation->swells()) return "in replace, a muscle is not a plain ellipsoid";
-  if (haveSoftGrooves(out.field.primitives) && !preparation->swells())
-    return "in replace, grooves between muscles are soft";
-  return std::nullopt;
+  if (haveSoftGrooves(out.field.primitives) && !preparation->swells()) return kSoftInReplace;
+  if (!preparation->poser->drivesLinks()) return std::nullopt;
+  return tooManyWays(*preparation->seen, &out.field.cliqueSets);
 }
 
 void fillMatrices(const Preparation& preparation, const Pose& pose, std::span<glm::mat4> out) {
@@ -114,30 +115,20 @@ void fillRefined(const Preparation& preparation, CardTables& out) {
   }
 }
 
-void fillSeen(const CandidateLists& lists, CardTables& out) {
+void fillCandidates(const CandidateLists& lists, CardTables& out) {
   for (const CarrierCandidate& one : lists.items) {
     out.candidates.push_back({one.primitive, static_cast<std::uint32_t>(one.slot), one.weights});
   }
-  out.seen.assign(lists.begin.begin(), lists.begin.end());
-  out.seen.insert(out.seen.end(), lists.cliqueSet.begin(), lists.cliqueSet.end());
-  std::vector<std::uint64_t> cliques;
-  for (const CliqueSet& set : lists.cliqueSets) {
-    out.seen.push_back(static_cast<std::int32_t>(cliques.size()));
-    if (set.drawn.empty()) {
-      cliques.push_back(~std::uint64_t{0});  // Everything sums.
-      continue;
-    }
-    for (const std::span<const int> clique : set.drawn.front().cliques) {
-      std::uint64_t bits = 0;
-      for (const int slot : clique) bits |= std::uint64_t{1} << static_cast<unsigned>(slot);
-      cliques.push_back(bits);
-    }
-  }
-  out.seen.push_back(static_cast<std::int32_t>(cliques.size()));
-  for (const std::uint64_t bits : cliques) {
-    out.seen.push_back(static_cast<std::int32_t>(bits));
-    out.seen.push_back(static_cast<std::int32_t>(bits >> 32u));
-  }
+}
+
+CliqueLevelsView levelsOf(const CandidateLists& lists, const PosedCliqueSets* posed, std::size_t set) {
+  return posed ? posed->of(static_cast<int>(set)) : CliqueLevelsView(lists.cliqueSets[set].drawn);
+}
+
+std::uint64_t bitsOf(std::span<const int> clique) {
+  std::uint64_t bits = 0;
+  for (const int slot : clique) bits |= std::uint64_t{1} << static_cast<unsigned>(slot);
+  return bits;
 }
 
 void fillMesh(const Preparation& preparation, CardTables& out) {
@@ -202,11 +193,54 @@ CardTables cardTables(const Preparation& preparation) {
   fillControls(preparation, tables);
   fillFans(preparation, tables);
   fillRefined(preparation, tables);
-  fillSeen(*preparation.seen, tables);
+  fillCandidates(*preparation.seen, tables);
+  seenOf(*preparation.seen, nullptr, tables.seen);
   fillMesh(preparation, tables);
   if (!preparation.swells()) fillReplaced(preparation, tables);
   tables.making = makingOf(preparation);
   return tables;
+}
+
+void seenOf(const CandidateLists& lists, const PosedCliqueSets* posed, std::vector<std::int32_t>& out) {
+  constexpr std::uint64_t kEverything = ~std::uint64_t{0};
+  out.assign(lists.begin.begin(), lists.begin.end());
+  out.insert(out.end(), lists.cliqueSet.begin(), lists.cliqueSet.end());
+  std::vector<std::int32_t> levels;
+  std::vector<std::uint64_t> cliques;
+  const auto addLevel = [&](double weight) {
+    levels.push_back(static_cast<std::int32_t>(cliques.size()));
+    levels.push_back(std::bit_cast<std::int32_t>(static_cast<float>(weight)));
+  };
+  for (std::size_t set = 0; set < lists.cliqueSets.size(); ++set) {
+    out.push_back(static_cast<std::int32_t>(levels.size() / 2));
+    const CliqueLevelsView all = levelsOf(lists, posed, set);
+    for (const CliqueLevel& level : all) {
+      addLevel(level.weight);
+      for (const std::span<const int> clique : level.cliques) cliques.push_back(bitsOf(clique));
+    }
+    if (!all.empty()) continue;
+    addLevel(1.0);
+    cliques.push_back(kEverything);
+  }
+  out.push_back(static_cast<std::int32_t>(levels.size() / 2));
+  addLevel(0.0);
+  out.insert(out.end(), levels.begin(), levels.end());
+  for (const std::uint64_t bits : cliques) {
+    out.push_back(static_cast<std::int32_t>(bits));
+    out.push_back(static_cast<std::int32_t>(bits >> 32u));
+  }
+}
+
+std::optional<std::string> tooManyWays(const CandidateLists& lists, const PosedCliqueSets* posed) {
+  std::size_t most = 0;
+  for (std::size_t set = 0; set < lists.cliqueSets.size(); ++set) {
+    std::size_t ways = 0;
+    for (const CliqueLevel& level : levelsOf(lists, posed, set)) ways += level.cliques.size();
+    most = std::max(most, ways);
+  }
+  if (most <= card::kMostCliques) return std::nullopt;
+  return "groups blend in " + std::to_string(most) + " ways at one place of the skin, at most " +
+         std::to_string(card::kMostCliques);
 }
 
 }  // namespace sinew::app

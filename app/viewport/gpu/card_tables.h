@@ -174,9 +174,7 @@ struct CardTables {
   std::vector<std::int32_t> fans;       ///< Starts of the triangles at each control vertex [V + 1], then these.
   std::vector<card::Triangle> controlTriangles;  ///< [T]
   std::vector<card::Refined> refined;            ///< [V']
-  /// Per carrier the start of its candidates [C + 1] and its set of cliques [C]; starts of the sets' cliques [sets +
-  /// 1]; cliques, one bit per slot, two words each.
-  std::vector<std::int32_t> seen;
+  std::vector<std::int32_t> seen;                ///< seenOf()
   std::vector<card::Candidate> candidates;
   std::vector<card::Ring> rings;        ///< [V']
   std::vector<std::int32_t> neighbors;  ///< Then the opposite vertices.
@@ -190,5 +188,15 @@ struct CardTables {
 
 /// @param preparation  not leftToProcessor (card_surface.h)
 [[nodiscard]] CardTables cardTables(const Preparation& preparation);
+
+/// Per carrier the start of its candidates [C + 1] and its set of cliques [C]; starts of the sets' levels [sets + 1];
+/// of each level the start of its cliques and its weight, at the end the number of cliques and 0; cliques, one bit per
+/// slot, two words each.  @param posed  for the amounts of links in a pose; null: as drawn.  @param out  keeps its
+/// memory
+void seenOf(const CandidateLists& lists, const PosedCliqueSets* posed, std::vector<std::int32_t>& out);
+
+inline constexpr const char* kSoftInReplace = "in replace, grooves between muscles are soft";
+/// More ways in which groups blend at one place than the shaders have room for; nullopt: they have.
+[[nodiscard]] std::optional<std::string> tooManyWays(const CandidateLists& lists, const PosedCliqueSets* posed);
 
 }  // namespace sinew::app

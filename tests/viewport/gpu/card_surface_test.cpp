@@ -165,11 +165,55 @@ TEST_F(GpuSurface, MatchesTheProcessorOnRandomRigsWithSoftGrooves) {
   }
 }
 
+// Bundled and random rigs, carves, muscles of any shape, crisp and soft grooves.
+TEST_F(GpuSurface, MatchesTheProcessorWithLinksInPart) {
+  for (const float grooves : {0.0f, kGrooves[0]}) {
+    for (const char* name : {"humanoid", "tangle"}) {
+      TrialScene scene = bundledTrialScene(name);
+      scene.rig.surface.grooves = grooves;
+      for (std::size_t i = 0; i < scene.rig.links.size(); ++i) scene.rig.links[i].amount = i % 2 ? 0.7f : 0.4f;
+      scene.name = softName(std::string(name) + ", links in part", grooves);
+      (void)compare(scene, spreadPoses(*scene.character, moments(1)));
+    }
+    const auto character = makeTwoLegged();
+    int unsure = 0;
+    for (std::uint64_t seed = 0; seed < 6; ++seed) {
+      RigRecipe recipe = seed % 2 == 0 ? RigRecipe{} : kShortReach;
+      recipe.groups = 3 + static_cast<int>(seed % 4);
+      recipe.linkChance = 0.7f;
+      recipe.partChance = 0.7f;
+      recipe.carveChance = 0.2f;
+      recipe.primitives = 20;
+      recipe.shapedChance = seed % 3 == 1 ? 1.0f : 0.0f;
+      Rig rig = randomRig(*character, recipe, seed + 300);
+      rig.smoothing.depth = 4;
+      rig.smoothing.detail = DetailKind::kUniform;
+      rig.surface.mode = SurfaceMode::kSwell;
+      rig.surface.grooves = grooves;
+      const std::string name = "links in part, seed " + std::to_string(seed);
+      unsure += compare({softName(name, grooves), character, rig}, {randomPose(character->skeleton, 0.6f, 0.3f, seed)})
+                    .unsure;
+    }
+    EXPECT_GT(unsure, 0) << "the path in double precision is not tried";
+  }
+}
+
+TEST_F(GpuSurface, MatchesTheProcessorWhereAmountsOfLinksChange) {
+  TrialScene scene = bundledTrialScene("humanoid");
+  const AnimationClip& clip = scene.character->clips.front();
+  scene.rig = withKeyedLinks(scene.rig, clip, 4);
+  scene.name = "keyed links";
+  std::vector<Pose> poses;
+  for (const float part : {0.1f, 0.8f}) {
+    poses.push_back(samplePose(scene.character->skeleton, clip, part * clip.duration));
+  }
+  (void)compare(scene, poses);
+}
+
 // Muscle parameters that follow the pose, and morph targets.
 TEST_F(GpuSurface, MatchesTheProcessorWithDriversAndMorphTargets) {
   const auto limb = makeLimb();
-  const TrialScene driven{"keys and drivers", limb,
-                          withMode(withoutKeys(animatedLimbRig(*limb, 3)), SurfaceMode::kSwell)};
+  const TrialScene driven{"keys and drivers", limb, withMode(animatedLimbRig(*limb, 3), SurfaceMode::kSwell)};
   (void)compare(driven, spreadPoses(*limb, 3));
 
   const TemporaryFolder folder;

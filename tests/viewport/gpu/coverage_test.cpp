@@ -49,9 +49,14 @@ TEST(GpuCoverage, GivesTheReasonForTheProcessor) {
   scene = bundledTrialScene("demo");
   ASSERT_FALSE(scene.rig.links.empty());
   scene.rig.links.front().amount = 0.5f;
-  EXPECT_EQ(reasonOf(scene), "groups are linked in part");
+  EXPECT_EQ(reasonOf(scene, 100), "") << "swell";
+  EXPECT_EQ(reasonOf({"", scene.character, withMode(scene.rig, SurfaceMode::kReplace)}),
+            "in replace, groups are linked in part");
   scene.rig = withKeyedLinks(scene.rig, scene.character->clips.front(), 1);
-  EXPECT_EQ(reasonOf(scene), "keys or drivers change links");
+  EXPECT_EQ(reasonOf(scene), "") << "swell";
+  EXPECT_EQ(reasonOf(scene, 2), "keys or drivers change links of a crowd's bodies");
+  EXPECT_EQ(reasonOf({"", scene.character, withMode(scene.rig, SurfaceMode::kReplace)}),
+            "in replace, keys or drivers change links");
 
   EXPECT_EQ(reasonOf({"", dressedHumanoid(), bundledTrialScene("humanoid").rig}), "the character wears cloth");
 
