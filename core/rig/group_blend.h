@@ -30,6 +30,7 @@ class GroupBlend {
   std::vector<BlendedGroup>& start(const CliqueLists& cliques);
   /// The same for the cliques of the last start().
   std::vector<BlendedGroup>& clear();
+  [[nodiscard]] const std::vector<BlendedGroup>& groups() const { return groups_; }
   /// Finds the shares for the groups' sums.  @return F
   double settle();
 

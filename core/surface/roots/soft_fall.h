@@ -33,15 +33,23 @@ struct Extent {
 struct SoftPartBounds {
   Extent sum;
   Extent slope;
-  double softest = 0.0;  ///< The largest y_j.
+  Extent softness;
   Extent softnessSlope;
-  bool mayShare = false;
+  int holders = 0;  ///< Cliques that may have a share and hold the slot.
+};
+
+/// x_j and y_j at one place.
+struct SoftSample {
+  ValueAndSlope sum;
+  ValueAndSlope softness;
 };
 
 struct SoftFallScratch {
   std::vector<GroupBlend> blends;      ///< For each level.
   std::vector<SoftSums> halves;        ///< [0]: the interval; [i]: a part of it, halved i times.
   std::vector<SoftPartBounds> bounds;  ///< Of each slot.
+  std::vector<int> sharing;            ///< Cliques that may have a share.
+  std::vector<SoftSample> samples;     ///< Of each part.
 };
 
 /// First u in [0, 1] at which sense * phi, positive before, becomes <= 0; 0 if it is not positive there. Halves

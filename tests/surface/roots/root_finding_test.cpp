@@ -19,12 +19,14 @@ struct Scene {
 };
 
 /// @param softest  upper end of grooves  @param inPart  some groups are linked in part
-void fill(Scene& scene, float softest, bool inPart, std::mt19937& random) {
+void fill(Scene& scene, float softest, bool inPart, std::mt19937& random, double iso = 0.25) {
   std::uniform_real_distribution<float> unit(-1.0f, 1.0f);
   scene.primitives.clear();
-  scene.levels = random() % 2 ? CliqueLevels{} : CliqueLevels{{1.0, {{0, 1}, {1, 2}, {3}}}};
+  const std::array<CliqueLists, 3> cliques{CliqueLists{{0, 1}, {1, 2}, {3}}, {{0}, {1}, {2}, {3}}, {{0, 3}, {1, 2, 3}}};
+  const auto which = random() % 4;
+  scene.levels = which == 3 ? CliqueLevels{} : CliqueLevels{{1.0, cliques[which]}};
   if (inPart) scene.levels = {{0.3, {{0, 1, 2}, {3}}}, {0.5, {{0, 1}, {1, 2}, {3}}}, {0.2, {{0}, {1}, {2}, {3}}}};
-  scene.field.reset(0.25, scene.levels);
+  scene.field.reset(iso, scene.levels);
   const glm::vec3 direction = glm::normalize(glm::vec3(unit(random), unit(random), 1.2f));
   for (int i = 0; i < 6; ++i) {
     Placement placement;
@@ -91,6 +93,41 @@ TEST_P(FirstRoot, AllMethodsMatchMarching) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Grooves, FirstRoot, testing::Combine(testing::Values(0.0f, 0.2f, 2.0f), testing::Bool()));
+
+/// The least phi between two places where it is larger; none: 1.
+double leastDip(const RayField& field) {
+  RayScratch scratch;
+  const auto phi = [&](double t) { return field.sample(t, scratch).value; };
+  double least = 1.0;
+  for (double t = 0.01; t < 1.0; t += 0.01) {
+    if (phi(t) < phi(t - 0.01) && phi(t) < phi(t + 0.01)) least = std::min(least, phi(t));
+  }
+  return least;
+}
+
+TEST(FirstRoot, HalvingsEndEarlyInGroovesWherePhiFallsSlowly) {
+  // The least and the largest derivative of a clique would not tell that phi only falls.
+  Scene scene;
+  int found = 0;
+  std::size_t depths = 0;  // Only halvings that go on with the first half count.
+  for (unsigned seed = 0; seed < 8000; ++seed) {
+    std::mt19937 random(seed);
+    fill(scene, 1.0f, false, random);
+    if (scene.levels.empty() || scene.levels.front().cliques.size() < 4) continue;
+    const double iso = 0.25 + leastDip(scene.field) + 1e-3;
+    if (iso < 0.1 || iso > 0.9) continue;
+    random.seed(seed);
+    fill(scene, 1.0f, false, random, iso);
+    RayScratch scratch;
+    if (!(scene.field.sample(0.0, scratch).value > 0.0)) continue;
+    if (!firstChange(scene.field, 0.0, 1.0, true, ProjectionKind::kNewton, 1e-9, scratch)) continue;
+    ++found;
+    depths += scratch.soft.halves.size() - 1;
+  }
+  EXPECT_GT(found, 50);
+  const double mean = static_cast<double>(depths) / static_cast<double>(found);
+  EXPECT_LT(mean, 8.0) << "of 40 halvings each";
+}
 
 TEST(RayField, SampleGivesTheFieldAndItsDerivative) {
   std::mt19937 random(37);
