@@ -2,8 +2,12 @@
 #include "core/surface/adaptive_levels.h"
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cmath>
+#include <functional>
 #include <limits>
+#include <numeric>
 #include <span>
 #include <utility>
 
@@ -16,8 +20,6 @@
 #include "core/rig/posed_rig.h"
 #include "core/surface/align_splits.h"
 #include "core/surface/patches/levels.h"
-#include "core/surface/patches/sample_points.h"
-#include "core/surface/sampling.h"
 #include "sinew/character/character.h"
 
 namespace sinew {
@@ -215,16 +217,20 @@ class ClothSplitter {
   std::vector<float> pieces_;  ///< [V] for cloth: length of the skin's pieces under it.
 };
 
-// Samples along an edge: each number divides the next, so that a triangle's samples are among those of its edges.
-constexpr int kFewSamples = 2;
-constexpr int kAdaptiveLevelsSamples = 6;
-constexpr int kManySamples = 12;
-constexpr float kLongEdge = 0.015f;            ///< Fraction of H: a few samples miss too much of longer edges.
-constexpr std::size_t kSmallMesh = 8'000;      ///< Triangles up to which long edges are sampled finely at once.
+/// Samples along a side: each number divides the next.
+struct SampleCounts {
+  std::uint8_t few;
+  std::uint8_t more;
+};
+
+// Fractions of H: a few samples miss too much of longer edges.
+constexpr float kShortEdge = 0.015f;
+constexpr float kMediumEdge = 0.03f;
 constexpr float kNormalCosine = 0.99027f;      ///< 8 degrees.
-constexpr float kWorthALook = 0.3f;            ///< Fraction of the tolerance from which few samples call for many.
-constexpr float kWorthCosine = 0.99863f;       ///< 3 degrees.
-constexpr float kAdaptiveLevelsMargin = 0.7f;  ///< Of the tolerance, since inner points do not lie on samples.
+constexpr float kWorthALook = 0.5f;            ///< Misfit from which few samples call for more.
+constexpr int kMostPosesOfDense = 4;           ///< In which a triangle of a dense mesh has more samples.
+constexpr float kAdaptiveLevelsMargin = 0.7f;  ///< Of the tolerance, since inner points do not lie on samples,
+constexpr float kMarginOfDense = 0.65f;        ///< nor all poses among those with more samples.
 constexpr float kCheckMargin = 0.9f;           ///< Of the tolerance, for what lies between samples.
 constexpr float kSeenPiece = 6.0f;             ///< Tolerances: the normals of shorter pieces count less.
 
@@ -235,118 +241,107 @@ float widened(float cosine, float tolerance) {
   return times > 1.0f ? std::cos(std::sqrt(times) * std::acos(cosine)) : cosine;
 }
 
-/// Edges and triangles to sample, and how finely. The result for each depends on itself alone.
-struct Look {
-  bool first = true;                    ///< With few samples, to find where many are worth it.
-  std::vector<std::uint8_t> edges;      ///< [E]
-  std::vector<std::uint8_t> triangles;  ///< [T]
-};
+/// How far one flat piece is off in each pose, in tolerances.
+using Misfits = std::array<float, kMostDetailPoses>;
 
+/// Those of the poses with the largest misfits that are worth more samples, or at least one.
+PoseSet posesWorthALook(const Misfits& misfits, int most) {
+  std::array<std::size_t, kMostDetailPoses> order{};
+  std::iota(order.begin(), order.end(), 0);
+  std::ranges::stable_sort(order, std::greater{}, [&](std::size_t pose) { return misfits[pose]; });
+  PoseSet out = static_cast<PoseSet>(1 << order.front());
+  for (const std::size_t pose : std::span(order).first(toIndex(most))) {
+    if (misfits[pose] > kWorthALook) out = static_cast<PoseSet>(out | 1 << pose);
+  }
+  return out;
+}
+
+/// Fits levels to samples of each triangle: few in all poses, more in those in which the few are off. The result for
+/// each depends on itself alone.
 class LevelSearch {
  public:
-  LevelSearch(const Preparation& next, const AdaptiveLevels& asked, RefinementLevels& needed)
-      : next_(next), asked_(asked), mesh_(next.mesh()), needed_(needed) {
+  LevelSearch(const Preparation& next, const LevelSources& from, SampledSurface& surface)
+      : next_(next), from_(from), mesh_(next.mesh()), surface_(surface), isDense_(mesh_.triangles.size() > kDenseMesh) {
     const float height = next.character().height;
-    const float tolerance = asked.from.tolerance;
-    const float seen = kSeenPiece * tolerance * height;
-    tolerance_ = {kAdaptiveLevelsMargin * tolerance * height, widened(kNormalCosine, tolerance), seen};
-    look_ = {kWorthALook * tolerance_.distance, widened(kWorthCosine, tolerance), seen};
-    isLongEdge_.resize(mesh_.edges.size(), false);
+    const float margin = isDense_ ? kMarginOfDense : kAdaptiveLevelsMargin;
+    tolerance_ = {margin * from.tolerance * height, widened(kNormalCosine, from.tolerance),
+                  kSeenPiece * from.tolerance * height};
     for (const ControlTriangle& triangle : mesh_.triangles) {
-      const bool isLong = std::ranges::any_of(triangle.edges, [&](int e) {
+      float longest = 0.0f;
+      for (const int e : triangle.edges) {
         const auto& ends = at(mesh_.edges, e).vertices;
-        return glm::distance(at(mesh_.positions, ends[0]), at(mesh_.positions, ends[1])) > kLongEdge * height;
-      });
-      isLongTriangle_.push_back(isLong);
-      for (const int e : triangle.edges) isLongEdge_[toIndex(e)] = isLongEdge_[toIndex(e)] || isLong;
+        longest = std::max(longest, glm::distance(at(mesh_.positions, ends[0]), at(mesh_.positions, ends[1])));
+      }
+      longest_.push_back(longest / height);
     }
   }
 
-  void run(std::vector<std::uint8_t> edges, std::vector<std::uint8_t> triangles) {
-    flaggedEdges_.assign(edges.size(), 0);
-    flaggedTriangles_.assign(triangles.size(), 0);
-    take({true, std::move(edges), std::move(triangles)});
-    take({false, flaggedEdges_, flaggedTriangles_});
+  /// @param asked [T]  @param needed [T] set for these
+  void run(const std::vector<std::uint8_t>& asked, std::vector<SplitLevels>& needed) {
+    const std::vector<std::uint8_t> more = look(asked);
+    surface_.sample(more);
+    forEachIndex(asked.size(), kFewFitted, [&](std::size_t t) {
+      if (asked[t] == 0) return;
+      needed[t] = more[t] != 0 ? fitted(t) : SplitLevels{};
+      if (needed[t] == SplitLevels{}) surface_.forget(t);
+    });
   }
 
  private:
-  [[nodiscard]] int samples(bool isLong, bool first) const {
-    if (!first) return isLong ? kManySamples : kAdaptiveLevelsSamples;
-    if (!isLong) return kFewSamples;
-    return mesh_.triangles.size() <= kSmallMesh ? kManySamples : kAdaptiveLevelsSamples;
+  static constexpr std::size_t kFewFitted = 256;  ///< Triangles for one thread.
+
+  /// Takes a few samples of each triangle.  @return [T] how many more to take; 0: none
+  std::vector<std::uint8_t> look(const std::vector<std::uint8_t>& asked) {
+    std::vector<std::uint8_t> few(asked.size(), 0);
+    std::vector<std::uint8_t> more(asked.size(), 0);
+    for (std::size_t t = 0; t < asked.size(); ++t) {
+      if (asked[t] == 0) continue;
+      const SampleCounts counts = countsOf(t);
+      few[t] = counts.few;
+      more[t] = counts.more;
+    }
+    std::vector<Misfits> misfits(asked.size(), Misfits{});
+    const std::vector<PoseSet> all(asked.size(), static_cast<PoseSet>(~0U));
+    sampleTriangles(next_, from_.poses, {few, all}, [&](int t, std::size_t pose, const FineSamples& own) {
+      at(misfits, t)[pose] = misfitOf(own, at(few, t));
+    });
+    for (std::size_t t = 0; t < asked.size(); ++t) {
+      if (asked[t] == 0) continue;
+      surface_.setPoses(t, posesWorthALook(misfits[t], isDense_ ? kMostPosesOfDense : kMostDetailPoses));
+      if (!(std::ranges::max(misfits[t]) > kWorthALook)) more[t] = 0;
+    }
+    return more;
   }
 
-  void take(const Look& look) {
-    const std::vector<SampledPiece> pieces = sampledPieces(next_, look.edges, look.triangles);
-    forEachIndex(pieces.size(), 1, [&](std::size_t i) { takePiece(pieces[i], look.first); });
+  [[nodiscard]] SampleCounts countsOf(std::size_t triangle) const {
+    if (longest_[triangle] <= kShortEdge) return {2, 6};
+    return isDense_ && longest_[triangle] <= kMediumEdge ? SampleCounts{3, 6} : SampleCounts{6, 12};
   }
 
-  void takePiece(const SampledPiece& piece, bool first) {
-    const SampledPart part = sampledPart(next_, piece);
-    const std::vector<int> edges = placesIn(part.edges, piece.edges);
-    const std::vector<int> triangles = placesIn(part.triangles, piece.triangles);
-    SurfaceSampler sampler(part, samplePoints(part.mesh(), samplingOf(part, edges, triangles, first)));
-    Gathered samples;
-    for (const Pose& pose : asked_.from.poses) {
-      const View view{part, sampler.sample(pose), first};
-      for (const int e : edges) fitEdge(e, view, samples);
-      for (const int t : triangles) fitTriangle(t, view, samples);
+  [[nodiscard]] float misfitOf(const FineSamples& samples, int fine) const {
+    float most = triangleMisfit(samples, fine, tolerance_);
+    for (std::size_t side = 0; side < 3; ++side) {
+      most = std::max(most, edgeMisfit(SideSamples(samples, fine, side).samples(), tolerance_));
     }
+    return most;
   }
 
-  [[nodiscard]] RefinementLevels samplingOf(const SampledPart& part, const std::vector<int>& edges,
-                                            const std::vector<int>& triangles, bool first) const {
-    RefinementLevels out{std::vector<std::uint8_t>(part.edges.size()),
-                         std::vector<std::uint8_t>(part.triangles.size())};
-    const auto sampleEdge = [&](int e) {
-      at(out.edges, e) = static_cast<std::uint8_t>(samples(isLongEdge_[toIndex(at(part.edges, e))], first));
-    };
-    for (const int e : edges) sampleEdge(e);
-    for (const int t : triangles) {
-      at(out.triangles, t) = static_cast<std::uint8_t>(samples(isLongTriangle_[toIndex(at(part.triangles, t))], first));
-      for (const int e : at(part.mesh().triangles, t).edges) sampleEdge(e);
+  /// The least levels at which its samples fit.
+  [[nodiscard]] SplitLevels fitted(std::size_t t) const {
+    const TriangleSamples& all = surface_.of(static_cast<int>(t));
+    SplitLevels needed;
+    for (int nth = 0; nth < std::popcount(surface_.posesOf()[t]); ++nth) {
+      const FineSamples own = all.of(toIndex(nth));
+      if (needed.inside < all.fine) {
+        needed.inside = triangleLevel(own, all.fine, divisorFrom(all.fine, needed.inside), tolerance_);
+      }
+      for (std::size_t side = 0; side < 3; ++side) {
+        int& level = needed.sides[side];
+        if (level >= all.fine) continue;
+        level = edgeLevel(SideSamples(own, all.fine, side).samples(), divisorFrom(all.fine, level), tolerance_);
+      }
     }
-    return out;
-  }
-
-  /// Samples of one pose.
-  struct View {
-    const SampledPart& part;
-    const Surface& surface;
-    bool first = true;
-  };
-
-  struct Gathered {
-    std::vector<glm::vec3> positions;
-    std::vector<glm::vec3> normals;
-    void add(const Surface& surface, int vertex) {
-      positions.push_back(at(surface.positions, vertex));
-      normals.push_back(at(surface.normals, vertex));
-    }
-    void clear() {
-      positions.clear();
-      normals.clear();
-    }
-  };
-
-  /// @param edge  of the part
-  void fitEdge(int edge, const View& view, Gathered& own) {
-    const int e = at(view.part.edges, edge);
-    const bool isLong = isLongEdge_[toIndex(e)];
-    const int fine = samples(isLong, view.first);
-    const auto& ends = at(view.part.mesh().edges, edge).vertices;
-    own.clear();
-    own.add(view.surface, ends[0]);
-    for (int step = 1; step < fine; ++step) own.add(view.surface, view.surface.refinement->edgeVertex(edge, step));
-    own.add(view.surface, ends[1]);
-    const FineSamples fineSamples{own.positions, own.normals};
-    if (fine != samples(isLong, false)) {
-      if (edgeLevel(fineSamples, 1, look_) > 1) at(flaggedEdges_, e) = 1;
-      return;
-    }
-    std::uint8_t& needed = at(needed_.edges, e);
-    if (needed < fine)
-      needed = static_cast<std::uint8_t>(edgeLevel(fineSamples, divisorFrom(fine, needed), tolerance_));
+    return needed;
   }
 
   /// The least divisor >= `level` of `fine`.
@@ -355,36 +350,26 @@ class LevelSearch {
     return level;
   }
 
-  /// @param triangle  of the part
-  void fitTriangle(int triangle, const View& view, Gathered& own) {
-    const int t = at(view.part.triangles, triangle);
-    const bool isLong = isLongTriangle_[toIndex(t)];
-    const int fine = samples(isLong, view.first);
-    own.clear();
-    forEachSample(view.part.mesh(), *view.surface.refinement, triangle, fine,
-                  [&](int, int, int vertex) { own.add(view.surface, vertex); });
-    const FineSamples fineSamples{own.positions, own.normals};
-    if (fine != samples(isLong, false)) {
-      if (triangleLevel(fineSamples, fine, 1, look_) > 1) at(flaggedTriangles_, t) = 1;
-      return;
-    }
-    std::uint8_t& needed = at(needed_.triangles, t);
-    if (needed < fine) {
-      needed = static_cast<std::uint8_t>(triangleLevel(fineSamples, fine, divisorFrom(fine, needed), tolerance_));
+  const Preparation& next_;
+  const LevelSources& from_;
+  const ControlMesh& mesh_;
+  SampledSurface& surface_;
+  bool isDense_;
+  LevelTolerance tolerance_;
+  std::vector<float> longest_;  ///< [T] edge, fraction of H.
+};
+
+RefinementLevels levelsFor(const ControlMesh& mesh, const std::vector<SplitLevels>& needed) {
+  RefinementLevels out{std::vector<std::uint8_t>(mesh.edges.size(), 1), {}};
+  for (std::size_t t = 0; t < needed.size(); ++t) {
+    out.triangles.push_back(static_cast<std::uint8_t>(needed[t].inside));
+    for (std::size_t side = 0; side < 3; ++side) {
+      std::uint8_t& level = at(out.edges, mesh.triangles[t].edges[side]);
+      level = std::max(level, static_cast<std::uint8_t>(needed[t].sides[side]));
     }
   }
-
-  const Preparation& next_;
-  const AdaptiveLevels& asked_;
-  const ControlMesh& mesh_;
-  RefinementLevels& needed_;
-  LevelTolerance tolerance_;
-  LevelTolerance look_;
-  std::vector<bool> isLongTriangle_;  ///< [T]
-  std::vector<bool> isLongEdge_;      ///< [E] at such a triangle.
-  std::vector<std::uint8_t> flaggedEdges_;
-  std::vector<std::uint8_t> flaggedTriangles_;
-};
+  return out;
+}
 
 /// Splits sides at least half as finely as the inside, whose triangles end there.
 RefinementLevels withSides(const ControlMesh& mesh, RefinementLevels levels) {
@@ -404,36 +389,34 @@ std::shared_ptr<const AdaptiveLevels> findLevels(const Preparation& next, std::s
   out->moments = former ? former->moments : std::make_shared<const std::vector<Pose>>(detailMoments(next.character()));
   std::vector<Pose> poses = detailPoses(next.character(), *rig, *next.poser, *out->moments);
   out->from = levelSources(next, std::move(rig), tolerance, std::move(poses));
-  const std::vector<bool> asked = carriersToLookAt(next, out->from, former ? &former->from : nullptr);
-  const auto firstEdge = asked.begin() + static_cast<std::ptrdiff_t>(mesh.positions.size());
-  const auto firstTriangle = firstEdge + static_cast<std::ptrdiff_t>(mesh.edges.size());
-  std::vector<std::uint8_t> edges(firstEdge, firstTriangle);
-  std::vector<std::uint8_t> triangles(firstTriangle, asked.end());
-  if (former) out->needed = former->needed;
-  out->needed.edges.resize(edges.size());
-  out->needed.triangles.resize(triangles.size());
-  for (std::size_t e = 0; e < edges.size(); ++e) out->needed.edges[e] = edges[e] != 0 ? 1 : out->needed.edges[e];
-  for (std::size_t t = 0; t < triangles.size(); ++t) {
-    out->needed.triangles[t] = triangles[t] != 0 ? 1 : out->needed.triangles[t];
-  }
-  LevelSearch(next, *out, out->needed).run(std::move(edges), std::move(triangles));
+  const std::vector<bool> carriers = carriersToLookAt(next, out->from, former ? &former->from : nullptr);
+  const auto firstTriangle = carriers.end() - static_cast<std::ptrdiff_t>(mesh.triangles.size());
+  const std::vector<std::uint8_t> asked(firstTriangle, carriers.end());
   AlignedSplits splits;
+  std::vector<PoseSet> posesOf;
   if (former) {
+    out->needed = former->needed;
     out->checked = former->checked;
+    posesOf = former->posesOf;
     splits = former->splits;
   }
-  out->checked.resize(mesh.triangles.size());
-  splits.triangles.resize(mesh.triangles.size());
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    if (!*(firstTriangle + static_cast<std::ptrdiff_t>(t))) continue;
+  posesOf.resize(asked.size());
+  out->needed.resize(asked.size());
+  out->checked.resize(asked.size());
+  splits.triangles.resize(asked.size());
+  for (std::size_t t = 0; t < asked.size(); ++t) {
+    if (asked[t] == 0) continue;
     out->checked[t].clear();
     splits.triangles[t] = {};
   }
+  SampledSurface surface(next, out->from.poses, std::move(posesOf));
+  LevelSearch(next, out->from, surface).run(asked, out->needed);
   const float within = kCheckMargin * tolerance * next.character().height;
-  RefinementLevels levels = withSides(mesh, out->needed);
+  RefinementLevels levels = withSides(mesh, levelsFor(mesh, out->needed));
   if (next.layers() && next.layers()->hasCloth()) ClothSplitter(next, levels).run();
-  out->levels = levelsThatFit(next, out->from.poses, within, std::move(levels), out->checked);
-  out->splits = alignSplits(next, out->from.poses, within, out->levels, std::move(splits));
+  out->levels = levelsThatFit(next, surface, within, std::move(levels), out->checked);
+  out->splits = alignSplits(mesh, surface, within, out->levels, std::move(splits));
+  out->posesOf = surface.posesOf();
   return out;
 }
 

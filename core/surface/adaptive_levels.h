@@ -7,10 +7,14 @@
 #include "core/surface/patches/split_triangle.h"
 #include "core/surface/patches/triangulation.h"
 #include "core/surface/preparation.h"
+#include "core/surface/triangle_samples.h"
 #include "sinew/character/pose.h"
 #include "sinew/surface/refinement.h"
 
 namespace sinew {
+
+/// Triangles from which on fewer samples of each do.
+inline constexpr std::size_t kDenseMesh = 8'000;
 
 struct CheckedSplit {
   SplitLevels levels;
@@ -26,7 +30,7 @@ using CheckedSplits = std::vector<std::vector<CheckedSplit>>;
 /// fit covers only n^2 splits; if sides and inside differ, points lie elsewhere. A triangle that fails gets sides as
 /// fine as its inside, or else a finer inside, a few times at most.
 /// @param next  as for findLevels().  @param tolerance  world units.  @param known  read and extended.
-[[nodiscard]] RefinementLevels levelsThatFit(const Preparation& next, const std::vector<Pose>& poses, float tolerance,
+[[nodiscard]] RefinementLevels levelsThatFit(const Preparation& next, SampledSurface& surface, float tolerance,
                                              RefinementLevels needed, CheckedSplits& known);
 
 struct LevelMuscles {
@@ -61,7 +65,8 @@ struct AdaptiveLevels {
   AlignedSplits splits;     ///< alignSplits() at these levels.
 
   // To search again, after an edit, only where it has changed something.
-  RefinementLevels needed;  ///< Before grading.
+  std::vector<SplitLevels> needed;  ///< [T] before grading, of each triangle's own samples.
+  std::vector<PoseSet> posesOf;     ///< [T] the poses that were sampled finely.
   CheckedSplits checked;
   LevelSources from;
   std::shared_ptr<const std::vector<Pose>> moments;  ///< Of the character.

@@ -8,14 +8,14 @@
 #include <utility>
 #include <vector>
 
+#include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
 
 #include "core/geometry/at.h"
 #include "core/geometry/parallel.h"
+#include "core/surface/adaptive_levels.h"
 #include "core/surface/patches/aligned_triangle.h"
 #include "core/surface/patches/sample_grids.h"
-#include "core/surface/patches/sample_points.h"
-#include "core/surface/sampling.h"
 
 namespace sinew {
 namespace {
@@ -25,12 +25,15 @@ constexpr int kFewGridLevels = 3;
 constexpr int kGridSamples = 12;
 constexpr std::array kEdgeSteps{0.24, 0.12, 0.06};  ///< Of a segment of the edge: lengths of the moves tried.
 constexpr double kMostAlongEdge = 0.36;             ///< Of a segment: what a point may move in all.
+constexpr float kLeastAlignedPiece = 4.5f;          ///< Tolerances, on dense meshes: shorter ones are not seen.
 constexpr std::size_t kFewAligned = 16;             ///< Edges or triangles for one thread.
+
+int highestOf(const SplitLevels& split) { return std::max(std::ranges::max(split.sides), split.inside); }
 
 /// The points along one edge, and the triangles at it.
 class AlignedEdge {
  public:
-  AlignedEdge(int level, std::size_t poses, float tolerance) : level_(level), poses_(poses), tolerance_(tolerance) {
+  AlignedEdge(int level, float tolerance) : level_(level), tolerance_(tolerance) {
     for (int step = 1; step < level; ++step) shares_.push_back(evenShare(step));
   }
 
@@ -77,7 +80,7 @@ class AlignedEdge {
     for (const double share : {home - length, home + length}) {
       if (std::abs(share - evenShare(step)) * level_ > kMostAlongEdge) continue;
       const PointFit moved = fitAt(step, share);
-      if (!isBetterFit(moved, fit, poses_, tolerance_)) continue;
+      if (!isBetterFit(moved, fit, tolerance_)) continue;
       fit = moved;
       own = share;
     }
@@ -87,7 +90,6 @@ class AlignedEdge {
   }
 
   int level_;
-  std::size_t poses_;
   float tolerance_;
   std::vector<double> shares_;
   std::vector<Side> sides_;
@@ -95,20 +97,18 @@ class AlignedEdge {
 
 class SplitAligner {
  public:
-  SplitAligner(const Preparation& next, const std::vector<Pose>& poses, float tolerance, const RefinementLevels& levels,
+  SplitAligner(const ControlMesh& mesh, SampledSurface& surface, float tolerance, const RefinementLevels& levels,
                AlignedSplits splits)
-      : next_(next),
-        mesh_(next.mesh()),
-        poses_(poses),
+      : mesh_(mesh),
+        surface_(surface),
         tolerance_(tolerance),
         levels_(levels),
         splits_(std::move(splits)),
-        trianglesAt_(mesh_.edges.size()),
-        asksEdge_(mesh_.edges.size(), 0),
-        asksTriangle_(mesh_.triangles.size(), 0),
-        grids_(mesh_.triangles.size()) {
-    splits_.edges.resize(mesh_.edges.size());
-    splits_.triangles.resize(mesh_.triangles.size());
+        trianglesAt_(mesh.edges.size()),
+        asksEdge_(mesh.edges.size(), 0),
+        asksTriangle_(mesh.triangles.size(), 0) {
+    splits_.edges.resize(mesh.edges.size());
+    splits_.triangles.resize(mesh.triangles.size());
   }
 
   AlignedSplits run() {
@@ -131,64 +131,63 @@ class SplitAligner {
       for (const int e : mesh_.triangles[t].edges) at(trianglesAt_, e).push_back(static_cast<int>(t));
       if (splits_.triangles[t].levels == split) continue;
       splits_.triangles[t] = {split, {}, {}};
-      asksTriangle_[t] = split.inside > 1 ? 1 : 0;
+      asksTriangle_[t] = 1;
       for (const int e : mesh_.triangles[t].edges) at(asksEdge_, e) = 1;
     }
     for (std::size_t e = 0; e < asksEdge_.size(); ++e) {
       if (asksEdge_[e] == 0) continue;
       splits_.edges[e].clear();
-      if (levels_.edges[e] == 1) asksEdge_[e] = 0;
-      else
-        for (const int t : trianglesAt_[e]) at(asksTriangle_, t) = 1;
+      if (levels_.edges[e] == 1) continue;
+      for (const int t : trianglesAt_[e]) at(asksTriangle_, t) = 1;
+    }
+    leaveOutUnseen();
+  }
+
+  void leaveOutUnseen() {
+    const auto isSeen = [&](int t) { return isWorthAligning(t); };
+    for (std::size_t e = 0; e < asksEdge_.size(); ++e) {
+      if (levels_.edges[e] == 1 || !std::ranges::all_of(trianglesAt_[e], isSeen)) asksEdge_[e] = 0;
+    }
+    for (std::size_t t = 0; t < asksTriangle_.size(); ++t) {
+      if (asksTriangle_[t] == 0) continue;
+      splits_.triangles[t] = {splits_.triangles[t].levels, {}, {}};
+      if (!isSeen(static_cast<int>(t))) asksTriangle_[t] = 0;
     }
   }
 
-  [[nodiscard]] SplitLevels splitAt(int t) const { return at(splits_.triangles, t).levels; }
+  [[nodiscard]] bool isWorthAligning(int t) const {
+    const int highest = highestOf(at(splits_.triangles, t).levels);
+    if (highest == 1 || mesh_.triangles.size() <= kDenseMesh) return highest > 1;
+    float longest = 0.0f;
+    for (const int e : at(mesh_.triangles, t).edges) {
+      const auto& [a, b] = at(mesh_.edges, e).vertices;
+      longest = std::max(longest, glm::distance(at(mesh_.positions, a), at(mesh_.positions, b)));
+    }
+    return longest >= kLeastAlignedPiece * tolerance_ * static_cast<float>(highest);
+  }
 
-  [[nodiscard]] int samplesOf(int t) const {
-    const SplitLevels split = splitAt(t);
-    return std::max(std::ranges::max(split.sides), split.inside) <= kFewGridLevels ? kFewGridSamples : kGridSamples;
+  [[nodiscard]] int samplesOf(std::size_t t) const {
+    return highestOf(splits_.triangles[t].levels) <= kFewGridLevels ? kFewGridSamples : kGridSamples;
   }
 
   void sample() {
-    const std::vector<SampledPiece> pieces =
-        sampledPieces(next_, std::vector<std::uint8_t>(mesh_.edges.size(), 0), asksTriangle_);
-    forEachIndex(pieces.size(), 1, [&](std::size_t p) { samplePiece(pieces[p]); });
-  }
-
-  void samplePiece(const SampledPiece& piece) {
-    const SampledPart part = sampledPart(next_, piece);
-    const ControlMesh& mesh = part.mesh();
-    const std::vector<int> asked = placesIn(part.triangles, piece.triangles);
-    RefinementLevels points{std::vector<std::uint8_t>(mesh.edges.size(), 1),
-                            std::vector<std::uint8_t>(mesh.triangles.size(), 1)};
-    for (std::size_t i = 0; i < asked.size(); ++i) {
-      const auto fine = static_cast<std::uint8_t>(samplesOf(piece.triangles[i]));
-      at(points.triangles, asked[i]) = fine;
-      for (const int e : at(mesh.triangles, asked[i]).edges) at(points.edges, e) = std::max(at(points.edges, e), fine);
-      at(grids_, piece.triangles[i]) = SampleGrids(fine, poses_.size());
+    std::vector<std::uint8_t> fine(asksTriangle_.size(), 0);
+    for (std::size_t t = 0; t < fine.size(); ++t) {
+      if (asksTriangle_[t] != 0) fine[t] = static_cast<std::uint8_t>(samplesOf(t));
     }
-    SurfaceSampler sampler(part, samplePoints(mesh, points));
-    for (std::size_t pose = 0; pose < poses_.size(); ++pose) {
-      const Surface& surface = sampler.sample(poses_[pose]);
-      for (std::size_t i = 0; i < asked.size(); ++i) {
-        SampleGrids& grids = at(grids_, piece.triangles[i]);
-        PlaceSample* next = grids.inPose(pose).data();
-        forEachSample(mesh, *surface.refinement, asked[i], grids.fine(), [&](int, int, int vertex) {
-          *next++ = {at(surface.positions, vertex), at(surface.normals, vertex)};
-        });
-      }
-    }
+    surface_.sample(fine);
   }
 
   [[nodiscard]] AlignedTriangle triangleOf(int t, const SideShares& sides) const {
     const auto corner = [&](std::size_t c) { return at(mesh_.positions, at(mesh_.triangles, t).vertices[c]); };
-    return {splitAt(t), sides, {corner(0), corner(1), corner(2)}, at(grids_, t), tolerance_};
+    const TriangleSamples& samples = surface_.of(t);
+    const SampleGrids grids(samples.positions, samples.normals, samples.fine, samplesOf(toIndex(t)));
+    return {at(splits_.triangles, t).levels, sides, {corner(0), corner(1), corner(2)}, grids, tolerance_};
   }
 
   /// Against triangles whose other sides are evenly spaced, so that no edge depends on another.
   void alignEdge(std::size_t e) {
-    AlignedEdge edge(levels_.edges[e], poses_.size(), tolerance_);
+    AlignedEdge edge(levels_.edges[e], tolerance_);
     for (const int t : trianglesAt_[e]) {
       const ControlTriangle& triangle = at(mesh_.triangles, t);
       const auto found = std::ranges::find(triangle.edges, static_cast<int>(e));
@@ -204,23 +203,21 @@ class SplitAligner {
     at(splits_.triangles, t) = triangle.triangulation();
   }
 
-  const Preparation& next_;
   const ControlMesh& mesh_;
-  const std::vector<Pose>& poses_;
+  SampledSurface& surface_;
   float tolerance_;
   const RefinementLevels& levels_;
   AlignedSplits splits_;
   std::vector<std::vector<int>> trianglesAt_;  ///< [E]
   std::vector<std::uint8_t> asksEdge_;         ///< [E]
   std::vector<std::uint8_t> asksTriangle_;     ///< [T]
-  std::vector<SampleGrids> grids_;             ///< [T]
 };
 
 }  // namespace
 
-AlignedSplits alignSplits(const Preparation& next, const std::vector<Pose>& poses, float tolerance,
+AlignedSplits alignSplits(const ControlMesh& mesh, SampledSurface& surface, float tolerance,
                           const RefinementLevels& levels, AlignedSplits known) {
-  return SplitAligner(next, poses, tolerance, levels, std::move(known)).run();
+  return SplitAligner(mesh, surface, tolerance, levels, std::move(known)).run();
 }
 
 }  // namespace sinew

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <numeric>
 #include <span>
 #include <utility>
 
@@ -14,8 +15,8 @@ namespace sinew {
 
 namespace {
 
-constexpr std::size_t kMostOfPiece = 4'000;
-constexpr std::size_t kFewOfPiece = 500;  ///< So few stay together.
+constexpr std::size_t kMostOfPiece = 1'500;
+constexpr std::size_t kFewOfPiece = 200;  ///< So few stay together.
 
 /// Makes an even number of equal pieces, as the number of cores is usually even.
 std::size_t sizeOfPieces(std::size_t asked) {
@@ -25,15 +26,21 @@ std::size_t sizeOfPieces(std::size_t asked) {
 }
 
 struct Numbering {
-  std::vector<int> kept;   ///< Ascending.
-  std::vector<int> newOf;  ///< New number by old number; valid only for kept items.
+  std::vector<int> kept;  ///< Old numbers, ascending.
 
-  explicit Numbering(const std::vector<std::uint8_t>& asked) : newOf(asked.size()) {
-    for (std::size_t i = 0; i < asked.size(); ++i) {
-      if (asked[i] == 0) continue;
-      newOf[i] = static_cast<int>(kept.size());
-      kept.push_back(static_cast<int>(i));
-    }
+  /// @param old  in any order, also repeated
+  explicit Numbering(std::vector<int> old) : kept(std::move(old)) {
+    std::ranges::sort(kept);
+    kept.erase(std::unique(kept.begin(), kept.end()), kept.end());
+  }
+  static Numbering ofAll(std::size_t count) {
+    std::vector<int> all(count);
+    std::iota(all.begin(), all.end(), 0);
+    return Numbering(std::move(all));
+  }
+  /// The new number of one that is kept.
+  [[nodiscard]] int newOf(int old) const {
+    return static_cast<int>(std::ranges::lower_bound(kept, old) - kept.begin());
   }
 };
 
@@ -42,6 +49,22 @@ struct PartNumbers {
   Numbering edges;
   Numbering triangles;
 };
+
+PartNumbers numbersOf(const ControlMesh& mesh, const SampledPiece& piece) {
+  std::vector<int> vertices;
+  std::vector<int> edges;
+  for (const int t : piece) {
+    const ControlTriangle& triangle = at(mesh.triangles, t);
+    vertices.insert(vertices.end(), triangle.vertices.begin(), triangle.vertices.end());
+    edges.insert(edges.end(), triangle.edges.begin(), triangle.edges.end());
+  }
+  return {Numbering(std::move(vertices)), Numbering(std::move(edges)), Numbering(piece)};
+}
+
+PartNumbers allNumbers(const ControlMesh& mesh) {
+  return {Numbering::ofAll(mesh.positions.size()), Numbering::ofAll(mesh.edges.size()),
+          Numbering::ofAll(mesh.triangles.size())};
+}
 
 /// Has a wedge per vertex, as nothing is drawn.
 ControlMesh meshOf(const ControlMesh& whole, const PartNumbers& numbers) {
@@ -55,7 +78,7 @@ ControlMesh meshOf(const ControlMesh& whole, const PartNumbers& numbers) {
     out.influenceBegin.push_back(static_cast<int>(out.influences.size()));
     out.wedges.push_back({static_cast<int>(out.wedges.size())});
   }
-  const auto vertexOf = [&](int v) { return at(numbers.vertices.newOf, v); };
+  const auto vertexOf = [&](int v) { return numbers.vertices.newOf(v); };
   for (const int e : numbers.edges.kept) {
     Edge edge = at(whole.edges, e);
     edge.vertices = {vertexOf(edge.vertices[0]), vertexOf(edge.vertices[1])};
@@ -64,7 +87,7 @@ ControlMesh meshOf(const ControlMesh& whole, const PartNumbers& numbers) {
   for (const int t : numbers.triangles.kept) {
     ControlTriangle triangle = at(whole.triangles, t);
     for (int& v : triangle.vertices) v = vertexOf(v);
-    for (int& e : triangle.edges) e = at(numbers.edges.newOf, e);
+    for (int& e : triangle.edges) e = numbers.edges.newOf(e);
     triangle.wedges = triangle.vertices;
     out.triangles.push_back(triangle);
   }
@@ -113,86 +136,63 @@ std::shared_ptr<const CharacterTables> tablesOf(const Preparation& next, const P
 
 }  // namespace
 
-std::vector<int> placesIn(const std::vector<int>& inWhole, const std::vector<int>& asked) {
-  std::vector<int> out;
-  std::size_t place = 0;
-  for (const int one : asked) {
-    while (inWhole[place] < one) ++place;
-    out.push_back(static_cast<int>(place));
-  }
-  return out;
-}
-
-std::vector<SampledPiece> sampledPieces(const Preparation& next, std::vector<std::uint8_t> edges,
-                                        const std::vector<std::uint8_t>& triangles) {
-  const auto asked = static_cast<std::size_t>(std::ranges::count(edges, 1) + std::ranges::count(triangles, 1));
+std::vector<SampledPiece> sampledPieces(const Preparation& next, const std::vector<std::uint8_t>& triangles) {
+  const std::size_t asked = triangles.size() - static_cast<std::size_t>(std::ranges::count(triangles, 0));
   const std::size_t most = next.swells() ? sizeOfPieces(asked) : std::numeric_limits<std::size_t>::max();
   std::vector<SampledPiece> out;
-  const auto room = [&]() -> SampledPiece& {
-    if (out.empty() || out.back().triangles.size() + out.back().edges.size() >= most) out.emplace_back();
-    return out.back();
-  };
   for (std::size_t t = 0; t < triangles.size(); ++t) {
     if (triangles[t] == 0) continue;
-    SampledPiece& piece = room();
-    piece.triangles.push_back(static_cast<int>(t));
-    for (const int e : next.mesh().triangles[t].edges) {
-      if (std::exchange(at(edges, e), std::uint8_t{0}) != 0) piece.edges.push_back(e);
-    }
+    if (out.empty() || out.back().size() >= most) out.emplace_back();
+    out.back().push_back(static_cast<int>(t));
   }
-  for (std::size_t e = 0; e < edges.size(); ++e) {
-    if (edges[e] != 0) room().edges.push_back(static_cast<int>(e));
-  }
-  for (SampledPiece& piece : out) std::ranges::sort(piece.edges);
   return out;
 }
 
 SampledPart sampledPart(const Preparation& next, const SampledPiece& piece) {
-  const ControlMesh& mesh = next.mesh();
-  std::vector<std::uint8_t> vertices(mesh.positions.size(), 0);
-  std::vector<std::uint8_t> edges(mesh.edges.size(), 0);
-  std::vector<std::uint8_t> triangles(mesh.triangles.size(), 0);
-  for (const int e : piece.edges) at(edges, e) = 1;
-  for (const int t : piece.triangles) {
-    at(triangles, t) = 1;
-    for (const int e : at(mesh.triangles, t).edges) at(edges, e) = 1;
-  }
-  for (std::size_t e = 0; e < edges.size(); ++e) {
-    if (edges[e] == 0) continue;
-    for (const int v : mesh.edges[e].vertices) at(vertices, v) = 1;
-  }
   SampledPart out;
-  if (!next.swells()) {
-    for (std::vector<std::uint8_t>* asked : {&vertices, &edges, &triangles}) {
-      for (std::uint8_t& flag : *asked) out.skipped.push_back(std::exchange(flag, std::uint8_t{1}) == 0 ? 1 : 0);
-    }
-  }
-  PartNumbers numbers{Numbering(vertices), Numbering(edges), Numbering(triangles)};
+  const PartNumbers numbers = next.swells() ? numbersOf(next.mesh(), piece) : allNumbers(next.mesh());
   auto own = std::make_shared<Preparation>(next);
   own->tables = tablesOf(next, numbers);
   own->layered = nullptr;
   own->region.clear();
   own->seen = std::make_shared<const CandidateLists>(candidatesOf(next, numbers));
   out.preparation = std::move(own);
-  out.edges = std::move(numbers.edges.kept);
-  out.triangles = std::move(numbers.triangles.kept);
+  out.edges = numbers.edges.kept;
+  for (const int t : piece) out.asked.push_back(numbers.triangles.newOf(t));
+  out.triangles = numbers.triangles.kept;
   return out;
 }
 
 SurfaceSampler::SurfaceSampler(const SampledPart& part, Refinement points)
-    : preparation_(prepareSamples(*part.preparation, std::move(points))), skipped_(part.skipped) {}
+    : preparation_(prepareSamples(*part.preparation, std::move(points))) {}
 
-const Surface& SurfaceSampler::sample(const Pose& pose) {
+const Surface& SurfaceSampler::sample(const Pose& pose, std::span<const int> triangles) {
   preparation_->poser->pose(pose, rig_);
   std::ranges::fill(rig_.morphWeights, 0.0f);  // Tables of the bind pose are without morph targets.
   poseFieldAndSkin(preparation_, rig_, pose, posed_);
   layPatch(*preparation_, posed_, workspace_, surface_);
   if (preparation_->shownPrimitives > 0) {
+    skipAllBut(triangles);
     FieldView field = posed_.view(*preparation_);
     field.skipped = skipped_;
     chosenProjector(*preparation_).project({*preparation_, posed_, field}, pose, workspace_, surface_);
   }
   return surface_;
+}
+
+void SurfaceSampler::skipAllBut(std::span<const int> triangles) {
+  const ControlMesh& mesh = preparation_->mesh();
+  const std::size_t firstEdge = mesh.positions.size();
+  const std::size_t firstTriangle = firstEdge + mesh.edges.size();
+  skipped_.clear();
+  if (triangles.size() == mesh.triangles.size()) return;
+  skipped_.assign(firstTriangle + mesh.triangles.size(), 1);
+  for (const int t : triangles) {
+    const ControlTriangle& triangle = at(mesh.triangles, t);
+    skipped_[firstTriangle + toIndex(t)] = 0;
+    for (const int e : triangle.edges) skipped_[firstEdge + toIndex(e)] = 0;
+    for (const int v : triangle.vertices) at(skipped_, v) = 0;
+  }
 }
 
 }  // namespace sinew

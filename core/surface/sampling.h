@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "core/surface/posed_field.h"
@@ -11,32 +12,26 @@
 
 namespace sinew {
 
-/// Some edges and triangles as a mesh of their own, with all that sampling reads: a sample, and its cost, depend only
-/// on its edge or triangle.
+/// Some triangles as a mesh of their own, with all that sampling reads: a sample, and its cost, depend only on its edge
+/// or triangle.
 struct SampledPart {
   std::shared_ptr<const Preparation> preparation;  ///< Of the part as a mesh, without anything that needs a refinement.
   std::vector<int> edges;                          ///< Indices of the part's edges in the whole mesh, ascending.
   std::vector<int> triangles;                      ///< Likewise.
-  std::vector<std::uint8_t> skipped;               ///< [V+E+T] of the part, 1: needs no samples. Empty: none.
+  std::vector<int> asked;                          ///< Those of the part's triangles that its piece has, ascending.
 
   [[nodiscard]] const ControlMesh& mesh() const { return preparation->mesh(); }
 };
 
-/// Indices in a part.  @param inWhole  SampledPart::edges or triangles.  @param asked  some of these, ascending
-[[nodiscard]] std::vector<int> placesIn(const std::vector<int>& inWhole, const std::vector<int>& asked);
+using SampledPiece = std::vector<int>;  ///< Triangles, ascending.
 
-struct SampledPiece {
-  std::vector<int> edges;      ///< Ascending.
-  std::vector<int> triangles;  ///< Ascending.
-};
-
-/// Divides edges and triangles into pieces that fit the cache. In `replace` there is one piece, as its part has the
-/// whole mesh.  @param edges [E], triangles [T] 1: to be sampled
-[[nodiscard]] std::vector<SampledPiece> sampledPieces(const Preparation& next, std::vector<std::uint8_t> edges,
+/// Divides triangles into pieces that fit the cache. In `replace` there is one piece, as its part has the whole mesh.
+/// @param triangles [T] 0: not to be sampled
+[[nodiscard]] std::vector<SampledPiece> sampledPieces(const Preparation& next,
                                                       const std::vector<std::uint8_t>& triangles);
 
-/// The triangles of a piece with all their edges, and its other edges. In `replace` the whole mesh, which decides
-/// whether muscles wrap the body, with the rest skipped.  @param next  attached, with candidates
+/// The triangles of a piece with all their edges. In `replace` the whole mesh, which decides whether muscles wrap the
+/// body.  @param next  attached, with candidates
 [[nodiscard]] SampledPart sampledPart(const Preparation& next, const SampledPiece& piece);
 
 /// Skin, patch and projection at given points, pose after pose.
@@ -44,11 +39,14 @@ class SurfaceSampler {
  public:
   SurfaceSampler(const SampledPart& part, Refinement points);  ///< @param points  of the part's mesh
 
-  [[nodiscard]] const Surface& sample(const Pose& pose);  ///< Valid until the next call.
+  /// Valid until the next call.  @param triangles  of the part: samples on others stay on the patch.
+  [[nodiscard]] const Surface& sample(const Pose& pose, std::span<const int> triangles);
 
  private:
+  void skipAllBut(std::span<const int> triangles);
+
   std::shared_ptr<const Preparation> preparation_;
-  std::vector<std::uint8_t> skipped_;
+  std::vector<std::uint8_t> skipped_;  ///< [V+E+T] 1: not projected.
   PosedRig rig_;
   PosedField posed_;
   Workspace workspace_;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <span>
 #include <utility>
 
 #include <glm/geometric.hpp>
@@ -11,7 +12,6 @@
 #include "core/geometry/at.h"
 #include "core/geometry/parallel.h"
 #include "core/surface/patches/levels.h"
-#include "core/surface/patches/sample_points.h"
 #include "core/surface/patches/triangulation.h"
 #include "core/surface/sampling.h"
 
@@ -20,39 +20,44 @@ namespace {
 
 constexpr std::size_t kFewSplits = 4096;  ///< For one thread.
 constexpr int kSplitCheckRounds = 6;
-constexpr int kSplitCheckSamples = 12;  ///< Along each side.
-constexpr std::size_t kMany = 8'000;    ///< Meshes with more triangles, which are small, need fewer samples.
-constexpr int kSplitCheckFewSamples = 6;
+constexpr int kSplitCheckSamples = 12;    ///< Along each side.
+constexpr int kSplitCheckFewSamples = 6;  ///< Of dense meshes.
 
 /// Where a sample lies in a triangle's split.
 struct Located {
-  int vertex = 0;                 ///< Sample.
+  std::size_t sample = 0;
   std::array<int, 3> corners{};   ///< Vertices of the split.
   std::array<float, 3> shares{};  ///< Barycentric.
 };
 
 class SplitMeter {
  public:
-  SplitMeter(const Preparation& next, const RefinementLevels& levels, const SampledPiece& piece)
+  SplitMeter(const Preparation& next, const RefinementLevels& levels, const SampledPiece& piece,
+             const SampledSurface& surface, int fine)
       : part_(sampledPart(next, piece)),
         mesh_(part_.mesh()),
-        asked_(placesIn(part_.triangles, piece.triangles)),
-        fine_(next.mesh().triangles.size() > kMany ? kSplitCheckFewSamples : kSplitCheckSamples),
-        samples_(part_, samplePoints(mesh_, only(
-                                                0, [&](int) { return fine_; }, [&](int) { return fine_; }))),
-        split_(part_, refine(mesh_, only(
-                                        1, [&](int e) { return at(levels.edges, at(part_.edges, e)); },
-                                        [&](int t) { return at(levels.triangles, at(part_.triangles, t)); }))),
-        located_(asked_.size()),
-        worst_(asked_.size(), 0.0f) {}
+        surface_(surface),
+        fine_(fine),
+        split_(part_, refine(mesh_, splitLevels(levels))),
+        located_(part_.asked.size()),
+        worst_(part_.asked.size(), 0.0f) {}
 
   /// [triangles of the piece] the largest distance of a sample from its flat triangle, over all poses.
-  const std::vector<float>& measure(const std::vector<Pose>& poses) {
-    for (const Pose& pose : poses) {
-      const Surface& samples = samples_.sample(pose);
-      const Surface& split = split_.sample(pose);
-      for (std::size_t i = 0; i < asked_.size(); ++i) {
-        if (located_[i].empty()) locate(i, *samples.refinement, *split.refinement);
+  const std::vector<float>& measure() {
+    std::vector<std::size_t> seen(part_.asked.size(), 0);  // Number of poses.
+    for (std::size_t pose = 0; pose < surface_.poses().size(); ++pose) {
+      std::vector<std::size_t> own;
+      std::vector<int> triangles;
+      for (std::size_t i = 0; i < part_.asked.size(); ++i) {
+        if (!contains(at(surface_.posesOf(), wholeIndex(i)), pose)) continue;
+        own.push_back(i);
+        triangles.push_back(part_.asked[i]);
+      }
+      if (own.empty()) continue;
+      const Surface& split = split_.sample(surface_.poses()[pose], triangles);
+      for (const std::size_t i : own) {
+        if (located_[i].empty()) locate(i, *split.refinement);
+        const FineSamples samples = surface_.of(wholeIndex(i)).of(seen[i]++);
         for (const Located& one : located_[i]) {
           worst_[i] = std::max(worst_[i], distance(one, samples.positions, split.positions));
         }
@@ -62,19 +67,22 @@ class SplitMeter {
   }
 
  private:
-  /// Levels of the part: `other` except for the asked triangles and their sides.
-  RefinementLevels only(std::uint8_t other, const auto& edgeLevel, const auto& insideLevel) const {
-    RefinementLevels out{std::vector<std::uint8_t>(mesh_.edges.size(), other),
-                         std::vector<std::uint8_t>(mesh_.triangles.size(), other)};
-    for (const int t : asked_) {
-      at(out.triangles, t) = static_cast<std::uint8_t>(insideLevel(t));
-      for (const int e : at(mesh_.triangles, t).edges) at(out.edges, e) = static_cast<std::uint8_t>(edgeLevel(e));
+  [[nodiscard]] int wholeIndex(std::size_t i) const { return at(part_.triangles, part_.asked[i]); }
+
+  /// Levels of the part: 1 except for the asked triangles and their sides.
+  [[nodiscard]] RefinementLevels splitLevels(const RefinementLevels& levels) const {
+    RefinementLevels out{std::vector<std::uint8_t>(mesh_.edges.size(), 1),
+                         std::vector<std::uint8_t>(mesh_.triangles.size(), 1)};
+    for (const int t : part_.asked) {
+      at(out.triangles, t) = at(levels.triangles, at(part_.triangles, t));
+      for (const int e : at(mesh_.triangles, t).edges) at(out.edges, e) = at(levels.edges, at(part_.edges, e));
     }
     return out;
   }
 
-  void locate(std::size_t i, const Refinement& samples, const Refinement& split) {
-    const int t = asked_[i];
+  void locate(std::size_t i, const Refinement& split) {
+    const int t = part_.asked[i];
+    const TriangleSamples& samples = surface_.of(wholeIndex(i));
     struct Piece {
       std::array<int, 3> corners;
       std::array<glm::dvec2, 3> at;
@@ -89,9 +97,9 @@ class SplitMeter {
       pieces.push_back(piece);
     }
     const auto cross = [](const glm::dvec2& a, const glm::dvec2& b) { return a.x * b.y - a.y * b.x; };
-    forEachSample(mesh_, samples, t, fine_, [&](int j, int k, int vertex) {
+    const auto locateSample = [&](int j, int k) {
       const glm::dvec2 p(static_cast<double>(j) / fine_, static_cast<double>(k) / fine_);
-      Located best{vertex, {}, {}};
+      Located best{samples.placeOf(fine_, j, k), {}, {}};
       double most = -1e30;
       for (const Piece& piece : pieces) {
         const glm::dvec2 u = piece.at[1] - piece.at[0];
@@ -107,22 +115,23 @@ class SplitMeter {
         best.shares = {static_cast<float>(1.0 - y - z), static_cast<float>(y), static_cast<float>(z)};
       }
       if (most > -1e30) located_[i].push_back(best);
-    });
+    };
+    for (int j = 0; j <= fine_; ++j) {
+      for (int k = 0; k <= fine_ - j; ++k) locateSample(j, k);
+    }
   }
 
-  static float distance(const Located& one, const std::vector<glm::vec3>& samples,
-                        const std::vector<glm::vec3>& split) {
+  static float distance(const Located& one, std::span<const glm::vec3> samples, const std::vector<glm::vec3>& split) {
     const auto corner = [&](std::size_t i) { return at(split, one.corners[i]); };
-    return distanceFromPiece(at(samples, one.vertex), {corner(0), corner(1), corner(2)}, one.shares);
+    return distanceFromPiece(samples[one.sample], {corner(0), corner(1), corner(2)}, one.shares);
   }
 
   SampledPart part_;
   const ControlMesh& mesh_;
-  std::vector<int> asked_;  ///< Triangles of the part.
+  const SampledSurface& surface_;
   int fine_;
-  SurfaceSampler samples_;
   SurfaceSampler split_;
-  std::vector<std::vector<Located>> located_;
+  std::vector<std::vector<Located>> located_;  ///< Of each asked triangle, like
   std::vector<float> worst_;
 };
 
@@ -147,24 +156,26 @@ void raise(const ControlMesh& mesh, const SplitLevels& split, int t, RefinementL
 
 }  // namespace
 
-RefinementLevels levelsThatFit(const Preparation& next, const std::vector<Pose>& poses, float tolerance,
+RefinementLevels levelsThatFit(const Preparation& next, SampledSurface& surface, float tolerance,
                                RefinementLevels needed, CheckedSplits& known) {
   const ControlMesh& mesh = next.mesh();
   known.resize(mesh.triangles.size());
   const LevelGrader grader(mesh);
   RefinementLevels levels = grader.graded(needed);
+  const auto fine =
+      static_cast<std::uint8_t>(mesh.triangles.size() > kDenseMesh ? kSplitCheckFewSamples : kSplitCheckSamples);
   for (int round = 0; round < kSplitCheckRounds; ++round) {
     std::vector<std::uint8_t> unknown(mesh.triangles.size(), 0);
     forEachIndex(unknown.size(), kFewSplits, [&](std::size_t t) {
       const SplitLevels split = splitOf(mesh, levels, static_cast<int>(t));
-      if (!split.isUniform() && !find(known[t], split)) unknown[t] = 1;  // The fit has covered n^2 splits.
+      if (!split.isUniform() && !find(known[t], split)) unknown[t] = fine;  // The fit has covered n^2 splits.
     });
-    const std::vector<SampledPiece> pieces =
-        sampledPieces(next, std::vector<std::uint8_t>(mesh.edges.size(), 0), unknown);
+    surface.sample(unknown);
+    const std::vector<SampledPiece> pieces = sampledPieces(next, unknown);
     forEachIndex(pieces.size(), 1, [&](std::size_t p) {
-      const std::vector<int>& triangles = pieces[p].triangles;
-      SplitMeter meter(next, levels, pieces[p]);
-      const std::vector<float>& worst = meter.measure(poses);
+      const SampledPiece& triangles = pieces[p];
+      SplitMeter meter(next, levels, triangles, surface, fine);
+      const std::vector<float>& worst = meter.measure();
       for (std::size_t i = 0; i < triangles.size(); ++i) {
         at(known, triangles[i]).push_back({splitOf(mesh, levels, triangles[i]), worst[i] <= tolerance});
       }

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <limits>
 
@@ -234,6 +235,31 @@ TEST(AdaptiveSurface, CoarserTolerancesGiveFewerVerticesDownToTheMesh) {
     finer = surface.refinement->vertexCount;
   }
   EXPECT_LT(static_cast<double>(finer), 1.02 * static_cast<double>(character->mesh.positions.size()));
+}
+
+// Each triangle has fine samples in few of the poses.
+TEST(AdaptiveSurface, DenseMeshIsWithinToleranceInNearlyAllOfItsPoses) {
+  const CharacterPtr character = fineHumanoid();
+  Rig rig = adaptiveRig(*character, 3, 0.0003f);
+  for (Primitive& primitive : rig.primitives) primitive.sign = 1;
+  Prepared prepared{character, characterTables(character)};
+  const auto detail = prepared(rig)->detail;
+  ASSERT_GT(detail->from.poses.size(), 4u);
+  ASSERT_GT(character->mesh.triangles.size(), kDenseMesh);
+  for (const PoseSet poses : detail->posesOf) {
+    EXPECT_GE(std::popcount(poses), 1);
+    EXPECT_LE(std::popcount(poses), 4);
+  }
+  Projected adaptive(*character, rig);
+  rig.smoothing.detail = DetailKind::kUniform;
+  rig.smoothing.depth = 4;
+  Projected fine(*character, rig);
+  int far = 0;
+  for (const std::size_t pose : {2u, 5u}) {
+    const Pose& now = detail->from.poses[pose];
+    far += fartherThan(1.03f * 0.0003f * character->height, character->mesh, fine.at(now), adaptive.at(now));
+  }
+  EXPECT_LE(far, 10);
 }
 
 TEST(AdaptiveSurface, SidesAreSplitAtLeastHalfAsFinelyAsTheirTriangle) {

@@ -67,14 +67,14 @@ struct AllSamples {
 
   static SampledPiece all(const Preparation& next) {
     SampledPiece out;
-    for (std::size_t e = 0; e < next.mesh().edges.size(); ++e) out.edges.push_back(static_cast<int>(e));
-    for (std::size_t t = 0; t < next.mesh().triangles.size(); ++t) out.triangles.push_back(static_cast<int>(t));
+    for (std::size_t t = 0; t < next.mesh().triangles.size(); ++t) out.push_back(static_cast<int>(t));
     return out;
   }
   static Refinement points(const Preparation& next) {
     return samplePoints(next.mesh(), {std::vector<std::uint8_t>(next.mesh().edges.size(), 4),
                                       std::vector<std::uint8_t>(next.mesh().triangles.size(), 4)});
   }
+  const Surface& sample(const Pose& pose) { return sampler.sample(pose, part.asked); }
 };
 
 int carrierOf(const Refinement& points, int vertex) {
@@ -110,8 +110,8 @@ TEST(LevelChanges, EveryChangedSampleIsReevaluated) {
       AllSamples before(*first);
       AllSamples now(*second);
       for (const Pose& pose : sources.poses) {
-        const Surface& a = before.sampler.sample(pose);
-        const Surface& b = now.sampler.sample(pose);
+        const Surface& a = before.sample(pose);
+        const Surface& b = now.sample(pose);
         for (int v = 0; v < b.refinement->vertexCount; ++v) {
           if (at(a.positions, v) == at(b.positions, v) && at(a.normals, v) == at(b.normals, v)) continue;
           ++changed;
@@ -139,6 +139,7 @@ TEST(LevelChanges, LevelsAfterAnEditMatchAFreshStart) {
       former = prepared(rig, former.get(), hidden);
       const PreparationPtr fresh = prepared(rig, nullptr, hidden);
       ASSERT_EQ(former->detail->needed, fresh->detail->needed) << name << ", edit " << edit;
+      ASSERT_EQ(former->detail->posesOf, fresh->detail->posesOf) << name << ", edit " << edit;
       ASSERT_EQ(former->detail->levels, fresh->detail->levels) << name << ", edit " << edit;
       ASSERT_EQ(former->detail->splits, fresh->detail->splits) << name << ", edit " << edit;
       ASSERT_EQ(former->refinement().triangles, fresh->refinement().triangles);
@@ -162,7 +163,7 @@ TEST(LevelChanges, WidthsOfTheSurfaceAffectAllSamples) {
   }
 }
 
-// Pieces hold about a thousand edges and triangles, ranges a thousand vertices: only a fine mesh has several.
+// Pieces hold about a thousand triangles, ranges a thousand vertices: only a fine mesh has several.
 TEST(LevelChanges, LevelsDoNotDependOnThreads) {
   const CharacterPtr character = fineHumanoid();
   Rig rig = randomRig(*character, {.primitives = 4}, 3);
@@ -177,8 +178,7 @@ TEST(LevelChanges, LevelsDoNotDependOnThreads) {
     found.push_back(prepared(after, found.back().get()));
   }
   const ControlMesh& mesh = found.front()->mesh();
-  const auto pieces = sampledPieces(*found.front(), std::vector<std::uint8_t>(mesh.edges.size(), 1),
-                                    std::vector<std::uint8_t>(mesh.triangles.size(), 1));
+  const auto pieces = sampledPieces(*found.front(), std::vector<std::uint8_t>(mesh.triangles.size(), 1));
   EXPECT_GT(pieces.size(), 8u);
   EXPECT_NE(found[0]->detail->needed, found[1]->detail->needed);
   for (const std::size_t i : {0u, 1u}) {
@@ -188,7 +188,6 @@ TEST(LevelChanges, LevelsDoNotDependOnThreads) {
   }
 }
 
-// An edge without a triangle of its own is sampled too.
 TEST(LevelChanges, PartialMeshMatchesTheWhole) {
   const TrialScene scene = bundledTrialScene("tangle");
   Preparer prepared(scene.character);
@@ -196,31 +195,31 @@ TEST(LevelChanges, PartialMeshMatchesTheWhole) {
     const PreparationPtr whole = prepared(withMode(scene.rig, mode));
     AllSamples all(*whole);
     SampledPiece piece;
-    for (int e = 0; e < static_cast<int>(whole->mesh().edges.size()); e += 7) piece.edges.push_back(e);
-    for (int t = 3; t < static_cast<int>(whole->mesh().triangles.size()); t += 11) piece.triangles.push_back(t);
+    for (int t = 3; t < static_cast<int>(whole->mesh().triangles.size()); t += 11) piece.push_back(t);
     const SampledPart part = sampledPart(*whole, piece);
+    const ControlMesh& mesh = part.mesh();
     RefinementLevels levels{std::vector<std::uint8_t>(part.edges.size(), 0),
                             std::vector<std::uint8_t>(part.triangles.size(), 0)};
-    const std::vector<int> edges = placesIn(part.edges, piece.edges);
-    const std::vector<int> triangles = placesIn(part.triangles, piece.triangles);
-    for (const int e : edges) at(levels.edges, e) = 4;
-    for (const int t : triangles) at(levels.triangles, t) = 4;
-    SurfaceSampler sampler(part, samplePoints(part.mesh(), levels));
+    for (const int t : part.asked) {
+      at(levels.triangles, t) = 4;
+      for (const int e : at(mesh.triangles, t).edges) at(levels.edges, e) = 4;
+    }
+    SurfaceSampler sampler(part, samplePoints(mesh, levels));
     int moved = 0;
     for (const Pose& pose : spreadPoses(*scene.character, 3)) {
-      const Surface& a = sampler.sample(pose);
-      const Surface& b = all.sampler.sample(pose);
+      const Surface& a = sampler.sample(pose, part.asked);
+      const Surface& b = all.sample(pose);
       const auto expectSame = [&](int own, int other) {
         EXPECT_EQ(at(a.positions, own), at(b.positions, other));
         EXPECT_EQ(at(a.normals, own), at(b.normals, other));
         moved += at(a.displacement, own) != 0.0f ? 1 : 0;
       };
-      for (const int e : edges) {
-        for (int step = 1; step < 4; ++step) {
-          expectSame(a.refinement->edgeVertex(e, step), b.refinement->edgeVertex(at(part.edges, e), step));
+      for (const int t : part.asked) {
+        for (const int e : at(mesh.triangles, t).edges) {
+          for (int step = 1; step < 4; ++step) {
+            expectSame(a.refinement->edgeVertex(e, step), b.refinement->edgeVertex(at(part.edges, e), step));
+          }
         }
-      }
-      for (const int t : triangles) {
         for (int i = 0; i < a.refinement->insideVertices(t); ++i) {
           expectSame(at(a.refinement->insideBegin, t) + i, at(b.refinement->insideBegin, at(part.triangles, t)) + i);
         }

@@ -42,10 +42,10 @@ void PointFit::add(const PointFit& other) {
   off = std::max(off, other.off);
 }
 
-bool isBetterFit(const PointFit& moved, const PointFit& former, std::size_t poses, float tolerance) {
+bool isBetterFit(const PointFit& moved, const PointFit& former, float tolerance) {
   if (moved.leastAngle < std::min(kAlignedLeastAngle, former.leastAngle)) return false;
   if (moved.off > tolerance && moved.off > former.off) return false;
-  const double least = static_cast<double>(kLeastTurn) * former.area * static_cast<double>(poses);
+  const double least = static_cast<double>(kLeastTurn) * former.area;
   return moved.turned < std::min(kPointGain * former.turned, former.turned - least);
 }
 
@@ -126,6 +126,7 @@ void AlignedTriangle::addFit(const std::array<int, 3>& t, PointFit& fit) {
     own.off = std::max(own.off, glm::distance((a.position + b.position + c.position) / 3.0f, surface.position));
   }
   own.turned = own.area * static_cast<double>(turned);
+  own.area *= static_cast<double>(poses());
   fit.add(own);
 }
 
@@ -170,7 +171,7 @@ void AlignedTriangle::moveIfBetter(int point, double step) {
   for (const glm::dvec2& way : {glm::dvec2(1, 0), glm::dvec2(0, 1), glm::dvec2(-1, 0), glm::dvec2(0, -1)}) {
     const glm::dvec2 place = home + step * size * way;
     const PointFit moved = fitAt(point, place);
-    if (!isBetterFit(moved, fit, poses(), tolerance_)) continue;
+    if (!isBetterFit(moved, fit, tolerance_)) continue;
     fit = moved;
     best = place;
   }

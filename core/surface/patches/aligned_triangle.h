@@ -19,7 +19,7 @@ namespace sinew {
 /// How well the small triangles at a point fit the surface, in their middles.
 struct PointFit {
   double turned = 0.0;      ///< Squared distance of interpolated normals from the surface's, times area, over poses.
-  double area = 0.0;        ///< Of these triangles.
+  double area = 0.0;        ///< Of these triangles, times the number of poses.
   double leastAngle = 4.0;  ///< Bind pose.
   float off = 0.0f;         ///< Largest distance from the surface in a pose, world units.
 
@@ -28,9 +28,8 @@ struct PointFit {
 
 /// Whether `moved` is closer, makes no slivers and stays within the tolerance, or is no worse there than `former`.
 /// @param tolerance  of `off`
-[[nodiscard]] bool isBetterFit(const PointFit& moved, const PointFit& former, std::size_t poses, float tolerance);
+[[nodiscard]] bool isBetterFit(const PointFit& moved, const PointFit& former, float tolerance);
 
-/// Keeps a reference to the samples.
 class AlignedTriangle {
  public:
   /// @param corners  bind pose.  @param tolerance  of positions, world units
@@ -68,7 +67,7 @@ class AlignedTriangle {
   [[nodiscard]] bool isCloser(int a, int b, int c, int d);
 
   SplitLevels levels_;
-  const SampleGrids& grids_;
+  SampleGrids grids_;
   float tolerance_;
   std::array<glm::dvec2, 2> plane_{};  ///< Sides from corner 0.
   std::vector<glm::dvec2> places_;     ///< Barycentric, of all points.

@@ -9,7 +9,6 @@
 #include <glm/geometric.hpp>
 
 #include "core/geometry/at.h"
-#include "sinew/rig/rig.h"
 
 namespace sinew {
 
@@ -107,11 +106,24 @@ namespace {
 /// Neighboring samples whose normals differ by more have a crease between them, which no level makes smooth.
 constexpr float kCreaseCosine = 0.94f;  ///< 20 degrees.
 
+/// How many times as far normals may be off on a piece of that length.
+float allowanceOf(float piece, const LevelTolerance& tolerance) {
+  return tolerance.seenPiece > piece ? tolerance.seenPiece / piece : 1.0f;
+}
+
 /// Whether the normal interpolated at a sample is too far off for a piece of that length.
 bool turnsTooFar(const glm::vec3& interpolated, const glm::vec3& normal, float piece, const LevelTolerance& tolerance) {
-  const float times = tolerance.seenPiece > piece ? tolerance.seenPiece / piece : 1.0f;
+  const float times = allowanceOf(piece, tolerance);
   const float cosine = 1.0f - times * times * (1.0f - tolerance.normalCosine);  // Of angles that many times as large.
   return !(glm::dot(interpolated, normal) >= cosine * glm::length(interpolated));
+}
+
+/// The angle of two normals, in tolerances.
+float turnInTolerances(const glm::vec3& interpolated, const glm::vec3& normal, const LevelTolerance& tolerance) {
+  const float length = glm::length(interpolated);
+  if (!(length > 0.0f)) return 1e30f;
+  const float cosine = glm::dot(interpolated, normal) / length;
+  return std::sqrt(std::max(0.0f, 1.0f - cosine) / (1.0f - tolerance.normalCosine));
 }
 
 float distanceToChord(const glm::vec3& p, const glm::vec3& a, const glm::vec3& b) {
@@ -119,6 +131,11 @@ float distanceToChord(const glm::vec3& p, const glm::vec3& a, const glm::vec3& b
   const float squared = glm::dot(along, along);
   const float t = squared > 0.0f ? std::clamp(glm::dot(p - a, along) / squared, 0.0f, 1.0f) : 0.0f;
   return glm::distance(p, a + t * along);
+}
+
+bool isSmoothAt(const FineSamples& s, std::size_t at) {
+  return glm::dot(s.normals[at - 1], s.normals[at]) > kCreaseCosine &&
+         glm::dot(s.normals[at], s.normals[at + 1]) > kCreaseCosine;
 }
 
 bool edgeFits(const FineSamples& s, int fine, int level, const LevelTolerance& tolerance) {
@@ -133,9 +150,7 @@ bool edgeFits(const FineSamples& s, int fine, int level, const LevelTolerance& t
     const float share = static_cast<float>(i - from) / static_cast<float>(step);
     const glm::vec3 between = (1.0f - share) * s.normals[a] + share * s.normals[b];
     if (!turnsTooFar(between, s.normals[at], glm::distance(s.positions[a], s.positions[b]), tolerance)) continue;
-    const bool smooth = glm::dot(s.normals[at - 1], s.normals[at]) > kCreaseCosine &&
-                        glm::dot(s.normals[at], s.normals[at + 1]) > kCreaseCosine;
-    if (smooth) return false;
+    if (isSmoothAt(s, at)) return false;
   }
   return true;
 }
@@ -260,6 +275,43 @@ int edgeLevel(const FineSamples& samples, int from, const LevelTolerance& tolera
 
 int triangleLevel(const FineSamples& samples, int fine, int from, const LevelTolerance& tolerance) {
   return leastDivisor(fine, from, [&](int level) { return triangleFits(samples, fine, level, tolerance); });
+}
+
+float edgeMisfit(const FineSamples& s, const LevelTolerance& tolerance) {
+  const std::size_t last = s.positions.size() - 1;
+  const float allowance = allowanceOf(glm::distance(s.positions[0], s.positions[last]), tolerance);
+  float most = 0.0f;
+  for (std::size_t i = 1; i < last; ++i) {
+    most = std::max(most, distanceToChord(s.positions[i], s.positions[0], s.positions[last]) / tolerance.distance);
+    if (!isSmoothAt(s, i)) continue;
+    const float share = static_cast<float>(i) / static_cast<float>(last);
+    const glm::vec3 between = (1.0f - share) * s.normals[0] + share * s.normals[last];
+    most = std::max(most, turnInTolerances(between, s.normals[i], tolerance) / allowance);
+  }
+  return most;
+}
+
+float triangleMisfit(const FineSamples& s, int fine, const LevelTolerance& tolerance) {
+  const std::array<std::size_t, 3> at{0, indexOf(fine, fine, 0), indexOf(fine, 0, fine)};
+  const std::array corners{s.positions[at[0]], s.positions[at[1]], s.positions[at[2]]};
+  const float allowance = allowanceOf(longestSide(corners), tolerance);
+  float most = 0.0f;
+  for (const Place& own : knownPlaces(fine, 1)) {
+    most = std::max(most, distanceFromPiece(s.positions[own.at], corners, own.shares) / tolerance.distance);
+    if (!isSmoothAt(s, fine, own.j, own.k)) continue;
+    const glm::vec3 between =
+        own.shares[0] * s.normals[at[0]] + own.shares[1] * s.normals[at[1]] + own.shares[2] * s.normals[at[2]];
+    most = std::max(most, turnInTolerances(between, s.normals[own.at], tolerance) / allowance);
+  }
+  return most;
+}
+
+SideSamples::SideSamples(const FineSamples& ofTriangle, int fine, std::size_t side) : count_(toIndex(fine) + 1) {
+  for (int i = 0; i <= fine; ++i) {
+    const std::array places{indexOf(fine, i, 0), indexOf(fine, fine - i, i), indexOf(fine, 0, fine - i)};
+    at(positions_, i) = ofTriangle.positions[places[side]];
+    at(normals_, i) = ofTriangle.normals[places[side]];
+  }
 }
 
 }  // namespace sinew

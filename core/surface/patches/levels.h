@@ -2,12 +2,14 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <span>
 #include <vector>
 
 #include <glm/vec3.hpp>
 
 #include "sinew/geometry/control_mesh.h"
+#include "sinew/rig/rig.h"
 #include "sinew/surface/refinement.h"
 
 namespace sinew {
@@ -51,8 +53,28 @@ struct LevelTolerance {
 /// @param samples [R + 1] evenly spaced along an edge.
 [[nodiscard]] int edgeLevel(const FineSamples& samples, int from, const LevelTolerance& tolerance);
 
+/// How many times the tolerance samples of an edge are off its one chord, in distance or in the angle of normals.
+[[nodiscard]] float edgeMisfit(const FineSamples& samples, const LevelTolerance& tolerance);
+
 /// The same for the n^2 split of a triangle.  @param fine  R, at most kMaxDepth.  @param samples [(R+1)(R+2)/2] at
 /// barycentric (R-j-k, j, k) / R, row j = 0 first, k ascending.
 [[nodiscard]] int triangleLevel(const FineSamples& samples, int fine, int from, const LevelTolerance& tolerance);
+
+/// edgeMisfit() for a triangle that is one flat piece.
+[[nodiscard]] float triangleMisfit(const FineSamples& samples, int fine, const LevelTolerance& tolerance);
+
+/// Samples of one side of a triangle, from corner `side` on.
+class SideSamples {
+ public:
+  SideSamples(const FineSamples& ofTriangle, int fine, std::size_t side);
+  [[nodiscard]] FineSamples samples() const {
+    return {std::span(positions_).first(count_), std::span(normals_).first(count_)};
+  }
+
+ private:
+  std::size_t count_;
+  std::array<glm::vec3, kMaxDepth + 1> positions_;
+  std::array<glm::vec3, kMaxDepth + 1> normals_;
+};
 
 }  // namespace sinew

@@ -7,7 +7,6 @@
 #include <cstddef>
 #include <span>
 #include <utility>
-#include <vector>
 
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
@@ -25,19 +24,19 @@ struct SampleCell {
   std::array<float, 3> shares{};
 };
 
+/// Keeps references to the samples.
 class SampleGrids {
  public:
-  SampleGrids() = default;
-  /// @param fine  samples along a side
-  SampleGrids(int fine, std::size_t poses)
-      : fine_(fine), perPose_(static_cast<std::size_t>((fine + 1) * (fine + 2) / 2)), samples_(poses * perPose_) {}
+  /// @param positions, normals  pose after pose, in the order of forEachSample().
+  /// @param sampled  pieces of a side.  @param fine  those used, a divisor of that
+  SampleGrids(std::span<const glm::vec3> positions, std::span<const glm::vec3> normals, int sampled, int fine)
+      : positions_(positions),
+        normals_(normals),
+        sampled_(sampled),
+        fine_(fine),
+        perPose_(static_cast<std::size_t>((sampled + 1) * (sampled + 2) / 2)) {}
 
-  [[nodiscard]] int fine() const { return fine_; }
-  [[nodiscard]] std::size_t poses() const { return perPose_ == 0 ? 0 : samples_.size() / perPose_; }
-  /// In the order of forEachSample().
-  [[nodiscard]] std::span<PlaceSample> inPose(std::size_t pose) {
-    return std::span(samples_).subspan(pose * perPose_, perPose_);
-  }
+  [[nodiscard]] std::size_t poses() const { return positions_.size() / perPose_; }
 
   /// @param place  barycentric (1-x-y, x, y)
   [[nodiscard]] SampleCell cellOf(const glm::dvec2& place) const {
@@ -52,12 +51,12 @@ class SampleGrids {
 
   /// Linear between samples.
   [[nodiscard]] PlaceSample at(const SampleCell& cell, std::size_t pose) const {
-    const PlaceSample* own = samples_.data() + pose * perPose_;
-    const PlaceSample& a = own[cell.samples[0]];
-    const PlaceSample& b = own[cell.samples[1]];
-    const PlaceSample& c = own[cell.samples[2]];
-    const auto& [u, v, w] = cell.shares;
-    return {u * a.position + v * b.position + w * c.position, u * a.normal + v * b.normal + w * c.normal};
+    const auto mean = [&](std::span<const glm::vec3> of) {
+      const glm::vec3* own = of.data() + pose * perPose_;
+      const auto& [a, b, c] = cell.samples;
+      return cell.shares[0] * own[a] + cell.shares[1] * own[b] + cell.shares[2] * own[c];
+    };
+    return {mean(positions_), mean(normals_)};
   }
 
  private:
@@ -69,12 +68,16 @@ class SampleGrids {
     return {cell, static_cast<float>(place - cell)};
   }
   [[nodiscard]] std::size_t numberOf(int row, int column) const {
-    return static_cast<std::size_t>(row * (fine_ + 1) - row * (row - 1) / 2 + column);
+    const int stride = sampled_ / fine_;
+    const int j = row * stride;
+    return static_cast<std::size_t>(j * (sampled_ + 1) - j * (j - 1) / 2 + column * stride);
   }
 
-  int fine_ = 0;
-  std::size_t perPose_ = 0;
-  std::vector<PlaceSample> samples_;  ///< [poses][perPose]
+  std::span<const glm::vec3> positions_;
+  std::span<const glm::vec3> normals_;
+  int sampled_;
+  int fine_;
+  std::size_t perPose_;
 };
 
 }  // namespace sinew

@@ -54,6 +54,7 @@ class TileReplacer : TileField {
         fallback_(none()) {}
 
   void move(const VertexTile& tile) {
+    if (isSkipped(tile)) return;
     start(tile, inputs_.flat.positions);
     if (!gatherNear()) return;
     for (first_ = 0; first_ < kLanes; first_ += width()) moveLanes();

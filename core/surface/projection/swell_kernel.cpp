@@ -49,6 +49,7 @@ class TileSweller : TileField {
         isoRadius_(static_cast<float>(isoRadius(static_cast<double>(inputs.settings.iso)))) {}
 
   void move(const VertexTile& tile) {
+    if (isSkipped(tile)) return;
     start(tile, inputs_.surface->positions);
     if (!gatherNear()) return;
     for (first_ = 0; first_ < kLanes; first_ += width()) moveLanes();

@@ -6,6 +6,9 @@
 #define SINEW_TILE_FIELD_H
 #endif
 
+#include <algorithm>
+#include <span>
+
 #include "core/geometry/lanes.h"
 #include "core/surface/projection/projection_scratch.h"
 #include "core/surface/projection/vertex_tiles.h"
@@ -55,6 +58,13 @@ class TileField {
   }
   const PosedPrimitive& primitive(int index) const { return field_.primitives[static_cast<std::size_t>(index)]; }
   const UnitBallMap& influence(int index) const { return primitive(index).influence; }
+
+  bool isSkipped(const VertexTile& tile) const {
+    const auto& skipped = field_.skipped;
+    const auto carriers = std::span(tile.carriers).first(static_cast<std::size_t>(tile.used));
+    return !skipped.empty() &&
+           std::ranges::all_of(carriers, [&](int c) { return skipped[static_cast<std::size_t>(c)] != 0; });
+  }
 
   /// Lanes that hold a vertex of their own that is to be projected.
   M asked() const {

@@ -17,6 +17,7 @@
 #include "tests/support/characters/body_with_arms.h"
 #include "tests/support/characters/synthetic_characters.h"
 #include "tests/support/euler_characteristic.h"
+#include "tests/support/rigs/random_rigs.h"
 
 namespace sinew::test {
 namespace {
@@ -251,6 +252,57 @@ TEST(LevelFit, SplitsABumpButNotAFlatTriangle) {
   const int level = triangleLevel({bumped, normals}, kFine, 1, {0.05f, -1.0f});
   EXPECT_GT(level, 3);
   EXPECT_LT(level, 12);
+}
+
+TEST(LevelFit, MisfitIsAboveOneWhereOneFlatPieceDoesNotFit) {
+  constexpr int kFine = 6;
+  Random random(3);
+  int fits = 0;
+  int fails = 0;
+  for (int round = 0; round < 2000; ++round) {
+    const float height = random.uniform(0.0f, 0.05f);
+    const float turn = random.uniform(0.0f, 0.3f);
+    std::vector<glm::vec3> positions;
+    std::vector<glm::vec3> normals;
+    for (int j = 0; j <= kFine; ++j) {
+      for (int k = 0; k <= kFine - j; ++k) {
+        positions.emplace_back(j, k, height * random.uniform(-1.0f, 1.0f));
+        normals.push_back(
+            glm::normalize(glm::vec3(turn * random.uniform(-1.0f, 1.0f), turn * random.uniform(-1.0f, 1.0f), 1.0f)));
+      }
+    }
+    const FineSamples samples{positions, normals};
+    const LevelTolerance tolerance{0.03f, 0.99f, round % 2 == 0 ? 0.0f : 20.0f};
+    const float misfit = triangleMisfit(samples, kFine, tolerance);
+    const bool isFlat = triangleLevel(samples, kFine, 1, tolerance) == 1;
+    (isFlat ? fits : fails) += 1;
+    EXPECT_EQ(misfit <= 1.0f, isFlat) << misfit;
+    for (std::size_t side = 0; side < 3; ++side) {
+      const SideSamples own(samples, kFine, side);
+      const float ofEdge = edgeMisfit(own.samples(), tolerance);
+      EXPECT_EQ(ofEdge <= 1.0f, edgeLevel(own.samples(), 1, tolerance) == 1) << ofEdge;
+    }
+  }
+  EXPECT_GT(fits, 200);
+  EXPECT_GT(fails, 200);
+}
+
+TEST(LevelFit, SidesGoFromCornerToCorner) {
+  constexpr int kFine = 3;
+  std::vector<glm::vec3> positions;
+  for (int j = 0; j <= kFine; ++j) {
+    for (int k = 0; k <= kFine - j; ++k) positions.emplace_back(kFine - j - k, j, k);
+  }
+  for (std::size_t side = 0; side < 3; ++side) {
+    const SideSamples own({positions, positions}, kFine, side);
+    ASSERT_EQ(own.samples().positions.size(), 4u);
+    for (int i = 0; i <= kFine; ++i) {
+      glm::vec3 expected(0.0f);
+      expected[static_cast<int>(side)] = static_cast<float>(kFine - i);
+      expected[static_cast<int>((side + 1) % 3)] = static_cast<float>(i);
+      EXPECT_EQ(own.samples().positions[toIndex(i)], expected);
+    }
+  }
 }
 
 TEST(SamplePoints, MatchUniformSplits) {
