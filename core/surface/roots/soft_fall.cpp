@@ -77,11 +77,14 @@ class SoftFall {
       const FallBounds bounds = boundsOf(scratch_.halves[level]);
       // The bound of the value alone does not become tight where parts get short.
       if (bounds.least > 0.0 || atStart + bounds.slopeByShares.low >= 0.0) return std::nullopt;
-      if (bounds.slopeByShares.high <= 0.0) {
+      if (bounds.slope.high <= 0.0) {
         if (!endsBelow(level)) return std::nullopt;
-        if (bounds.slope.high <= 0.0) return low + (high - low) * rootIn(level, tolerance_ / (high - low), solver_);
-        // What halving to the end finds, whatever the method.
-        const double root = low + (high - low) * rootIn(level, kShortest / (high - low), BracketSolver::kNewton);
+        return low + (high - low) * rootIn(level, tolerance_ / (high - low));
+      }
+      if (bounds.slopeByShares.high <= 0.0 && solver_ == BracketSolver::kNewton) {
+        if (!endsBelow(level)) return std::nullopt;
+        // What halving to the end finds.
+        const double root = low + (high - low) * rootIn(level, kShortest / (high - low));
         return kShortest * std::floor(root / kShortest);
       }
       if (halvingsLeft == 0) return endsBelow(level) ? std::optional(low) : std::nullopt;
@@ -270,7 +273,7 @@ class SoftFall {
   }
 
   /// The root of the part, on which phi only falls.
-  double rootIn(std::size_t level, double tolerance, BracketSolver solver) {
+  double rootIn(std::size_t level, double tolerance) {
     double low = 0.0;
     double high = 1.0;
     double above = valueAt(level, 0.0).value;
@@ -280,7 +283,7 @@ class SoftFall {
       (value > 0.0 ? low : high) = u;
       (value > 0.0 ? above : below) = value;
     };
-    if (solver == BracketSolver::kBisection) {
+    if (solver_ == BracketSolver::kBisection) {
       for (int i = 0; i < isolation::kBisectionHalvings; ++i)
         narrow(0.5 * (low + high), valueAt(level, 0.5 * (low + high)).value);
       return secant();
