@@ -26,7 +26,7 @@ Rig someRig(const Character& character, SurfaceMode mode = SurfaceMode::kSwell) 
   return rig;
 }
 
-Pose at(const Character& character, float time) {
+Pose clipPose(const Character& character, float time) {
   return samplePose(character.skeleton, character.clips.front(), time);
 }
 
@@ -54,17 +54,17 @@ TEST(Smoother, EqualInputsGiveEqualSurfaces) {
   for (const SurfaceMode mode : kModes) {
     const Rig rig = someRig(*character, mode);
     const std::string what = nameOf(mode);
-    const Surface first = fresh(character, rig, at(*character, 0.8f));
-    expectSame(first, fresh(character, rig, at(*character, 0.8f)), what);
+    const Surface first = fresh(character, rig, clipPose(*character, 0.8f));
+    expectSame(first, fresh(character, rig, clipPose(*character, 0.8f)), what);
 
     // A smoother that saw other poses in any order, one of them far away, gives the same.
     Smoother used(character);
     ASSERT_TRUE(used.prepare(rig).ok());
     Surface surface;
-    for (const float time : {0.0f, 0.3f, 1.9f, 0.81f, 0.79f, 0.8f}) used.smooth(at(*character, time), surface);
+    for (const float time : {0.0f, 0.3f, 1.9f, 0.81f, 0.79f, 0.8f}) used.smooth(clipPose(*character, time), surface);
     expectSame(first, surface, what + ", after other frames");
     used.smooth(randomPose(character->skeleton, 2.0f, 0.5f, 5), surface);
-    used.smooth(at(*character, 0.8f), surface);
+    used.smooth(clipPose(*character, 0.8f), surface);
     expectSame(first, surface, what + ", after a cut");
   }
 }
@@ -72,7 +72,7 @@ TEST(Smoother, EqualInputsGiveEqualSurfaces) {
 TEST(Smoother, ComparisonSearchesUseTheScalarPath) {
   const CharacterPtr character = makeTwoLegged();
   const Rig rig = someRig(*character);
-  const Pose pose = at(*character, 0.8f);
+  const Pose pose = clipPose(*character, 0.8f);
   const Surface newton = fresh(character, rig, pose);
   for (const ProjectionKind projection : {ProjectionKind::kBisection, ProjectionKind::kAnalytic}) {
     Smoother smoother(character, projection);
@@ -95,12 +95,12 @@ TEST(Smoother, OutputMemoryIsReusableAcrossDepthsAndCharacters) {
   const CharacterPtr limb = makeLimb();
   Rig rig = someRig(*body);
   rig.smoothing.depth = 6;
-  Surface surface = fresh(body, rig, at(*body, 0.2f));
+  Surface surface = fresh(body, rig, clipPose(*body, 0.2f));
   Smoother smoother(limb);
   const Rig limbRig = someRig(*limb);
   ASSERT_TRUE(smoother.prepare(limbRig).ok());
-  smoother.smooth(at(*limb, 0.4f), surface);
-  expectSame(surface, fresh(limb, limbRig, at(*limb, 0.4f)), "reused output");
+  smoother.smooth(clipPose(*limb, 0.4f), surface);
+  expectSame(surface, fresh(limb, limbRig, clipPose(*limb, 0.4f)), "reused output");
 }
 
 TEST(Smoother, EditThenUndoRestoresTheSurface) {
@@ -109,7 +109,7 @@ TEST(Smoother, EditThenUndoRestoresTheSurface) {
     const Rig rig = someRig(*character, mode);
     Smoother smoother(character);
     ASSERT_TRUE(smoother.prepare(rig).ok());
-    const Pose pose = at(*character, 1.1f);
+    const Pose pose = clipPose(*character, 1.1f);
     Surface before;
     smoother.smooth(pose, before);
 
@@ -142,7 +142,7 @@ TEST(Smoother, RefusedRigKeepsThePreviousOne) {
   const Rig rig = someRig(*character);
   Smoother smoother(character);
   ASSERT_TRUE(smoother.prepare(rig).ok());
-  const Pose pose = at(*character, 0.6f);
+  const Pose pose = clipPose(*character, 0.6f);
   Surface before;
   smoother.smooth(pose, before);
   std::vector<Rig> bad(7, rig);
@@ -191,9 +191,9 @@ TEST(Smoother, UnattachedPrimitivesAreNamedAndHarmless) {
   ASSERT_TRUE(smoother.prepare(more).ok());
   EXPECT_EQ(smoother.unattached(), std::vector<int>{5});
   Surface surface;
-  smoother.smooth(at(*character, 0.9f), surface);
+  smoother.smooth(clipPose(*character, 0.9f), surface);
   EXPECT_EQ(surface.report.primitives, 12);
-  expectSame(surface, fresh(character, rig, at(*character, 0.9f)), "stray");
+  expectSame(surface, fresh(character, rig, clipPose(*character, 0.9f)), "stray");
   ASSERT_TRUE(smoother.prepare(rig).ok());
   EXPECT_TRUE(smoother.unattached().empty());
 }
@@ -204,7 +204,7 @@ TEST(Smoother, ReportCountsAreConsistent) {
       for (const int depth : {1, 2, 5, 16}) {
         Rig rig = someRig(*character, mode);
         rig.smoothing.depth = depth;
-        const Surface surface = fresh(character, rig, at(*character, 0.5f));
+        const Surface surface = fresh(character, rig, clipPose(*character, 0.5f));
         const SmoothingReport& report = surface.report;
         const auto& mesh = character->mesh;
         const int v = static_cast<int>(mesh.positions.size());
@@ -263,7 +263,7 @@ TEST(Smoother, DisplacementIsMeasuredAlongTheRiseDirection) {
   const Rig rig = someRig(*character);
   Rig bare = rig;
   bare.primitives.clear();
-  const Pose pose = at(*character, 0.4f);
+  const Pose pose = clipPose(*character, 0.4f);
   const Surface surface = fresh(character, rig, pose);
   const Surface patch = fresh(character, bare, pose);
   oracle::Oracle oracle(*character, rig);
@@ -292,7 +292,7 @@ TEST(Smoother, ReplaceDisplacementIsAlongThePatchNormal) {
   const Rig rig = someRig(*character, SurfaceMode::kReplace);
   Rig bare = rig;
   bare.primitives.clear();
-  const Pose pose = at(*character, 0.4f);
+  const Pose pose = clipPose(*character, 0.4f);
   const Surface surface = fresh(character, rig, pose);
   const Surface patch = fresh(character, bare, pose);
   int moved = 0;
@@ -335,7 +335,7 @@ TEST(Smoother, SwellOverASphereMatchesTheFormula) {
 TEST(Smoother, ReplaceCountsUnresolvedVertices) {
   const CharacterPtr character = makeTwoLegged();
   const Rig rig = someRig(*character, SurfaceMode::kReplace);
-  const Pose pose = at(*character, 1.3f);
+  const Pose pose = clipPose(*character, 1.3f);
   const Surface surface = fresh(character, rig, pose);
   oracle::Oracle oracle(*character, rig);
   oracle.pose(pose);

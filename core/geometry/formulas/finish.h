@@ -47,7 +47,7 @@ formula Real foldRelaxation(Real weight) { return num(1.5) / max(num(1.0), weigh
 
 constant float kRimFrom = 0.2f;
 /// Weight of the ring's mean in a normal at a rim.  @param apart  largest difference of delta to a neighbor's
-formula Real rimWeight(Real apart) { return num(0.5) * smoothstep(num(kRimFrom), num(0.45), apart); }
+formula Real rimWeight(Real apart) { return num(0.6) * smoothstep(num(kRimFrom), num(0.45), apart); }
 
 constant float kTeethFrom = 0.22f;
 /// The same where normals alternate from vertex to vertex; 0 where delta is, and continuous from there.

@@ -257,7 +257,7 @@ std::vector<glm::dvec3> softenedByDefinition(const Refinement& refinement, const
   const Around of = around(refinement, deltas);
   std::vector<glm::dvec3> out;
   for (std::size_t v = 0; v < field.size(); ++v) {
-    out.push_back(glm::normalize(glm::dvec3(field[v]) + 0.5 * step(0.2, 0.45, of.most[v]) * of.difference[v]));
+    out.push_back(glm::normalize(glm::dvec3(field[v]) + 0.6 * step(0.2, 0.45, of.most[v]) * of.difference[v]));
   }
   return out;
 }
