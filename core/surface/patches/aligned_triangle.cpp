@@ -116,6 +116,8 @@ void AlignedTriangle::addFit(const std::array<int, 3>& t, PointFit& fit) {
   const double inParent = crossOf(places[1] - places[0], places[2] - places[0]);
   own.area = 0.5 * inParent * crossOf(plane_[0], plane_[1]);
   const SampleCell middle = grids_.cellOf((places[0] + places[1] + places[2]) / 3.0);
+  std::array<SampleCell, 3> onSides;
+  for (std::size_t i = 0; i < 3; ++i) onSides[i] = grids_.cellOf(0.5 * (places[i] + places[(i + 1) % 3]));
   float turned = 0.0f;
   for (std::size_t pose = 0; pose < poses(); ++pose) {
     const PlaceSample& a = sampleAt(t[0], pose);
@@ -124,6 +126,10 @@ void AlignedTriangle::addFit(const std::array<int, 3>& t, PointFit& fit) {
     const PlaceSample surface = grids_.at(middle, pose);
     turned += turnBetween(a.normal + b.normal + c.normal, surface.normal);
     own.off = std::max(own.off, glm::distance((a.position + b.position + c.position) / 3.0f, surface.position));
+    for (std::size_t i = 0; i < 3; ++i) {
+      const glm::vec3 flat = 0.5f * (sampleAt(t[i], pose).position + sampleAt(t[(i + 1) % 3], pose).position);
+      own.off = std::max(own.off, glm::distance(flat, grids_.positionAt(onSides[i], pose)));
+    }
   }
   own.turned = own.area * static_cast<double>(turned);
   own.area *= static_cast<double>(poses());

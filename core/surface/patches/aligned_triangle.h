@@ -16,12 +16,13 @@
 
 namespace sinew {
 
-/// How well the small triangles at a point fit the surface, in their middles.
+/// How well the small triangles at a point fit the surface.
 struct PointFit {
-  double turned = 0.0;      ///< Squared distance of interpolated normals from the surface's, times area, over poses.
+  double turned = 0.0;      ///< Squared distance of interpolated normals from the surface's in the triangles' middles,
+                            ///< times area, over poses.
   double area = 0.0;        ///< Of these triangles, times the number of poses.
   double leastAngle = 4.0;  ///< Bind pose.
-  float off = 0.0f;         ///< Largest distance from the surface in a pose, world units.
+  float off = 0.0f;         ///< Largest distance from the surface in a pose, of middles also of sides, world units.
 
   void add(const PointFit& other);
 };

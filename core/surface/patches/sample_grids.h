@@ -51,15 +51,18 @@ class SampleGrids {
 
   /// Linear between samples.
   [[nodiscard]] PlaceSample at(const SampleCell& cell, std::size_t pose) const {
-    const auto mean = [&](std::span<const glm::vec3> of) {
-      const glm::vec3* own = of.data() + pose * perPose_;
-      const auto& [a, b, c] = cell.samples;
-      return cell.shares[0] * own[a] + cell.shares[1] * own[b] + cell.shares[2] * own[c];
-    };
-    return {mean(positions_), mean(normals_)};
+    return {mean(positions_, cell, pose), mean(normals_, cell, pose)};
+  }
+  [[nodiscard]] glm::vec3 positionAt(const SampleCell& cell, std::size_t pose) const {
+    return mean(positions_, cell, pose);
   }
 
  private:
+  [[nodiscard]] glm::vec3 mean(std::span<const glm::vec3> of, const SampleCell& cell, std::size_t pose) const {
+    const glm::vec3* own = of.data() + pose * perPose_;
+    const auto& [a, b, c] = cell.samples;
+    return cell.shares[0] * own[a] + cell.shares[1] * own[b] + cell.shares[2] * own[c];
+  }
   [[nodiscard]] std::pair<int, float> cellOf(double coordinate) const {
     const double scaled = std::clamp(coordinate, 0.0, 1.0) * fine_;
     const double nearest = std::round(scaled);
