@@ -154,12 +154,15 @@ void AlignedTriangle::move(int point, const glm::dvec2& place) {
   read(place, &sampleAt(point, 0));
 }
 
+/// Diagonals first: points that move between triangles across a valley make teeth along it.
 void AlignedTriangle::align() {
+  swapDiagonals();
   moveInside(0.25);
   moveInside(0.12);
   swapDiagonals();
   moveInside(0.12);
   moveInside(0.06);
+  swapDiagonals();
 }
 
 void AlignedTriangle::moveInside(double step) {
