@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "app/document/folder_listing.h"
+#include "core/bodies/sheets/keep_sheets.h"
 #include "core/geometry/at.h"
 #include "core/geometry/nearest_name.h"
 #include "core/rig/rig_edit.h"
@@ -119,7 +120,7 @@ Result<Document> openParts(Rig rig, const std::optional<FileStamp>& onDisk, cons
   document.rigFile = file;
   document.rigOnDisk = onDisk;
   document.clipFiles.folder = file.parent_path();
-  document.commands = CommandStack(withMorphsOf(std::move(rig), *document.character));
+  document.commands = CommandStack(withSheets(withMorphsOf(std::move(rig), *document.character), document.character));
   loadClipFiles(document);
   prepareMirror(document);
   return document;
@@ -222,8 +223,10 @@ void prepareMirror(Document& document) {
   document.mirror = std::make_shared<const MirrorPlan>(makeMirrorPlan(*document.character));
   document.symmetry = document.mirror->pairCount() > 0;
   document.commands.setKeeper(
-      [plan = document.mirror, character = document.character](const Rig& atStart, const Rig& shown, Rig wanted) {
-        return keepTwins(atStart, shown, withMorphsOf(std::move(wanted), *character, KeepIdle::kYes), *plan);
+      [plan = document.mirror, character = document.character,
+       sheets = std::make_shared<SheetKeeper>(document.character)](const Rig& atStart, const Rig& shown, Rig wanted) {
+        wanted = keepTwins(atStart, shown, withMorphsOf(std::move(wanted), *character, KeepIdle::kYes), *plan);
+        return sheets->keep(shown, std::move(wanted), *plan);
       });
 }
 

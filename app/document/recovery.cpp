@@ -15,6 +15,7 @@
 #include <utility>
 
 #include "app/document/preferences.h"
+#include "core/bodies/sheets/keep_sheets.h"
 #include "core/files/clip_files.h"
 #include "core/files/disk/atomic_file.h"
 #include "core/files/json/json.h"
@@ -182,8 +183,10 @@ Result<Document> recoverDocument(const LeftBehind& left) {
   document.characterFile = left.characterFile;
   document.rigFile = left.rigFile;
   document.rigOnDisk = stampFromText(json->at("rig_on_disk").text(""));
-  document.commands = CommandStack(withMorphsOf(rigBefore(left, rig.value()), *document.character));
-  document.commands.apply("Recover", withMorphsOf(std::move(rig).value(), *document.character));
+  document.commands =
+      CommandStack(withSheets(withMorphsOf(rigBefore(left, rig.value()), *document.character), document.character));
+  document.commands.apply("Recover",
+                          withSheets(withMorphsOf(std::move(rig).value(), *document.character), document.character));
   document.clipFiles.folder = document.file().parent_path();
   loadClipFiles(document);
   prepareMirror(document);  // Last, so that the recovered rig stays as it is.

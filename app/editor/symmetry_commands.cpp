@@ -12,6 +12,7 @@
 #include "app/editor/edit.h"
 #include "core/geometry/at.h"
 #include "core/rig/merge.h"
+#include "core/rig/sheet_edit.h"
 #include "core/rig/twins.h"
 #include "sinew/files/rig_json.h"
 #include "sinew/rig/rig_edit.h"
@@ -23,16 +24,20 @@ namespace {
 Result<Rig> rigInText(const std::string& text) {
   Result<Rig> rig = rigFromJson(text);
   if (!rig) return errorAt("", "the clipboard holds no muscles");
-  if (rig->primitives.empty()) return errorAt("", "the rig in the clipboard has no muscles");
+  if (rig->primitives.empty() && rig->sheets.empty()) return errorAt("", "the rig in the clipboard has no muscles");
   return rig;
 }
 
 Result<Pasted> pasteRig(const Rig& rig, const Rig& copied, const Skeleton& skeleton, const MirrorPlan* mirror) {
   Result<Merged> merged = mergeRigs(rig, copied, skeleton, mirror);
   if (!merged) return merged.error();
-  Pasted pasted{std::move(merged.value().rig), {}, {}};
+  Pasted pasted{std::move(merged.value().rig), {}, {}, {}};
   for (const int index : merged->primitives) {
     if (index >= 0) pasted.names.push_back(at(pasted.rig.primitives, index).name);
+  }
+  pasted.sheets = std::move(merged.value().sheets);
+  for (const auto& [sheet, why] : merged->sheetRefusals) {
+    pasted.leftOut.push_back('"' + sheet + "\" is not pasted: " + why.plainText());
   }
   for (const auto& [primitive, why] : merged->refusals) {
     pasted.leftOut.push_back('"' + at(copied.primitives, primitive).name + "\" is not pasted: " + why.plainText());
@@ -40,7 +45,7 @@ Result<Pasted> pasteRig(const Rig& rig, const Rig& copied, const Skeleton& skele
   for (const auto& [owner, line] : merged->lostDrivers) {
     pasted.leftOut.push_back('"' + owner + "\" is pasted without a driver: there is no muscle line \"" + line + '"');
   }
-  if (pasted.names.empty()) return errorAt("", pasted.leftOut.front());
+  if (pasted.names.empty() && pasted.sheets.empty()) return errorAt("", pasted.leftOut.front());
   return pasted;
 }
 
@@ -228,11 +233,15 @@ void pasteMuscles(EditorState& state, bool mirrored) {
     return;
   }
   for (const std::string& reason : pasted->leftOut) addMessage(state.session, MessageKind::kWarning, reason);
-  const std::vector<std::string> names = pasted->names;
-  const std::string what = countText(names.size(), names.front());
+  std::vector<std::string> names = pasted->names;
+  const std::vector<std::string> sheets = pasted->sheets;
+  const std::string what = countText(names.size() + sheets.size(), names.empty() ? sheets.front() : names.front());
   const std::string left = pasted->leftOut.empty() ? "" : "; " + std::to_string(pasted->leftOut.size()) + " left out";
-  if (edit(state, (mirrored ? "Paste mirrored " : "Paste ") + what, std::move(pasted).value().rig))
-    say(state, "Pasted " + what + " on " + placesOf(document, names) + left);
+  const bool done = edit(state, (mirrored ? "Paste mirrored " : "Paste ") + what, std::move(pasted).value().rig);
+  for (const std::string& sheet : sheets) {
+    for (const int belly : bellies(document.rig(), sheet)) names.push_back(at(document.rig().primitives, belly).name);
+  }
+  if (done && !names.empty()) say(state, "Pasted " + what + " on " + placesOf(document, names) + left);
   state.document.selection.clear();
   for (const std::string& name : names) {
     state.document.selection.primitives.push_back(state.document.idAt(findPrimitive(state.document.rig(), name)));

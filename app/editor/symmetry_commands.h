@@ -20,6 +20,7 @@ namespace sinew::app {
 struct Pasted {
   Rig rig;
   std::vector<std::string> names;    ///< Of the new muscles, in order.
+  std::vector<std::string> sheets;   ///< Of the new sheets.
   std::vector<std::string> leftOut;  ///< A line for each muscle that was not pasted.
 };
 

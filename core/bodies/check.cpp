@@ -233,6 +233,12 @@ std::vector<FarSkin> farSkin(const Rig& rig, const Primitive& primitive, const C
   return out;
 }
 
+/// Both are bellies of the same strip: "name 1.1", "name 1.2".
+bool inOneStrip(const Primitive& a, const Primitive& b) {
+  if (a.sheet.empty() || a.sheet != b.sheet) return false;
+  return a.name.substr(0, a.name.rfind('.')) == b.name.substr(0, b.name.rfind('.'));
+}
+
 class Checker {
  public:
   Checker(const Rig& rig, const Motions& motions)
@@ -245,9 +251,10 @@ class Checker {
   }
 
   std::vector<Finding> run() {
-    std::vector<std::vector<Finding>> found(rig_.primitives.size());
+    const std::vector<std::vector<int>> muscles = judgedTogether();
+    std::vector<std::vector<Finding>> found(muscles.size());
     forEachIndex(found.size(), 1, [&](std::size_t i) {
-      if (rig_.primitives[i].sign > 0) found[i] = findingsOf(static_cast<int>(i));
+      if (at(rig_.primitives, muscles[i].front()).sign > 0) found[i] = findingsOf(muscles[i]);
     });
     std::vector<Finding> out;
     for (auto& own : found) std::ranges::move(own, std::back_inserter(out));
@@ -255,9 +262,24 @@ class Checker {
   }
 
  private:
-  std::vector<Finding> findingsOf(int primitive) const {
+  /// Bellies of one strip of a sheet are one muscle; any other is one by itself. In the rig's order.
+  std::vector<std::vector<int>> judgedTogether() const {
+    std::vector<std::vector<int>> muscles;
+    for (int i = 0; i < static_cast<int>(rig_.primitives.size()); ++i) {
+      const int before = i - 1;
+      if (before >= 0 && !muscles.empty() && inOneStrip(at(rig_.primitives, before), at(rig_.primitives, i))) {
+        muscles.back().push_back(i);
+      } else {
+        muscles.push_back({i});
+      }
+    }
+    return muscles;
+  }
+
+  std::vector<Finding> findingsOf(std::span<const int> bellies) const {
     std::vector<Finding> out;
-    const Deeds deeds = deedsOf(primitive);
+    const int primitive = bellies.front();
+    const Deeds deeds = deedsOf(bellies);
     const auto add = [&](FindingKind kind, const Worst& worst, float measure, std::string bone = {}) {
       Finding finding{kind, primitive, {}, 0.0f, measure, std::move(bone)};
       if (worst.pose >= 0) {
@@ -279,25 +301,55 @@ class Checker {
     return out;
   }
 
-  Deeds deedsOf(int primitive) const {
-    Deeds deeds;
-    const PosedMuscle& bind = at(bind_.muscles, primitive);
-    const auto bone = motions_.character().skeleton.findBone(at(rig_.primitives, primitive).bone);
-    if (!bone) return deeds;
-    const auto belly = FollowedBelly::create(motions_.character(), motions_.skin(), bind, *bone);
-    std::vector<std::optional<SkinFrame>> frames;
-    if (belly) {
-      frames = motions_.framesOf(belly->spots());
-      deeds.mostBall = belly->mostBall();
+  /// A belly with the skin over it in all poses.
+  struct Followed {
+    int primitive = 0;
+    FollowedBelly belly;
+    std::vector<std::optional<SkinFrame>> frames;  ///< [poses * kPoints]
+  };
+
+  std::vector<Followed> follow(std::span<const int> bellies) const {
+    std::vector<Followed> followed;
+    for (const int primitive : bellies) {
+      const auto bone = motions_.character().skeleton.findBone(at(rig_.primitives, primitive).bone);
+      if (!bone) continue;
+      auto belly = FollowedBelly::create(motions_.character(), motions_.skin(), at(bind_.muscles, primitive), *bone);
+      if (!belly) continue;
+      std::vector<std::optional<SkinFrame>> frames = motions_.framesOf(belly->spots());
+      followed.push_back({primitive, *belly, std::move(frames)});
     }
-    const int line = bind.line;
-    const bool leads = line >= 0 && firstOn(line) == primitive;
+    return followed;
+  }
+
+  /// The mean of a strip's bellies, which hold each other; sideways of the sheet's width; the height of the highest
+  /// over the length of all.
+  BellyMotion motionOf(std::span<const Followed> followed, std::size_t pose) const {
+    constexpr std::size_t kPoints = FollowedBelly::kPoints;
+    BellyMotion all;
+    if (followed.empty()) return all;
+    const auto count = static_cast<float>(followed.size());
+    const int sheet = findSheet(rig_, at(rig_.primitives, followed.front().primitive).sheet);
+    const float strips = sheet < 0 ? 1.0f : static_cast<float>(at(rig_.sheets, sheet).strips);
+    for (const Followed& one : followed) {
+      const PosedMuscle& muscle = at(posed_[pose].muscles, one.primitive);
+      const BellyMotion motion = one.belly.motion(muscle, std::span(one.frames).subspan(pose * kPoints, kPoints));
+      all.out += motion.out / count;
+      all.beside += motion.beside / (count * strips);
+      all.ball = std::max(all.ball, motion.ball / count);
+    }
+    return all;
+  }
+
+  Deeds deedsOf(std::span<const int> bellies) const {
+    Deeds deeds;
+    const std::vector<Followed> followed = follow(bellies);
+    if (!followed.empty()) deeds.mostBall = followed.front().belly.mostBall();
+    const int line = at(bind_.muscles, bellies.front()).line;
+    const bool leads = line >= 0 && firstOn(line) == bellies.front();
     for (int i = 0; i < static_cast<int>(posed_.size()); ++i) {
       const PosedRig& posed = posed_[toIndex(i)];
-      if (belly) {
-        constexpr std::size_t kPoints = FollowedBelly::kPoints;
-        const BellyMotion motion =
-            belly->motion(at(posed.muscles, primitive), std::span(frames).subspan(toIndex(i) * kPoints, kPoints));
+      if (!followed.empty()) {
+        const BellyMotion motion = motionOf(followed, toIndex(i));
         const float share = motions_.shareOf(toIndex(i));
         deeds.out.take(motion.out, i, share);
         if (line < 0) continue;  // Its shape is fixed.

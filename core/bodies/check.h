@@ -115,7 +115,7 @@ enum class FindingKind { kComesOut, kSlidesOff, kBall, kTooShort, kTooLong, kRea
 /// The worst pose of one kind of trouble of one muscle.
 struct Finding {
   FindingKind kind = FindingKind::kComesOut;
-  int primitive = 0;      ///< Index into Rig::primitives; for a line the first muscle on it.
+  int primitive = 0;      ///< Index into Rig::primitives; for a line the first muscle on it, for a strip its first.
   std::string clip;       ///< Empty: in the bind pose.
   float time = 0.0f;      ///< Seconds.
   float measure = 0.0f;   ///< Fraction of what textOf() names.
@@ -131,7 +131,8 @@ struct Finding {
 inline constexpr float kLeastStretch = 0.5f;
 inline constexpr float kMostStretch = 1.6f;
 
-/// Findings of muscles that add and are attached, in the rig's order, then in that of the kinds.
+/// Findings of muscles that add and are attached, in the rig's order, then in that of the kinds. The bellies of a strip
+/// are one muscle, with the mean of their motions.
 /// - comes out, slides off: motion of a belly relative to the skin over it
 /// - ball: height more than 0.8 of the length, and more than 1.3 times that ratio in the bind pose
 /// - too short, too long: a line's length relative to its rest length

@@ -20,6 +20,7 @@
 #include "core/geometry/normals.h"
 #include "core/rig/line_edit.h"
 #include "core/rig/line_rest.h"
+#include "core/rig/sheet_edit.h"
 #include "core/rig/twins.h"
 #include "sinew/rig/rig_edit.h"
 
@@ -376,6 +377,56 @@ Result<Rig> withMuscle(Rig rig, const PresetMuscle& muscle, PlacedMuscle placed,
   return rig;
 }
 
+// Sheets.
+
+constexpr float kSheetMass = 0.5f;  ///< Exponent of PresetTuning::mass on the thickness of sheets.
+
+/// The strongest bone of the nearest vertex.
+int boneOfSkin(const Character& character, const glm::vec3& point) {
+  int nearest = 0;
+  float least = std::numeric_limits<float>::max();
+  for (int v = 0; v < static_cast<int>(character.mesh.positions.size()); ++v) {
+    const glm::vec3 way = at(character.mesh.positions, v) - point;
+    if (glm::dot(way, way) >= least || character.mesh.influencesOf(v).empty()) continue;
+    least = glm::dot(way, way);
+    nearest = v;
+  }
+  return strongestBone(character, nearest);
+}
+
+/// The sheet with its edges on the skin of this body.
+Result<MuscleSheet> placedSheet(const PresetPlace& place, const PresetSheet& marked) {
+  MuscleSheet sheet = marked.sheet;
+  const Skeleton& skeleton = place.character.skeleton;
+  for (const std::vector<Mark>& edge : marked.edges) {
+    SheetEdge& placed = sheet.edges.emplace_back();
+    for (const Mark& mark : edge) {
+      const auto flesh = place.flesh.measure(mark, false);
+      if (!flesh) return errorAt("", "this body has no skin there");
+      const glm::vec3 point = flesh->at(mark.depth);
+      placed.points.push_back(anchorOn(skeleton, boneOfSkin(place.character, point), point));
+    }
+  }
+  const float definition = place.tuning.definition.value_or(place.preset.definition);
+  const float share = place.preset.definition > 0.0f ? definition / place.preset.definition : 1.0f;
+  sheet.crest *= place.tuning.mass * (0.5f + 0.5f * share);
+  sheet.thickness *= std::pow(place.tuning.mass, kSheetMass);
+  sheet.width *= std::pow(place.tuning.mass, kSheetMass);
+  return sheet;
+}
+
+Result<Rig> withSheetPair(Rig rig, MuscleSheet sheet, const MirrorPlan& plan) {
+  const std::string name = sheet.name;
+  const std::string group = sheet.group;
+  sheet.name = name + " L";
+  sheet.group = groupOf(group, BodySide::kLeft);
+  auto added = addSheet(std::move(rig), std::move(sheet));
+  if (!added) return added;
+  const auto own = static_cast<int>(added->sheets.size()) - 1;
+  if (!mirroredSheet(plan, at(added->sheets, own))) return added;
+  return mirrorSheetToOtherSide(std::move(added).value(), own, plan);
+}
+
 std::string wanted(BodyKind kind) { return kind == BodyKind::kQuadruped ? "an animal on four legs" : "a humanoid"; }
 
 }  // namespace
@@ -407,6 +458,16 @@ Result<FittedPreset> fitPreset(Rig rig, const Preset& preset, const PresetTuning
     }
     fitted.rig = std::move(with).value();
     fitted.muscles.push_back(muscle.name);
+  }
+  for (const PresetSheet& marked : preset.sheets) {
+    auto placed = placedSheet(place, marked);
+    auto with = placed ? withSheetPair(fitted.rig, std::move(placed).value(), plan) : Result<Rig>(placed.error());
+    if (!with) {
+      fitted.leftOut.push_back({marked.sheet.name, with.error().reason});
+      continue;
+    }
+    fitted.rig = std::move(with).value();
+    fitted.muscles.push_back(marked.sheet.name);
   }
   if (fitted.muscles.empty())
     return errorAt("", "no muscle of the set \"" + preset.name + "\" finds its place on this body" +

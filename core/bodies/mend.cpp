@@ -442,6 +442,7 @@ Result<MendedRig> withMendedFindings(Rig rig, std::span<const Finding> findings,
   std::vector<std::string> done;
   const auto isDone = [&](const std::string& name) { return std::ranges::find(done, name) != done.end(); };
   for (const Finding& finding : findings) {
+    if (!at(out.rig.primitives, finding.primitive).sheet.empty()) continue;
     const std::string name = at(out.rig.primitives, finding.primitive).line;
     const int line = findLine(out.rig, name);
     if (line < 0 || isDone(name) || finding.kind == FindingKind::kReachesAcross) continue;
@@ -464,7 +465,9 @@ Result<MendedRig> withMendedFindings(Rig rig, std::span<const Finding> findings,
 
 std::vector<Finding> findingsFrom(const Rig& rig, std::size_t first, const Motions& motions) {
   std::vector<Finding> findings = check(rig, motions);
-  std::erase_if(findings, [&](const Finding& finding) { return static_cast<std::size_t>(finding.primitive) < first; });
+  std::erase_if(findings, [&](const Finding& finding) {
+    return static_cast<std::size_t>(finding.primitive) < first || !at(rig.primitives, finding.primitive).sheet.empty();
+  });
   return findings;
 }
 

@@ -63,7 +63,7 @@ struct MendedRig {
 [[nodiscard]] Result<MendedRig> withMendedFindings(Rig rig, std::span<const Finding> findings, const Motions& motions,
                                                    const MirrorPlan* plan);
 
-/// check(), for the primitives from `first` on.
+/// check(), for the primitives from `first` on that are of no sheet.
 [[nodiscard]] std::vector<Finding> findingsFrom(const Rig& rig, std::size_t first, const Motions& motions);
 
 /// withMendedFindings(), then withMendedBelly() for bellies that still have findings; removes skin of other limbs from

@@ -75,6 +75,7 @@ class Motions {
 
   /// With the range of motion among its clips, if its joints can turn.
   [[nodiscard]] const Character& character() const { return *character_; }
+  [[nodiscard]] const std::shared_ptr<const Character>& sharedCharacter() const { return character_; }
   [[nodiscard]] const SkinRuns& skin() const { return skin_; }
   [[nodiscard]] std::span<const Pose> poses() const { return poses_; }
 

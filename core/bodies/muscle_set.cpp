@@ -14,6 +14,7 @@
 #include "core/bodies/body_map.h"
 #include "core/bodies/fit_preset.h"
 #include "core/bodies/mend.h"
+#include "core/bodies/sheets/keep_sheets.h"
 #include "core/character/bone_names.h"
 #include "core/geometry/affine_image.h"
 #include "core/geometry/at.h"
@@ -389,7 +390,9 @@ Result<FittedPreset> addMuscleSetQuickly(Rig rig, const Preset& preset, const Pr
     rig.surface.skinBlend = preset.skinBlend;
     rig.surface.grooves = preset.grooves;
   }
-  return fitPreset(std::move(rig), preset, tuning, motions.character(), plan);
+  Result<FittedPreset> fitted = fitPreset(std::move(rig), preset, tuning, motions.character(), plan);
+  if (fitted) fitted.value().rig = withSheets(std::move(fitted.value().rig), motions.sharedCharacter());
+  return fitted;
 }
 
 namespace {
@@ -424,7 +427,8 @@ void leaveOutFound(AddedSet& added, std::size_t first, std::size_t firstGroup, c
 
 Result<AddedSet> addMuscleSet(Rig rig, const Preset& preset, const PresetTuning& tuning, const Motions& motions,
                               const MirrorPlan& plan) {
-  const std::size_t first = rig.primitives.size();
+  // Muscles of sheets come last (Rig::primitives), so those of the set come before.
+  const auto first = static_cast<std::size_t>(std::ranges::count(rig.primitives, "", &Primitive::sheet));
   const std::size_t firstGroup = rig.groups.size();
   Result<FittedPreset> fitted = addMuscleSetQuickly(std::move(rig), preset, tuning, motions, plan);
   if (!fitted) return fitted.error();

@@ -8,6 +8,7 @@
 #include "core/character/body_slots.h"
 #include "sinew/geometry/shape.h"
 #include "sinew/rig/muscle_line.h"
+#include "sinew/rig/muscle_sheet.h"
 
 namespace sinew {
 
@@ -56,6 +57,12 @@ struct PresetMuscle {
   LineSettings line;
 };
 
+/// One sheet of the left side, or one of a pair at the midline.
+struct PresetSheet {
+  MuscleSheet sheet;                     ///< Name and group without a side; without edges and twin.
+  std::vector<std::vector<Mark>> edges;  ///< On the skin. As MuscleSheet::edges.
+};
+
 struct Preset {
   std::string name;
   std::string title;  ///< Shown to people.
@@ -65,6 +72,7 @@ struct Preset {
   float skinBlend = 0.015f;
   float grooves = kNewGrooves;
   std::vector<PresetMuscle> muscles;
+  std::vector<PresetSheet> sheets;
 };
 
 }  // namespace sinew

@@ -13,10 +13,12 @@
 #include "core/bodies/body_map.h"
 #include "core/bodies/mend.h"
 #include "core/bodies/motions.h"
+#include "core/bodies/sheets/keep_sheets.h"
 #include "core/geometry/affine_image.h"
 #include "core/geometry/at.h"
 #include "core/rig/line_rest.h"
 #include "core/rig/rig_edit.h"
+#include "core/rig/sheet_edit.h"
 #include "core/rig/twins.h"
 #include "core/rig/validation.h"
 #include "sinew/rig/rig_edit.h"
@@ -62,7 +64,7 @@ class RigRetargeter {
         ours_(from, fromPlan, rig.slots),
         theirs_(to, toPlan, rig.slots),
         map_(ours_, theirs_),
-        done_{rig, {}, {}} {}
+        done_{withoutBellies(rig), {}, {}} {}
 
   Retargeted make() {
     Rig& rig = done_.rig;
@@ -83,6 +85,7 @@ class RigRetargeter {
       gone.push_back(i);
       done_.leftOut.push_back({primitive.name, std::move(*why)});
     }
+    moveSheets();
     moveAnimated(rig.surface.animated, "surface");
     for (MorphWeight& morph : rig.morphs) moveAnimated(morph.animated, morph.name);
     for (Link& link : rig.links) moveAnimated(link.animated, link.groups[0] + " and " + link.groups[1]);
@@ -121,6 +124,23 @@ class RigRetargeter {
     const glm::vec3 inBind(at(from_.skeleton.bones, *own).bindInWorld * glm::vec4(anchor.point, 1.0f));
     anchor.point = anchorOn(to_.skeleton, *other, map_.move(*own, inBind).point).point;
     return true;
+  }
+
+  /// Their bellies are laid on the other skin.
+  void moveSheets() {
+    Rig& rig = done_.rig;
+    std::vector<std::string> gone;
+    for (MuscleSheet& sheet : rig.sheets) {
+      for (SheetEdge& edge : sheet.edges) {
+        for (LineAnchor& point : edge.points) {
+          const std::string bone = point.bone;
+          if (moveAnchor(point) || (!gone.empty() && gone.back() == sheet.name)) continue;
+          gone.push_back(sheet.name);
+          done_.leftOut.push_back({sheet.name, missing(bone)});
+        }
+      }
+    }
+    for (const std::string& name : gone) rig = removeSheet(std::move(rig), findSheet(rig, name));
   }
 
   bool moveLine(MuscleLine& line) {
@@ -274,6 +294,9 @@ Result<Retargeted> retarget(const Rig& rig, const Character& from, const MirrorP
                             const MirrorPlan& toPlan) {
   const Character& to = motions.character();
   Retargeted done = RigRetargeter(rig, from, fromPlan, to, toPlan).make();
+  std::vector<UnlaidSheet> unlaid;
+  done.rig = withSheets(std::move(done.rig), motions.sharedCharacter(), &unlaid);
+  for (UnlaidSheet& sheet : unlaid) done.leftOut.push_back({std::move(sheet.name), std::move(sheet.why)});
   if (done.rig.primitives.empty() && !rig.primitives.empty())
     return errorAt("", "no muscle of the rig finds its place on this body");
   if (!isSameBody(from, to)) {

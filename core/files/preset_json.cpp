@@ -6,6 +6,8 @@
 
 #include "core/files/disk/atomic_file.h"
 #include "core/files/json/json.h"
+#include "core/files/rig_json_parts.h"
+#include "core/rig/sheet_edit.h"
 #include "core/rig/validation.h"
 
 namespace sinew {
@@ -53,7 +55,7 @@ void readPair(Reader& reader, const Json& node, const Place& place, const char* 
   pair = {x, y};
 }
 
-LineSettings readLineSettings(Reader& reader, const Json& node, const Place& place) {
+LineSettings readPresetLine(Reader& reader, const Json& node, const Place& place) {
   LineSettings line;
   line.volume = 0.8f;
   line.limits = {0.5f, 1.6f};
@@ -120,8 +122,48 @@ PresetMuscle readMuscle(Reader& reader, const Json& node, const Place& place) {
   readPair(reader, node, place, "bend", muscle.shape.bend);
   if (!(std::abs(muscle.shape.bend.x) <= kMostBend && std::abs(muscle.shape.bend.y) <= kMostBend))
     reader.refuse(Reader::join(place, "bend"), "expected two numbers from -1 to 1");
-  muscle.line = readLineSettings(reader, node, place);
+  muscle.line = readPresetLine(reader, node, place);
   return muscle;
+}
+
+Json markJson(const Mark& mark) {
+  Json json = Json::array();
+  json.push(mark.slot == Slot::kSpine ? "trunk" : nameOf(mark.slot)).push(mark.u).push(mark.angle);
+  if (mark.depth > 0.0f) json.push(mark.depth);
+  return json;
+}
+
+std::vector<Mark> readEdgeMarks(Reader& reader, const Json& node, const Place& place) {
+  std::vector<Mark> marks;
+  reader.each(node, place, [&](const Json& one, const Place& own) { marks.push_back(readMark(reader, one, own)); });
+  if (marks.empty()) reader.refuse(place, "expected at least one mark, got none");
+  return marks;
+}
+
+PresetSheet readPresetSheet(Reader& reader, const Json& node, const Place& place) {
+  PresetSheet sheet;
+  if (!reader.object(node, place)) return sheet;
+  sheet.sheet.name = readNeededText(reader, node, place, "name");
+  sheet.sheet.group = readNeededText(reader, node, place, "group");
+  if (const Json* edges = reader.need(node, place, "edges", "a list of edges")) {
+    reader.each(*edges, Reader::join(place, "edges"),
+                [&](const Json& one, const Place& own) { sheet.edges.push_back(readEdgeMarks(reader, one, own)); });
+    if (sheet.edges.size() < 2) reader.refuse(Reader::join(place, "edges"), "expected at least two edges");
+  }
+  readSheetSettings(reader, node, place, sheet.sheet);
+  if (reader.error()) return sheet;
+  if (const auto valid = validateSheetSettings(sheet.sheet, place.path); !valid) {
+    reader.refuse({valid.error().place, place.words + ", " + valid.error().subject}, valid.error().reason);
+  }
+  return sheet;
+}
+
+Json presetSheetJson(const PresetSheet& sheet) {
+  ObjectWriter writer;
+  writer.set("name", sheet.sheet.name).set("group", sheet.sheet.group);
+  writer.set("edges", jsonList(sheet.edges, [](const std::vector<Mark>& edge) { return jsonList(edge, markJson); }));
+  setSheetSettings(writer, sheet.sheet);
+  return writer.finish("");
 }
 
 Preset readPreset(Reader& reader, const Json& root) {
@@ -147,14 +189,12 @@ Preset readPreset(Reader& reader, const Json& root) {
       preset.muscles.push_back(readMuscle(reader, node, place));
     });
   }
+  if (const Json* sheets = root.find("sheets")) {
+    reader.each(*sheets, {"sheets", "sheet"}, [&](const Json& node, const Place& place) {
+      preset.sheets.push_back(readPresetSheet(reader, node, place));
+    });
+  }
   return preset;
-}
-
-Json markJson(const Mark& mark) {
-  Json json = Json::array();
-  json.push(mark.slot == Slot::kSpine ? "trunk" : nameOf(mark.slot)).push(mark.u).push(mark.angle);
-  if (mark.depth > 0.0f) json.push(mark.depth);
-  return json;
 }
 
 Json pairJson(const glm::vec2& pair) { return Json::array({pair.x, pair.y}); }
@@ -201,6 +241,7 @@ std::string presetToJson(const Preset& preset) {
   json.set("definition", preset.definition).set("reach", preset.reach).set("skin_blend", preset.skinBlend);
   json.set("grooves", preset.grooves);
   json.set("muscles", jsonList(preset.muscles, muscleJson));
+  if (!preset.sheets.empty()) json.set("sheets", jsonList(preset.sheets, presetSheetJson));
   return json.dump(true) + '\n';
 }
 

@@ -100,6 +100,7 @@ Json shapesNode(const std::vector<MorphWeight>& morphs) {
 
 /// The oldest version that can express the rig, so that older programs can read it.
 int versionOf(const Rig& rig) {
+  if (!rig.sheets.empty()) return 4;
   if (!std::ranges::all_of(rig.links, isList)) return 3;
   const bool newer = std::ranges::any_of(rig.primitives, [](const Primitive& p) {
     return !p.placement.shape.isPlain() || p.amount != 1.0f || !p.animated.empty();
@@ -107,6 +108,16 @@ int versionOf(const Rig& rig) {
   const bool plain = rig.lines.empty() && rig.channels.empty() && rig.surface.animated.empty() && rig.layers.empty();
   const bool whole = std::ranges::all_of(rig.links, [](const Link& link) { return link.amount == 1.0f; });
   return plain && !newer && whole && std::ranges::all_of(rig.morphs, isIdle) ? 1 : 2;
+}
+
+/// What follows from sheets is not in files.
+template <class Items, class Write>
+Json listWithoutSheets(const Items& items, const Write& write) {
+  std::vector<Json> list;
+  for (const auto& item : items) {
+    if (item.sheet.empty()) list.push_back(write(item));
+  }
+  return Json::array(std::move(list));
 }
 
 Error inFile(Error error, const std::filesystem::path& file) {
@@ -129,8 +140,9 @@ std::string rigToJson(const Rig& rig) {
   if (!rig.slots.empty()) root.set("slots", slotsNode(rig.slots));
   if (!rig.layers.empty()) root.set("layers", layersNode(rig.layers));
   if (!rig.channels.empty()) root.set("channels", jsonList(rig.channels, channelNode));
-  if (!rig.lines.empty()) root.set("lines", jsonList(rig.lines, lineNode));
-  root.set("primitives", jsonList(rig.primitives, primitiveNode));
+  if (const Json lines = listWithoutSheets(rig.lines, lineNode); !lines.children.empty()) root.set("lines", lines);
+  if (!rig.sheets.empty()) root.set("sheets", jsonList(rig.sheets, sheetNode));
+  root.set("primitives", listWithoutSheets(rig.primitives, primitiveNode));
   if (!std::ranges::all_of(rig.morphs, isIdle)) root.set("shapes", shapesNode(rig.morphs));
   return root.finish(rig.unknownKeys).dump(true) + '\n';
 }
@@ -172,7 +184,7 @@ namespace {
 
 using Kind = Json::Kind;
 
-constexpr int kNewestVersion = 3;
+constexpr int kNewestVersion = 4;
 
 SurfaceSettings readSurface(Reader& reader, const Json& node) {
   SurfaceSettings surface;
@@ -313,15 +325,15 @@ void readHeader(Reader& reader, const Json& root) {
   if (!format) return;
   if (format->kind != Kind::kString || format->content != "sinew-rig")
     reader.expect("format", "\"sinew-rig\"", *format);
-  const Json* version = reader.need(root, "", "version", "1, 2 or 3");
+  const Json* version = reader.need(root, "", "version", "1, 2, 3 or 4");
   if (!version || reader.error()) return;
-  const int number = reader.wholeNumber(*version, "version", "1, 2 or 3");
+  const int number = reader.wholeNumber(*version, "version", "1, 2, 3 or 4");
   if (number > kNewestVersion) {
     reader.refuse("version", "this rig is of version " + std::to_string(number) +
                                  ", made by a newer Sinew; this one reads versions up to " +
                                  std::to_string(kNewestVersion));
   } else if (number < 1) {
-    reader.expect("version", "1, 2 or 3", *version);
+    reader.expect("version", "1, 2, 3 or 4", *version);
   }
 }
 
@@ -338,10 +350,12 @@ Rig readRig(Reader& reader, const Json& root) {
   if (const Json* layers = root.find("layers")) rig.layers = readLayers(reader, *layers);
   rig.channels = readList(reader, root, "", "channels", "channel", readChannel);
   rig.lines = readList(reader, root, "", "lines", "muscle line", readLine);
+  rig.sheets = readList(reader, root, "", "sheets", "sheet", readSheet);
   rig.primitives = readList(reader, root, "", "primitives", "muscle", readPrimitive);
   rig.morphs = readList(reader, root, "", "shapes", "shape", readShapeWeight);
-  rig.unknownKeys = unknownKeys(root, {"format", "version", "character", "surface", "smoothing", "groups", "links",
-                                       "clips", "slots", "layers", "channels", "lines", "primitives", "shapes"});
+  rig.unknownKeys =
+      unknownKeys(root, {"format", "version", "character", "surface", "smoothing", "groups", "links", "clips", "slots",
+                         "layers", "channels", "lines", "sheets", "primitives", "shapes"});
   return rig;
 }
 

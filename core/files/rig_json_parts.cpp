@@ -24,8 +24,6 @@ void readNeededPoint(Reader& reader, const Json& object, const Place& place, con
 
 // Lines.
 
-namespace {
-
 Json anchorNode(const LineAnchor& anchor) {
   const glm::vec3& point = anchor.point;
   return ObjectWriter()
@@ -43,6 +41,8 @@ LineAnchor readAnchor(Reader& reader, const Json& node, const Place& place) {
   return anchor;
 }
 
+namespace {
+
 void setPair(ObjectWriter& writer, const char* key, const glm::vec2& pair, const glm::vec2& usual) {
   if (pair != usual) writer.set(key, numbers({pair.x, pair.y}));
 }
@@ -58,14 +58,15 @@ void readLinePair(Reader& reader, const Json& object, const Place& place, const 
   pair = {x, y};
 }
 
-void readActivation(Reader& reader, const Json& object, const Place& place, MuscleLine& line) {
+void readActivation(Reader& reader, const Json& object, const Place& place, LineSettings& settings,
+                    std::string& unknown) {
   const Json* node = object.find("activation");
   const Place own = Reader::join(place, "activation");
   if (!node || !reader.object(*node, own)) return;
-  readFloat(reader, *node, own, "base", line.settings.base);
-  readFloat(reader, *node, own, "gain", line.settings.gain);
-  readFloat(reader, *node, own, "full", line.settings.full);
-  line.unknownActivationKeys = unknownKeys(*node, {"base", "gain", "full"});
+  readFloat(reader, *node, own, "base", settings.base);
+  readFloat(reader, *node, own, "gain", settings.gain);
+  readFloat(reader, *node, own, "full", settings.full);
+  unknown = unknownKeys(*node, {"base", "gain", "full"});
 }
 
 LineAnchor readNeededAnchor(Reader& reader, const Json& object, const Place& place, const char* key) {
@@ -73,7 +74,9 @@ LineAnchor readNeededAnchor(Reader& reader, const Json& object, const Place& pla
   return node ? readAnchor(reader, *node, Reader::join(place, key)) : LineAnchor{};
 }
 
-LineSettings readSettings(Reader& reader, const Json& node, const Place& place) {
+}  // namespace
+
+LineSettings readLineSettings(Reader& reader, const Json& node, const Place& place, std::string& unknownActivation) {
   LineSettings settings;
   readFloat(reader, node, place, "rest", settings.rest);
   readLinePair(reader, node, place, "tendons", settings.tendons);
@@ -82,17 +85,12 @@ LineSettings readSettings(Reader& reader, const Json& node, const Place& place) 
   readFloat(reader, node, place, "pivot", settings.pivot);
   readFloat(reader, node, place, "twist", settings.twist);
   readLinePair(reader, node, place, "flex", settings.flex);
+  readActivation(reader, node, place, settings, unknownActivation);
   return settings;
 }
 
-}  // namespace
-
-Json lineNode(const MuscleLine& line) {
+void setLineSettings(ObjectWriter& writer, const LineSettings& settings, const std::string& unknownActivation) {
   const LineSettings usual;
-  const LineSettings& settings = line.settings;
-  ObjectWriter writer;
-  writer.set("name", line.name).set("origin", anchorNode(line.origin)).set("insertion", anchorNode(line.insertion));
-  if (line.via) writer.set("via", anchorNode(*line.via));
   setNumber(writer, "rest", settings.rest, usual.rest);
   setPair(writer, "tendons", settings.tendons, usual.tendons);
   setNumber(writer, "volume", settings.volume, usual.volume);
@@ -104,8 +102,15 @@ Json lineNode(const MuscleLine& line) {
   setNumber(activation, "base", settings.base, usual.base);
   setNumber(activation, "gain", settings.gain, usual.gain);
   setNumber(activation, "full", settings.full, usual.full);
-  if (Json node = activation.finish(line.unknownActivationKeys); !node.children.empty())
+  if (Json node = activation.finish(unknownActivation); !node.children.empty())
     writer.set("activation", std::move(node));
+}
+
+Json lineNode(const MuscleLine& line) {
+  ObjectWriter writer;
+  writer.set("name", line.name).set("origin", anchorNode(line.origin)).set("insertion", anchorNode(line.insertion));
+  if (line.via) writer.set("via", anchorNode(*line.via));
+  setLineSettings(writer, line.settings, line.unknownActivationKeys);
   if (!line.mirror.empty()) writer.set("mirror", line.mirror);
   setAnimated(writer, line.animated);
   return writer.finish(line.unknownKeys);
@@ -119,8 +124,7 @@ MuscleLine readLine(Reader& reader, const Json& node, const Place& listed) {
   line.origin = readNeededAnchor(reader, node, place, "origin");
   line.insertion = readNeededAnchor(reader, node, place, "insertion");
   if (const Json* via = node.find("via")) line.via = readAnchor(reader, *via, Reader::join(place, "via"));
-  line.settings = readSettings(reader, node, place);
-  readActivation(reader, node, place, line);
+  line.settings = readLineSettings(reader, node, place, line.unknownActivationKeys);
   readName(reader, node, place, "mirror", "the name of another line", line.mirror);
   line.animated = readAnimated(reader, node, place);
   line.unknownKeys = unknownKeys(node, {"name", "origin", "insertion", "via", "rest", "tendons", "volume", "limits",

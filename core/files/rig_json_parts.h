@@ -13,6 +13,20 @@ namespace sinew {
 [[nodiscard]] Json lineNode(const MuscleLine& line);  ///< Omits defaults.
 [[nodiscard]] MuscleLine readLine(Reader& reader, const Json& node, const Place& place);
 
+[[nodiscard]] Json anchorNode(const LineAnchor& anchor);
+[[nodiscard]] LineAnchor readAnchor(Reader& reader, const Json& node, const Place& place);
+
+/// The settings of a line, without defaults, as members of its own object.
+void setLineSettings(ObjectWriter& writer, const LineSettings& settings, const std::string& unknownActivation);
+[[nodiscard]] LineSettings readLineSettings(Reader& reader, const Json& node, const Place& place,
+                                            std::string& unknownActivation);
+
+/// Everything of a sheet but name, group, edges and twin, without defaults.
+void setSheetSettings(ObjectWriter& writer, const MuscleSheet& sheet);
+void readSheetSettings(Reader& reader, const Json& node, const Place& place, MuscleSheet& sheet);
+[[nodiscard]] Json sheetNode(const MuscleSheet& sheet);  ///< Omits defaults.
+[[nodiscard]] MuscleSheet readSheet(Reader& reader, const Json& node, const Place& place);
+
 /// Sets "animated" of a primitive, line, shape, link or the surface, unless empty.
 void setAnimated(ObjectWriter& writer, const std::vector<AnimatedNumber>& animated);
 [[nodiscard]] std::vector<AnimatedNumber> readAnimated(Reader& reader, const Json& owner, const Place& place);

@@ -220,6 +220,8 @@ struct LineNumber {
   float most;
 };
 
+}  // namespace
+
 Result<void> validateSettings(const LineSettings& line, const std::string& place) {
   const std::array numbers = {
       LineNumber{".rest", "rest length", line.rest, kLeastRest, kMostRest},
@@ -252,6 +254,8 @@ Result<void> validateAnchor(const LineAnchor& anchor, const std::string& place, 
   if (auto bone = validateName(anchor.bone, place + ".bone"); !bone) return named(words, bone.error());
   return validatePoint(anchor, place, words);
 }
+
+namespace {
 
 Result<void> validateLineParts(const MuscleLine& line, const std::string& place) {
   if (auto name = validateName(line.name, place + ".name"); !name) return name;

@@ -63,6 +63,17 @@ void checkLineBones(const MuscleLine& line, const std::string& place, Check chec
 }
 
 template <class Check>
+void checkEdgeBones(const MuscleSheet& sheet, const std::string& place, Check check) {
+  for (std::size_t e = 0; e < sheet.edges.size(); ++e) {
+    const std::string edge = place + ".edges[" + std::to_string(e) + "]";
+    const std::vector<LineAnchor>& points = sheet.edges[e].points;
+    for (std::size_t p = 0; p < points.size(); ++p) {
+      check(points[p].bone, edge + ".points[" + std::to_string(p) + "].bone", "sheet \"" + sheet.name + "\", edge");
+    }
+  }
+}
+
+template <class Check>
 void checkDriverBones(const std::vector<AnimatedNumber>& animated, const std::string& place, const std::string& subject,
                       Check check) {
   for (std::size_t i = 0; i < animated.size(); ++i) {
@@ -105,6 +116,9 @@ std::vector<MissingBone> missingBones(const Rig& rig, const Skeleton& skeleton) 
     const std::string place = "lines[" + std::to_string(i) + "]";
     checkLineBones(line, place, check);
     checkDriverBones(line.animated, place, "muscle line \"" + line.name + '"', check);
+  }
+  for (std::size_t i = 0; i < rig.sheets.size(); ++i) {
+    checkEdgeBones(rig.sheets[i], "sheets[" + std::to_string(i) + "]", check);
   }
   for (std::size_t i = 0; i < rig.primitives.size(); ++i) {
     const Primitive& primitive = rig.primitives[i];

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <string>
+#include <unordered_map>
 #include <unordered_set>
 #include <utility>
 
@@ -11,6 +12,7 @@
 #include "core/rig/animated_edit.h"
 #include "core/rig/line_edit.h"
 #include "core/rig/references.h"
+#include "core/rig/sheet_edit.h"
 #include "core/rig/twins.h"
 #include "core/rig/validation.h"
 #include "sinew/rig/rig_edit.h"
@@ -52,6 +54,11 @@ Rig excerpt(const Rig& rig, std::span<const int> primitives) {
   }
   for (const Group& group : rig.groups) {
     if (groups.contains(group.name)) part.groups.push_back(group);
+  }
+  const std::vector<std::string> sheets = sheetsOf(rig, primitives);
+  for (const std::string& name : sheets) {
+    MuscleSheet& copy = part.sheets.emplace_back(at(rig.sheets, findSheet(rig, name)));
+    if (std::ranges::find(sheets, copy.mirror) == sheets.end()) copy.mirror.clear();
   }
   return part;
 }
@@ -98,7 +105,9 @@ class Merge {
     const std::size_t formerLinks = rig().links.size();
     if (auto grouped = addGroups(rig(), from_, mirror_); !grouped) return grouped.error();
     addChannels(rig(), from_);
+    for (const MuscleSheet& sheet : from_.sheets) addSheetOf(sheet);
     for (int i = 0; i < static_cast<int>(from_.primitives.size()); ++i) {
+      if (!at(from_.primitives, i).sheet.empty()) continue;
       if (auto added = addWithLine(i); !added) merged_.refusals.push_back({i, added.error()});
     }
     linkLines();
@@ -112,6 +121,34 @@ class Merge {
 
  private:
   Rig& rig() { return merged_.rig; }
+
+  /// Bellies are laid where the rig is used.
+  void addSheetOf(const MuscleSheet& sheet) {
+    Result<MuscleSheet> copy = sheet;
+    for (const SheetEdge& edge : sheet.edges) {
+      for (const LineAnchor& point : edge.points) {
+        if (!skeleton_.findBone(point.bone)) copy = lacksBone(point.bone);
+      }
+    }
+    if (copy && mirror_) copy = mirroredSheet(*mirror_, sheet);
+    if (!copy) {
+      merged_.sheetRefusals.push_back({sheet.name, copy.error()});
+      return;
+    }
+    const auto twin = sheetNow_.find(sheet.mirror);
+    const std::optional<std::string> image = twin != sheetNow_.end() ? mirroredName(twin->second) : std::nullopt;
+    copy.value().name = image.value_or(copy->name);
+    copy.value().mirror = twin != sheetNow_.end() ? twin->second : "";
+    if (findGroup(rig(), copy->group) < 0) copy.value().group = sheet.group;
+    Result<Rig> added = addSheet(std::move(rig()), std::move(copy).value());
+    if (!added) {
+      merged_.sheetRefusals.push_back({sheet.name, added.error()});
+      return;
+    }
+    rig() = std::move(added).value();
+    merged_.sheets.push_back(rig().sheets.back().name);
+    sheetNow_.emplace(sheet.name, rig().sheets.back().name);
+  }
 
   /// Removes a line that was added for a primitive if that is then left out.
   Result<void> addWithLine(int index) {
@@ -206,6 +243,7 @@ class Merge {
   const Skeleton& skeleton_;
   const MirrorPlan* mirror_;
   int formerLines_;
+  std::unordered_map<std::string, std::string> sheetNow_;  ///< Name in `from` -> name here.
   Merged merged_;
 };
 
@@ -243,6 +281,7 @@ std::optional<Rig> moveToBone(const Rig& rig, const Skeleton& skeleton, int bone
   if (moving.empty()) return std::nullopt;
   const std::string& from = at(rig.primitives, moving.front()).bone;
   const auto movable = [&](int i) { return at(rig.primitives, i).bone == from && at(rig.primitives, i).line.empty(); };
+  if (!rig.sheets.empty()) return std::nullopt;
   if (!std::ranges::all_of(moving, movable) || skeleton.findBone(from) == bone) return std::nullopt;
   Rig moved = rig;
   moved.primitives.clear();

@@ -32,10 +32,18 @@ struct Merged {
     std::string line;
   };
 
+  /// A sheet that was left out.
+  struct SheetRefusal {
+    std::string sheet;
+    Error why;
+  };
+
   Rig rig;
-  std::vector<int> primitives;  ///< [primitives of `from`] index in `rig`, or -1.
-  std::vector<int> lines;       ///< [lines of `from`] index in `rig`, or -1: carries no merged primitive.
+  std::vector<int> primitives;      ///< [primitives of `from`] index in `rig`, or -1, also for bellies of sheets.
+  std::vector<std::string> sheets;  ///< Names in `rig` of the sheets that were added; not yet laid.
+  std::vector<int> lines;           ///< [lines of `from`] index in `rig`, or -1: carries no merged primitive.
   std::vector<Refusal> refusals;
+  std::vector<SheetRefusal> sheetRefusals;
   std::vector<LostDriver> lostDrivers;
 };
 
@@ -46,7 +54,7 @@ struct Merged {
 [[nodiscard]] Result<Merged> mergeRigs(Rig into, const Rig& from, const Skeleton& skeleton, const MirrorPlan* mirror);
 
 /// Moves all primitives from one bone to another (scaleToBone). Of a pair of twins it moves the one on the side of the
-/// new bone and mirrors it. Nothing: they are on several bones, already on `bone`, or on lines.
+/// new bone and mirrors it. Nothing: they are on several bones, already on `bone`, on lines, or of sheets.
 /// @param plan  null: twins become single
 [[nodiscard]] std::optional<Rig> moveToBone(const Rig& rig, const Skeleton& skeleton, int bone, const MirrorPlan* plan);
 

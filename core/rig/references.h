@@ -65,6 +65,7 @@ void eachReference(Rig& rig, Visit visit) {
     eachReference(link.animated, visit);
   }
   eachReference(rig.surface.animated, visit);
+  for (MuscleSheet& sheet : rig.sheets) visit(Named::kGroup, sheet.group);
   for (MuscleLine& line : rig.lines) eachReference(line, visit);
   for (Primitive& primitive : rig.primitives) eachReference(primitive, visit);
   for (MorphWeight& morph : rig.morphs) eachReference(morph.animated, visit);

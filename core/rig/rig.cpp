@@ -70,6 +70,10 @@ int findLine(const Rig& rig, const std::string& name) {
   return findNamed(std::span<const MuscleLine>(rig.lines), name);
 }
 
+int findSheet(const Rig& rig, const std::string& name) {
+  return findNamed(std::span<const MuscleSheet>(rig.sheets), name);
+}
+
 int findMorph(const Rig& rig, const std::string& name) {
   return findNamed(std::span<const MorphWeight>(rig.morphs), name);
 }
@@ -108,6 +112,10 @@ std::string freeGroupName(const Rig& rig, const std::string& wanted) {
 
 std::string freeLineName(const Rig& rig, const std::string& wanted) {
   return freeName(std::span<const MuscleLine>(rig.lines), wanted);
+}
+
+std::string freeSheetName(const Rig& rig, const std::string& wanted) {
+  return freeName(std::span<const MuscleSheet>(rig.sheets), wanted);
 }
 
 std::string freeChannelName(const Rig& rig, const std::string& wanted) {

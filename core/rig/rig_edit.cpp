@@ -145,6 +145,41 @@ Result<void> checkGroup(const Rig& rig, const Primitive& primitive, int index) {
 
 }  // namespace
 
+namespace {
+
+/// Group and sign of an edited belly hold for its whole sheet.
+void giveToSheet(Rig& rig, const Primitive& belly) {
+  const int found = findSheet(rig, belly.sheet);
+  if (found < 0) return;
+  MuscleSheet& sheet = at(rig.sheets, found);
+  if (sheet.group == belly.group && sheet.sign == belly.sign) return;
+  sheet.group = belly.group;
+  sheet.sign = belly.sign;
+  for (Primitive& other : rig.primitives) {
+    if (other.sheet != sheet.name) continue;
+    other.group = sheet.group;
+    other.sign = sheet.sign;
+  }
+}
+
+/// Marks all bellies of sheets of which some are marked, and removes the sheets.
+void takeSheets(Rig& rig, std::vector<bool>& leaves) {
+  std::unordered_set<std::string> sheets;
+  for (std::size_t i = 0; i < rig.primitives.size(); ++i) {
+    if (leaves[i] && !rig.primitives[i].sheet.empty()) sheets.insert(rig.primitives[i].sheet);
+  }
+  if (sheets.empty()) return;
+  for (std::size_t i = 0; i < rig.primitives.size(); ++i) {
+    if (sheets.contains(rig.primitives[i].sheet)) leaves[i] = true;
+  }
+  std::erase_if(rig.sheets, [&](const MuscleSheet& sheet) { return sheets.contains(sheet.name); });
+  for (MuscleSheet& sheet : rig.sheets) {
+    if (sheets.contains(sheet.mirror)) sheet.mirror.clear();
+  }
+}
+
+}  // namespace
+
 Result<Rig> editPrimitives(Rig rig, std::span<const int> indices, const std::function<void(Primitive&)>& change) {
   for (const int index : indices) {
     assert(index >= 0 && static_cast<std::size_t>(index) < rig.primitives.size());
@@ -154,6 +189,7 @@ Result<Rig> editPrimitives(Rig rig, std::span<const int> indices, const std::fun
     assert(names == std::pair(primitive.name, primitive.mirror));
     if (const auto valid = validatePrimitive(primitive, placeOf(index)); !valid) return valid.error();
     if (const auto group = checkGroup(rig, primitive, index); !group) return group.error();
+    giveToSheet(rig, Primitive(primitive));
   }
   return rig;
 }
@@ -264,6 +300,7 @@ Rig removePrimitives(Rig rig, std::span<const int> indices) {
     assert(index >= 0 && static_cast<std::size_t>(index) < leaves.size());
     at(leaves, index) = true;
   }
+  takeSheets(rig, leaves);
   std::unordered_set<std::string> gone;
   std::unordered_set<std::string> lines;
   std::vector<Primitive> kept;
@@ -302,6 +339,12 @@ Rig setMirror(Rig rig, int index, int twin) {
 }
 
 Rig clearMirror(Rig rig, int index) {
+  if (const int sheet = findSheet(rig, primitiveAt(rig, index).sheet); sheet >= 0) {
+    for (MuscleSheet& other : rig.sheets) {
+      if (other.mirror == at(rig.sheets, sheet).name) other.mirror.clear();
+    }
+    at(rig.sheets, sheet).mirror.clear();
+  }
   dropTwins(rig, {primitiveAt(rig, index).name});
   primitiveAt(rig, index).mirror.clear();
   return rig;
@@ -335,6 +378,10 @@ Result<Rig> removeGroup(Rig rig, int group) {
                    "the group \"" + name + "\" still has " + std::to_string(members) +
                        (members == 1 ? " primitive" : " primitives"),
                    "groups");
+  }
+  if (const auto sheet = std::ranges::find(rig.sheets, name, &MuscleSheet::group); sheet != rig.sheets.end()) {
+    return errorAt("groups[" + std::to_string(group) + ']',
+                   "the group \"" + name + "\" still has the sheet \"" + sheet->name + '"', "groups");
   }
   rig.groups.erase(rig.groups.begin() + group);
   std::erase_if(rig.links, [&](const Link& link) { return std::ranges::find(link.groups, name) != link.groups.end(); });

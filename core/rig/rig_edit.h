@@ -68,6 +68,7 @@ struct RigNumbers {
 [[nodiscard]] float numberOf(const RigNumbers& numbers, const NumberRef& ref);
 
 /// `change` must not change name and mirror (asserted). Error: one is invalid or lacks its group; then none is changed.
+/// Group and sign of a sheet's belly hold for the sheet.
 [[nodiscard]] Result<Rig> editPrimitives(Rig rig, std::span<const int> indices,
                                          const std::function<void(Primitive&)>& change);
 

@@ -5,6 +5,7 @@
 #include <array>
 #include <cassert>
 #include <cmath>
+#include <iterator>
 #include <string_view>
 #include <unordered_map>
 #include <utility>
@@ -18,11 +19,21 @@
 #include "core/rig/line_edit.h"
 #include "core/rig/motion_clip.h"
 #include "core/rig/references.h"
+#include "core/rig/sheet_edit.h"
 #include "core/rig/validation.h"
 #include "sinew/rig/mirror_edit.h"
 #include "sinew/rig/rig_edit.h"
 
 namespace sinew {
+
+Result<LineAnchor> mirroredAnchor(const MirrorPlan& plan, const LineAnchor& anchor) {
+  Result<std::string> bone = twinBone(plan, anchor.bone);
+  if (!bone) return bone.error();
+  const AffineMap& map = *at(plan.mirrors, *plan.skeleton.findBone(anchor.bone));
+  return LineAnchor{std::move(bone).value(), glm::vec3(map.linear * glm::dvec3(anchor.point) + map.offset),
+                    anchor.unknownKeys};
+}
+
 namespace {
 
 /// value of the image = factor * value + offset.
@@ -39,15 +50,6 @@ bool mirrorBone(const MirrorPlan& plan, std::string& bone) {
   if (!twin) return false;
   bone = std::move(twin).value();
   return true;
-}
-
-/// Error: see twinBone.
-Result<LineAnchor> mirroredAnchor(const MirrorPlan& plan, const LineAnchor& anchor) {
-  Result<std::string> bone = twinBone(plan, anchor.bone);
-  if (!bone) return bone.error();
-  const AffineMap& map = *at(plan.mirrors, *plan.skeleton.findBone(anchor.bone));
-  return LineAnchor{std::move(bone).value(), glm::vec3(map.linear * glm::dvec3(anchor.point) + map.offset),
-                    anchor.unknownKeys};
 }
 
 bool mirrorAnchor(const MirrorPlan& plan, LineAnchor& anchor) {
@@ -571,6 +573,9 @@ Result<Rig> addPair(Rig rig, Primitive primitive, const MirrorPlan& plan) {
 }
 
 Result<Rig> mirrorToOtherSide(Rig rig, int index, const MirrorPlan& plan) {
+  if (const int sheet = findSheet(rig, at(rig.primitives, index).sheet); sheet >= 0) {
+    return mirrorSheetToOtherSide(std::move(rig), sheet, plan);
+  }
   if (const int twin = twinOf(rig, index); twin >= 0) return linkTwins(std::move(rig), index, twin, plan);
   const Primitive& original = at(rig.primitives, index);
   if (liesInPlane(plan, original, kOwnImage)) {
@@ -594,6 +599,12 @@ Result<Rig> mirrorToOtherSide(Rig rig, int index, const MirrorPlan& plan) {
 
 Result<Rig> linkTwins(Rig rig, int leader, int follower, const MirrorPlan& plan) {
   assert(leader != follower);
+  const int leadingSheet = findSheet(rig, at(rig.primitives, leader).sheet);
+  const int followingSheet = findSheet(rig, at(rig.primitives, follower).sheet);
+  if (leadingSheet >= 0 && followingSheet >= 0) {
+    return linkSheets(std::move(rig), leadingSheet, followingSheet, plan);
+  }
+  if (leadingSheet >= 0 || followingSheet >= 0) return errorAt("", "a sheet and a single muscle cannot be twins");
   const std::string ownLine = at(rig.primitives, leader).line;
   Result<TwinLine> line = withTwinLine(std::move(rig), ownLine, plan);
   if (!line) return line.error();
@@ -634,7 +645,11 @@ Result<Rig> withFlippedLines(Rig rig, std::span<const int> indices, const Mirror
 }  // namespace
 
 Result<Rig> flipPrimitives(Rig rig, std::span<const int> indices, const MirrorPlan& plan) {
-  const std::vector<int> flipped = withTwins(rig, indices);
+  std::vector<int> flipped = withTwins(rig, indices);
+  Result<Rig> withSheets = flipSheetsOf(std::move(rig), flipped, plan);
+  if (!withSheets) return withSheets;
+  rig = std::move(withSheets).value();
+  std::erase_if(flipped, [&](int index) { return !at(rig.primitives, index).sheet.empty(); });
   for (const int index : flipped) {
     Primitive& primitive = at(rig.primitives, index);
     Result<Primitive> image = imageAs(plan, primitive, primitive);
@@ -645,12 +660,27 @@ Result<Rig> flipPrimitives(Rig rig, std::span<const int> indices, const MirrorPl
   return withFlippedLines(std::move(rig), flipped, plan);
 }
 
+namespace {
+
+/// Moves bellies of sheets out of a list of primitives.
+std::vector<int> takeBellies(const Rig& rig, std::vector<int>& primitives) {
+  std::vector<int> bellies;
+  std::ranges::copy_if(primitives, std::back_inserter(bellies),
+                       [&](int index) { return !at(rig.primitives, index).sheet.empty(); });
+  std::erase_if(primitives, [&](int index) { return !at(rig.primitives, index).sheet.empty(); });
+  return bellies;
+}
+
+}  // namespace
+
 Rig duplicatePairs(Rig rig, std::span<const int> indices) {
   std::vector<int> sources(indices.begin(), indices.end());
   std::ranges::sort(sources);
   sources.erase(std::unique(sources.begin(), sources.end()), sources.end());
   const std::size_t room = static_cast<std::size_t>(kMaxPrimitives) - rig.primitives.size();
   if (sources.size() > room) sources.resize(room);
+  const std::vector<int> bellies = takeBellies(rig, sources);
+  rig = duplicateSheetsOf(std::move(rig), bellies);
   std::unordered_map<int, int> copyOf;  // Indices.
   for (const int source : sources) {
     Primitive copy = at(rig.primitives, source);

@@ -29,6 +29,8 @@ namespace sinew {
 
 // Mirror images of muscle lines.
 
+[[nodiscard]] Result<LineAnchor> mirroredAnchor(const MirrorPlan& plan, const LineAnchor& anchor);  ///< See twinBone.
+
 /// The mirror image of a line, named by imageName(), with the same settings and `mirror` empty. Error: see twinBone.
 [[nodiscard]] Result<MuscleLine> mirroredLine(const MirrorPlan& plan, const MuscleLine& line);
 

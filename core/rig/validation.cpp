@@ -16,6 +16,7 @@
 #include "core/geometry/affine_image.h"
 #include "core/rig/mesh_layers.h"
 #include "core/rig/rig_edit.h"
+#include "core/rig/sheet_edit.h"
 
 namespace sinew {
 
@@ -357,6 +358,7 @@ Result<void> validate(const Rig& rig, BlendingGraphMemo& graphs) {
   if (auto morphs = validateMorphs(rig); !morphs) return morphs;
   const auto lines = validateLines(rig);
   if (!lines) return lines.error();
+  if (auto sheets = validateSheets(rig); !sheets) return sheets;
   auto count = validateCount("primitives", "primitives", rig.primitives.size(), kMaxPrimitives);
   if (!count) return count;
   const auto primitives = indexNames(rig.primitives, "primitives", "muscle");

@@ -39,6 +39,8 @@ inline constexpr int kMaxPrimitives = 65536;
 [[nodiscard]] Result<void> validatePrimitive(const Primitive& primitive, const std::string& place);
 /// Everything that does not depend on the rest of the rig.
 [[nodiscard]] Result<void> validateLine(const MuscleLine& line, const std::string& place);
+[[nodiscard]] Result<void> validateSettings(const LineSettings& line, const std::string& place);
+[[nodiscard]] Result<void> validateAnchor(const LineAnchor& anchor, const std::string& place, const char* words);
 [[nodiscard]] Result<void> validateSurface(const SurfaceSettings& surface);
 [[nodiscard]] Result<void> validateSmoothing(const SmoothingSettings& smoothing);
 [[nodiscard]] inline bool isList(const Link& link) {  ///< In files; else an object.

@@ -471,8 +471,8 @@ void fields(A& a, typename A::template Ref<Link> value) {
 
 template <class A>
 void fields(A& a, typename A::template Ref<MuscleLine> value) {
-  auto& [name, origin, insertion, via, settings, unknownActivationKeys, mirror, animated, unknownKeys, identity] =
-      value;
+  auto& [name, origin, insertion, via, settings, unknownActivationKeys, mirror, sheet, animated, unknownKeys,
+         identity] = value;
   auto& [rest, tendons, volume, limits, pivot, twist, flex, base, gain, full] = settings;
   a.text(name);
   fields(a, origin);
@@ -498,8 +498,8 @@ void fields(A& a, typename A::template Ref<Placement> value) {
 
 template <class A>
 void fields(A& a, typename A::template Ref<Primitive> value) {
-  auto& [name, bone, group, line, placement, reach, amount, sign, mirror, territory, animated, unknownKeys, identity] =
-      value;
+  auto& [name, bone, group, line, sheet, placement, reach, amount, sign, mirror, territory, animated, unknownKeys,
+         identity] = value;
   for (auto* text : {&name, &bone, &group, &line, &mirror}) a.text(*text);
   fields(a, placement);
   a.floats(reach);
@@ -524,11 +524,11 @@ void fields(A& a, typename A::template Ref<LayerChoice> value) {
   a.choice(layer, SkinLayer::kRigid);
 }
 
-/// Without members for editors: paths, corrected parts of the body, unknown keys.
+/// Without members for editors: paths, corrected parts of the body, sheets, whose bellies are muscles, unknown keys.
 template <class A>
 void fields(A& a, typename A::template Ref<Rig> value) {
-  auto& [character, surface, smoothing, groups, links, channels, lines, primitives, slots, morphs, clipFiles, layers,
-         unknownKeys] = value;
+  auto& [character, surface, smoothing, groups, links, channels, lines, sheets, primitives, slots, morphs, clipFiles,
+         layers, unknownKeys] = value;
   a.section("rig");
   fields(a, surface);
   fields(a, smoothing);

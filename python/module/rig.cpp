@@ -64,7 +64,7 @@ RigHandle::RigHandle(std::shared_ptr<CharacterHandle> character, Rig rig, std::f
     : character_(std::move(character)),
       file_(std::move(file)),
       clipsFolder_((file_.empty() ? character_->file() : file_).parent_path()) {
-  rig_ = withMorphsOf(std::move(rig), *character_->character());
+  rig_ = withSheets(withMorphsOf(std::move(rig), *character_->character()), character_->character());
   identities_.identify(rig_, {});
 }
 
@@ -74,6 +74,10 @@ void RigHandle::replace(Rig edited, Bones bones) {
   edited = withMorphsOf(std::move(edited), character, KeepIdle::kYes);
   if (!std::ranges::all_of(rig_.primitives, [](const Primitive& muscle) { return muscle.mirror.empty(); })) {
     edited = keepTwins(rig_, rig_, std::move(edited), *character_->plan());
+  }
+  if (!edited.sheets.empty() || !rig_.sheets.empty()) {
+    if (!sheets_) sheets_ = std::make_unique<SheetKeeper>(character_->character());
+    edited = sheets_->keep(rig_, std::move(edited), *character_->plan());
   }
   identities_.identify(edited, rig_);
   rig_ = std::move(edited);

@@ -9,6 +9,7 @@
 
 #include <pybind11/pybind11.h>
 
+#include "core/bodies/sheets/keep_sheets.h"
 #include "core/rig/references.h"
 #include "python/module/character.h"
 #include "sinew/geometry/result.h"
@@ -58,6 +59,7 @@ class RigHandle {
   std::filesystem::path clipsFolder_;  ///< Where relative paths of Rig::clipFiles begin.
   std::vector<std::string> missingClips_;
   IdentitySource identities_;
+  std::unique_ptr<SheetKeeper> sheets_;  ///< Made when first needed.
 };
 
 /// `rig` with a group of that name, made where there is none.

@@ -58,6 +58,7 @@ struct MuscleLine {
   LineSettings settings;
   std::string unknownActivationKeys;
   std::string mirror;  ///< Name of the linked twin, or empty.
+  std::string sheet;   ///< Name of the sheet that it is a strip of, from which it follows; empty: none.
   std::vector<AnimatedNumber> animated;
   std::string unknownKeys;
   NotCompared<LineId> identity{};

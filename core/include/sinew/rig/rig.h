@@ -11,6 +11,7 @@
 #include "sinew/geometry/ellipsoid.h"
 #include "sinew/rig/animated_number.h"
 #include "sinew/rig/muscle_line.h"
+#include "sinew/rig/muscle_sheet.h"
 #include "sinew/rig/not_compared.h"
 
 namespace sinew {
@@ -111,6 +112,7 @@ struct Primitive {
   std::string bone;     ///< Name or path (Skeleton::findBone). If the character lacks it, the primitive is unattached.
   std::string group;    ///< Name of a group of the rig.
   std::string line;     ///< Name of the muscle line that carries it; empty: it only follows its bone.
+  std::string sheet;    ///< Name of the sheet that it is a belly of, from which it follows; empty: none.
   Placement placement;  ///< In the bind pose, also on a line.
   float reach = kDefaultReach;                        ///< k > 1.
   float amount = 1.0f;                                ///< Factor on the strength, 0..kMostAmount.
@@ -158,7 +160,7 @@ struct LayerChoice {
   friend bool operator==(const LayerChoice&, const LayerChoice&) = default;
 };
 
-/// Primitives + lines + groups + links + settings. Two rigs with equal members are the same document.
+/// Primitives + lines + sheets + groups + links + settings. Two rigs with equal members are the same document.
 struct Rig {
   std::string character;  ///< Path relative to the rig file, with "/"; or absolute as the designer typed it.
   SurfaceSettings surface;
@@ -167,7 +169,8 @@ struct Rig {
   std::vector<Link> links;
   std::vector<RigChannel> channels;
   std::vector<MuscleLine> lines;
-  std::vector<Primitive> primitives;
+  std::vector<MuscleSheet> sheets;
+  std::vector<Primitive> primitives;  ///< Those of sheets last, in the order of the sheets.
   std::vector<SlotCorrection> slots;
   std::vector<MorphWeight> morphs;
   std::vector<std::string> clipFiles;  ///< Files with additional clips for the character; paths as `character`.
@@ -180,6 +183,7 @@ struct Rig {
 [[nodiscard]] int findPrimitive(const Rig& rig, const std::string& name);  ///< Index by name, or -1.
 [[nodiscard]] int findGroup(const Rig& rig, const std::string& name);
 [[nodiscard]] int findLine(const Rig& rig, const std::string& name);
+[[nodiscard]] int findSheet(const Rig& rig, const std::string& name);
 [[nodiscard]] int findMorph(const Rig& rig, const std::string& name);
 /// How much two groups blend, 0..1; 0: they are not linked.
 [[nodiscard]] float linkAmount(const Rig& rig, const std::string& a, const std::string& b);
@@ -194,6 +198,7 @@ struct Rig {
 [[nodiscard]] std::string freePrimitiveName(const Rig& rig, const std::string& wanted);
 [[nodiscard]] std::string freeGroupName(const Rig& rig, const std::string& wanted);
 [[nodiscard]] std::string freeLineName(const Rig& rig, const std::string& wanted);
+[[nodiscard]] std::string freeSheetName(const Rig& rig, const std::string& wanted);
 [[nodiscard]] std::string freeChannelName(const Rig& rig, const std::string& wanted);
 
 [[nodiscard]] const char* nameOf(SurfaceMode mode);  ///< Names in files, menus and on the command line.

@@ -17,7 +17,8 @@ namespace sinew {
 [[nodiscard]] Result<Rig> addPrimitive(Rig rig, Primitive primitive);
 /// The same in place. Error: the rig is not changed.
 [[nodiscard]] Result<void> append(Rig& rig, Primitive primitive);
-/// Removes primitives, their links to twins, and lines that lose their last primitive.
+/// Removes primitives, their links to twins, and lines that lose their last primitive. With a belly of a sheet the
+/// sheet.
 [[nodiscard]] Rig removePrimitives(Rig rig, std::span<const int> indices);
 [[nodiscard]] Result<Rig> setPlacement(Rig rig, int index, const Placement& placement);
 [[nodiscard]] Result<Rig> renamePrimitive(Rig rig, int index, const std::string& name);
