@@ -403,7 +403,11 @@ Result<MuscleSheet> placedSheet(const PresetPlace& place, const PresetSheet& mar
     for (const Mark& mark : edge) {
       const auto flesh = place.flesh.measure(mark, false);
       if (!flesh) return errorAt("", "this body has no skin there");
-      const glm::vec3 point = flesh->at(mark.depth);
+      glm::vec3 point = flesh->at(mark.depth);
+      if (marked.single) {
+        point -=
+            static_cast<float>(distanceTo(place.plan.plane, glm::dvec3(point))) * glm::vec3(place.plan.plane.normal);
+      }
       placed.points.push_back(anchorOn(skeleton, boneOfSkin(place.character, point), point));
     }
   }
@@ -461,7 +465,12 @@ Result<FittedPreset> fitPreset(Rig rig, const Preset& preset, const PresetTuning
   }
   for (const PresetSheet& marked : preset.sheets) {
     auto placed = placedSheet(place, marked);
-    auto with = placed ? withSheetPair(fitted.rig, std::move(placed).value(), plan) : Result<Rig>(placed.error());
+    const auto add = [&] {
+      if (!placed) return Result<Rig>(placed.error());
+      return marked.single ? addSheet(fitted.rig, std::move(placed).value())
+                           : withSheetPair(fitted.rig, std::move(placed).value(), plan);
+    };
+    auto with = add();
     if (!with) {
       fitted.leftOut.push_back({marked.sheet.name, with.error().reason});
       continue;

@@ -61,6 +61,7 @@ struct PresetMuscle {
 struct PresetSheet {
   MuscleSheet sheet;                     ///< Name and group without a side; without edges and twin.
   std::vector<std::vector<Mark>> edges;  ///< On the skin. As MuscleSheet::edges.
+  bool single = false;                   ///< Without a twin: its points lie in the mirror plane.
 };
 
 struct Preset {

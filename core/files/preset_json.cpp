@@ -151,6 +151,7 @@ PresetSheet readPresetSheet(Reader& reader, const Json& node, const Place& place
     if (sheet.edges.size() < 2) reader.refuse(Reader::join(place, "edges"), "expected at least two edges");
   }
   readSheetSettings(reader, node, place, sheet.sheet);
+  readSwitch(reader, node, place, "single", sheet.single);
   if (reader.error()) return sheet;
   if (const auto valid = validateSheetSettings(sheet.sheet, place.path); !valid) {
     reader.refuse({valid.error().place, place.words + ", " + valid.error().subject}, valid.error().reason);
@@ -163,6 +164,7 @@ Json presetSheetJson(const PresetSheet& sheet) {
   writer.set("name", sheet.sheet.name).set("group", sheet.sheet.group);
   writer.set("edges", jsonList(sheet.edges, [](const std::vector<Mark>& edge) { return jsonList(edge, markJson); }));
   setSheetSettings(writer, sheet.sheet);
+  if (sheet.single) writer.set("single", true);
   return writer.finish("");
 }
 

@@ -134,8 +134,7 @@ Result<void> validateSheet(const MuscleSheet& sheet, std::size_t index) {
   return about(sheet.name.empty() ? "a sheet" : quoted("sheet", sheet.name), parts.error());
 }
 
-/// Groups, twins, and names of its own.
-Result<void> validateReferences(const Rig& rig, std::size_t index) {
+Result<void> validateOwnName(const Rig& rig, std::size_t index) {
   const MuscleSheet& sheet = rig.sheets[index];
   const std::string place = indexed("sheets", index);
   const std::string subject = quoted("sheet", sheet.name);
@@ -145,6 +144,14 @@ Result<void> validateReferences(const Rig& rig, std::size_t index) {
                        indexed("sheets", toIndex(first)),
                    subject);
   }
+  return {};
+}
+
+/// Groups and twins.
+Result<void> validateReferences(const Rig& rig, std::size_t index) {
+  const MuscleSheet& sheet = rig.sheets[index];
+  const std::string place = indexed("sheets", index);
+  const std::string subject = quoted("sheet", sheet.name);
   if (findGroup(rig, sheet.group) < 0) {
     return errorAt(place + ".group", "expected the name of a group, but there is no \"" + sheet.group + '"',
                    subject + ", group");
@@ -185,6 +192,9 @@ Result<void> validateSheets(const Rig& rig) {
   if (auto count = validateCount("sheets", "sheets", rig.sheets.size(), kMostSheets); !count) return count;
   for (std::size_t i = 0; i < rig.sheets.size(); ++i) {
     if (auto own = validateSheet(rig.sheets[i], i); !own) return own;
+    if (auto name = validateOwnName(rig, i); !name) return name;
+  }
+  for (std::size_t i = 0; i < rig.sheets.size(); ++i) {
     if (auto references = validateReferences(rig, i); !references) return references;
   }
   return {};

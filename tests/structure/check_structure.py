@@ -7,7 +7,7 @@ import sys
 # Each row may include only rows above it. "surface/patches" is a floor of the room core/surface, which is built from it.
 LAYERS = {
     "core": ["geometry/formulas", "geometry", "character", "rig", "surface/patches surface/roots", "surface/projection surface/finish", "surface", "runtime",
-             "bodies", "files/disk files/json", "files/gltf", "files", "files/fit", "files/usd", "files/export", "sinew"],
+             "bodies/sheets", "bodies", "files/disk files/json", "files/gltf", "files", "files/fit", "files/usd", "files/export", "sinew"],
     "app": ["ui", "document", "viewport/render", "viewport/gpu viewport/tools", "command", "editor", "panels", "window", "main"],
 }
 LAYERS = {tree: {name: number for number, row in enumerate(rows) for name in row.split()} for tree, rows in LAYERS.items()}

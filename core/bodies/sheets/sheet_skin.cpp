@@ -26,7 +26,7 @@ constexpr float kSampleCell = 0.03f;  ///< Fraction of H.
 int depthFor(std::size_t triangles) {
   const auto wanted =
       std::sqrt(static_cast<float>(kWantedTriangles) / static_cast<float>(std::max<std::size_t>(triangles, 1)));
-  return std::clamp(static_cast<int>(std::ceil(wanted)), 1, kMostSheetDepth);
+  return std::clamp(static_cast<int>(std::lround(wanted)), 1, kMostSheetDepth);
 }
 
 /// The surface without muscles; none if it cannot be made.

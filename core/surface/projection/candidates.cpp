@@ -2,8 +2,10 @@
 #include "core/surface/projection/candidates.h"
 
 #include <algorithm>
+#include <array>
 #include <iterator>
 #include <map>
+#include <optional>
 
 namespace sinew {
 namespace {
@@ -15,13 +17,21 @@ class Gatherer {
     if (out_.cliqueSets.empty()) out_.cliqueSets.emplace_back();
   }
 
+  /// Merges the candidates of the corners, each of which are in ascending order.
   void addCarrier(std::span<const int> corners) {
     const std::size_t first = out_.items.size();
+    std::array<std::span<const Candidate>, 3> left{};
     for (std::size_t corner = 0; corner < corners.size(); ++corner) {
-      const auto vertex = static_cast<std::size_t>(corners[corner]);
-      for (const Candidate& candidate : attachment_.candidatesOfVertex[vertex]) addWeight(first, corner, candidate);
+      left[corner] = at(attachment_.candidatesOfVertex, corners[corner]);
     }
-    std::ranges::sort(std::span(out_.items).subspan(first), {}, &CarrierCandidate::primitive);
+    while (const std::optional<int> next = nextIn(left)) {
+      CarrierCandidate& added = out_.items.emplace_back(CarrierCandidate{*next, 0, {}});
+      for (std::size_t corner = 0; corner < corners.size(); ++corner) {
+        if (left[corner].empty() || left[corner].front().primitive != *next) continue;
+        added.weights[corner] = left[corner].front().weight;
+        left[corner] = left[corner].subspan(1);
+      }
+    }
     finishCarrier(first);
   }
 
@@ -49,16 +59,12 @@ class Gatherer {
     out_.begin.push_back(static_cast<int>(out_.items.size()));
   }
 
-  void addWeight(std::size_t first, std::size_t corner, const Candidate& candidate) {
-    const auto own = std::span(out_.items).subspan(first);
-    const auto found = std::ranges::find(own, candidate.primitive, &CarrierCandidate::primitive);
-    if (found != own.end()) {
-      found->weights[corner] = candidate.weight;
-      return;
+  static std::optional<int> nextIn(std::span<const std::span<const Candidate>> lists) {
+    std::optional<int> next;
+    for (const std::span<const Candidate> list : lists) {
+      if (!list.empty() && (!next || list.front().primitive < *next)) next = list.front().primitive;
     }
-    CarrierCandidate added{candidate.primitive, 0, {}};
-    added.weights[corner] = candidate.weight;
-    out_.items.push_back(added);
+    return next;
   }
 
   int groupOf(const CarrierCandidate& candidate) const { return at(attachment_.primitives, candidate.primitive).group; }

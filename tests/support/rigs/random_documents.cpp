@@ -138,6 +138,47 @@ void addLines(Random& random, Rig& rig) {
   }
 }
 
+Profile anyProfile(Random& random) {
+  Profile profile;
+  float place = 0.0f;
+  for (int i = 1 + random.below(4); i > 0; --i) {
+    place += (1.0f - place) * random.uniform(0.0f, 0.5f);
+    profile.emplace_back(place, random.uniform(-kMostProfile, kMostProfile));
+  }
+  return profile;
+}
+
+void addSheets(Random& random, Rig& rig) {
+  for (int i = random.below(3); i > 0; --i) {
+    MuscleSheet& sheet = rig.sheets.emplace_back();
+    sheet.name = anyName(random, i);
+    sheet.group = rig.groups[static_cast<std::size_t>(random.below(static_cast<int>(rig.groups.size())))].name;
+    for (int e = 2 + random.below(3); e > 0; --e) {
+      SheetEdge& edge = sheet.edges.emplace_back();
+      for (int p = 1 + random.below(3); p > 0; --p) edge.points.push_back(anyAnchor(random));
+      edge.unknownKeys = anyUnknownKeys(random);
+    }
+    sheet.strips = 2 + random.below(kMostStrips - 1);
+    sheet.bellies = 1 + random.below(kMostStripBellies);
+    if (random.chance(0.5f)) sheet.thickness = random.uniform(0.001f, kMostSheetHeight);
+    if (random.chance(0.5f)) sheet.width = random.uniform(0.0f, kMostSheetHeight);
+    if (random.chance(0.5f)) sheet.crest = random.uniform(-kMostSheetHeight, kMostSheetHeight);
+    if (random.chance(0.5f)) sheet.sunk = random.uniform(-kMostSheetHeight, kMostSheetHeight);
+    if (random.chance(0.5f)) sheet.across = anyProfile(random);
+    if (random.chance(0.5f)) sheet.along = anyProfile(random);
+    if (random.chance(0.5f)) sheet.reach = random.uniform(1.01f, 3.0f);
+    if (random.chance(0.5f)) sheet.spacing = random.uniform(kLeastSpacing, kMostSpacing);
+    if (random.chance(0.5f)) sheet.amount = random.uniform(0.0f, kMostAmount);
+    if (random.chance(0.3f)) sheet.sign = -1;
+    if (random.chance(0.5f)) {
+      sheet.line = anySettings(random);
+      sheet.unknownLineKeys = anyUnknownKeys(random);
+      sheet.unknownActivationKeys = anyUnknownKeys(random);
+    }
+    sheet.unknownKeys = anyUnknownKeys(random);
+  }
+}
+
 template <class Twinned>
 void pairTwins(Random& random, std::vector<Twinned>& items) {
   for (std::size_t i = 0; i + 1 < items.size(); i += 2) {
@@ -191,6 +232,8 @@ Rig randomDocument(std::uint64_t seed) {
   pairTwins(random, rig.primitives);
   addLines(random, rig);
   pairTwins(random, rig.lines);
+  addSheets(random, rig);
+  pairTwins(random, rig.sheets);
   if (random.chance(0.5f)) addAnimation(random, {anyName(random, 1), anyName(random, 2)}, {"Walk", "跑"}, rig);
   if (random.chance(0.3f)) {
     rig.slots.push_back({"upperArm.L", anyName(random, 1)});
