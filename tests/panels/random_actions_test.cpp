@@ -1,6 +1,6 @@
 // tests/panels/random_actions_test.cpp: random actions in any order: undo restores every history step byte for byte.
 //
-// Environment: SINEW_SOAK_ACTIONS, number of actions (250); SINEW_SOAK_SEED, their seed.
+// Environment: SINEW_SOAK_ACTIONS, number of actions (150, in the long run 250); SINEW_SOAK_SEED, their seed.
 
 #include <cstdlib>
 #include <iostream>
@@ -13,6 +13,7 @@
 #include "core/rig/validation.h"
 #include "sinew/files/rig_json.h"
 #include "tests/support/editor/headless_editor.h"
+#include "tests/support/long_run.h"
 
 namespace sinew::app {
 namespace {
@@ -232,7 +233,7 @@ class RandomActions : public HeadlessEditor {
 
 TEST_F(RandomActions, UndoToTheOriginalBytes) {
   const std::size_t seed = numberFrom("SINEW_SOAK_SEED", 11);
-  const std::size_t count = numberFrom("SINEW_SOAK_ACTIONS", 250);
+  const std::size_t count = numberFrom("SINEW_SOAK_ACTIONS", test::longRun() ? 250 : 150);
   random.seed(static_cast<std::mt19937::result_type>(seed));
   std::map<std::string, int> done;
   std::size_t most = 0;

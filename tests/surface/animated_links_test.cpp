@@ -90,6 +90,7 @@ TEST(AnimatedLinks, KeysThatChangeNothingChangeNoBit) {
     for (const DetailKind detail : {DetailKind::kUniform, DetailKind::kAdaptive}) {
       Rig drawn = linkedRig(*character, mode, 0.02f, 7);
       drawn.smoothing.detail = detail;
+      drawn.smoothing.tolerance = 0.003f;
       Rig keyed = drawn;
       for (std::size_t i = 0; i < keyed.links.size(); ++i) {
         const NumberRef ref{Parameter::kLinkAmount, static_cast<int>(i)};

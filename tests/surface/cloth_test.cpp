@@ -222,6 +222,7 @@ TEST(Cloth, LayerEditMatchesAFreshSmoother) {
   for (const DetailKind detail : {DetailKind::kUniform, DetailKind::kAdaptive}) {
     Rig rig = flexRig();
     rig.smoothing.detail = detail;
+    rig.smoothing.tolerance = 0.003f;
     Smoother edited(dressed);
     Surface a;
     Surface b;

@@ -12,6 +12,7 @@
 #include "tests/support/characters/body_with_arms.h"
 #include "tests/support/characters/stand_ins.h"
 #include "tests/support/characters/synthetic_characters.h"
+#include "tests/support/long_run.h"
 #include "tests/support/rigs/random_animation.h"
 #include "tests/support/rigs/random_rigs.h"
 #include "tests/support/rigs/trial_scenes.h"
@@ -93,7 +94,7 @@ TEST(LevelChanges, EveryChangedSampleIsReevaluated) {
   std::size_t carriers = 0;
   for (const CharacterPtr& character : {makeLimb(), makeTube(), makeBodyWithArms(), makeTwoLegged()}) {
     Preparer prepared(character);
-    for (std::uint64_t seed = 0; seed < 12; ++seed) {
+    for (std::uint64_t seed = 0; seed < (longRun() ? 12u : 6u); ++seed) {
       Rig rig = randomRig(*character, {.primitives = 6, .shapedChance = 0.3f, .reachHigh = 1.6f}, seed);
       rig.smoothing.detail = DetailKind::kAdaptive;
       if (seed % 3 == 1) rig.smoothing.patch = PatchKind::kPhong;
@@ -131,6 +132,7 @@ TEST(LevelChanges, LevelsAfterAnEditMatchAFreshStart) {
     Preparer prepared(scene.character);
     Rig rig = scene.rig;
     rig.smoothing.detail = DetailKind::kAdaptive;
+    rig.smoothing.tolerance = 0.002f;
     PreparationPtr former = prepared(rig);
     for (int edit = 0; edit < 6; ++edit) {
       rig = edited(rig, random);

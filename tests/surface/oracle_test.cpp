@@ -279,24 +279,23 @@ TEST(Oracle, SoftGroovesMatch) {
   for (const SurfaceMode mode : {SurfaceMode::kSwell, SurfaceMode::kReplace}) {
     std::uint64_t seed = 0;
     for (const CharacterPtr& character : {makeLimb(), makeTwoLegged(), makeTube()}) {
-      for (int i = 0; i < (longRun() ? 6 : 2); ++i, ++seed) {
+      for (int i = 0; i < (longRun() ? 6 : 1); ++i, ++seed) {
         for (const ProjectionKind projection : kEveryProjection) {
           meeting += expectGroovesAgree(character, mode, projection, seed, 400);
         }
       }
     }
   }
-  EXPECT_GT(meeting, 100);
+  EXPECT_GT(meeting, 50);
 }
 
-TEST(Oracle, SoftGroovesMatchByEveryInstructionSet) {
+// Of the other instruction sets, EveryInstructionSetGivesTheSameBitsOnRandomRigs shows that they agree.
+TEST(Oracle, SoftGroovesMatchByScalars) {
   const CharacterPtr character = makeTwoLegged();
-  for (const InstructionSet set : availableInstructionSets()) {
-    const InstructionSetScope scope(set);
-    for (const SurfaceMode mode : {SurfaceMode::kSwell, SurfaceMode::kReplace}) {
-      for (const std::uint64_t seed : {7u, 8u}) {
-        expectGroovesAgree(character, mode, ProjectionKind::kNewton, seed, 200, std::string(", ") + nameOf(set));
-      }
+  const InstructionSetScope scope(InstructionSet::kScalar);
+  for (const SurfaceMode mode : {SurfaceMode::kSwell, SurfaceMode::kReplace}) {
+    for (const std::uint64_t seed : {7u, 8u}) {
+      expectGroovesAgree(character, mode, ProjectionKind::kNewton, seed, 200, ", scalar");
     }
   }
 }
@@ -314,6 +313,7 @@ TEST(Oracle, LinksInPartMatch) {
     std::uint64_t seed = 20;
     for (const CharacterPtr& character : {makeLimb(), makeTwoLegged()}) {
       for (const float grooves : {0.0f, 0.02f}) {
+        if (!longRun() && (grooves > 0.0f) == (character->name == "limb")) continue;
         for (const ProjectionKind projection : kEveryProjection) {
           RigRecipe recipe = recipeOf(30);
           recipe.linkChance = 0.7f;
@@ -336,19 +336,17 @@ TEST(Oracle, LinksInPartMatch) {
   }
 }
 
-TEST(Oracle, LinksInPartMatchByEveryInstructionSet) {
+TEST(Oracle, LinksInPartMatchByScalars) {
   const CharacterPtr character = makeTwoLegged();
-  for (const InstructionSet set : availableInstructionSets()) {
-    const InstructionSetScope scope(set);
-    for (const SurfaceMode mode : {SurfaceMode::kSwell, SurfaceMode::kReplace}) {
-      for (const float grooves : {0.0f, 0.05f}) {
-        Rig rig = groovedRig(*character, mode, 8);
-        rig.surface.grooves = grooves;
-        for (std::size_t i = 0; i < rig.links.size(); ++i) rig.links[i].amount = 0.2f * static_cast<float>(1 + i % 5);
-        expectAgreement(std::string("two-legged, links in part, grooves ") + std::to_string(grooves) + ", " +
-                            nameOf(mode) + ", " + nameOf(set),
-                        tallyOf(character, rig, 3, 200));
-      }
+  const InstructionSetScope scope(InstructionSet::kScalar);
+  for (const SurfaceMode mode : {SurfaceMode::kSwell, SurfaceMode::kReplace}) {
+    for (const float grooves : {0.0f, 0.05f}) {
+      Rig rig = groovedRig(*character, mode, 8);
+      rig.surface.grooves = grooves;
+      for (std::size_t i = 0; i < rig.links.size(); ++i) rig.links[i].amount = 0.2f * static_cast<float>(1 + i % 5);
+      expectAgreement(std::string("two-legged, links in part, grooves ") + std::to_string(grooves) + ", " +
+                          nameOf(mode) + ", scalar",
+                      tallyOf(character, rig, 3, 200));
     }
   }
 }
@@ -365,7 +363,7 @@ TEST(Oracle, AnimatedLinksMatchAtEachMoment) {
       ASSERT_TRUE(smoother.prepare(rig).ok());
       Surface surface;
       oracle::Tally total;
-      for (const float part : {0.1f, 0.4f, 0.75f}) {
+      for (const float part : {0.1f, 0.75f}) {
         const Pose pose = samplePose(character->skeleton, clip, part * clip.duration);
         smoother.smooth(pose, surface);
         const Rig now = withoutKeys(drivenRig(rig, *character, pose));

@@ -8,6 +8,7 @@
 #include <glm/geometric.hpp>
 
 #include "core/surface/stages.h"
+#include "tests/support/long_run.h"
 #include "tests/support/rigs/random_rigs.h"
 #include "tests/support/rigs/trial_scenes.h"
 
@@ -72,8 +73,9 @@ class Noisy {
 float worstOf(const TrialScene& scene, const Rig& rig) {
   Noisy noisy(scene, rig);
   float worst = 0.0f;
-  for (const Pose& pose : spreadPoses(*scene.character, 8)) worst = std::max(worst, noisy.amplified(pose));
-  for (std::uint64_t seed = 1; seed <= 6; ++seed) {  // Joints bent further than in any clip.
+  for (const Pose& pose : spreadPoses(*scene.character, longRun() ? 8 : 4))
+    worst = std::max(worst, noisy.amplified(pose));
+  for (std::uint64_t seed = 1; seed <= (longRun() ? 6u : 3u); ++seed) {  // Joints bent further than in any clip.
     worst = std::max(worst, noisy.amplified(randomPose(scene.character->skeleton, 1.5f, 0.0f, seed)));
   }
   return worst;

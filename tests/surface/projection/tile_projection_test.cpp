@@ -81,6 +81,7 @@ TEST(VectorSwell, EveryInstructionSetGivesTheSameBitsOnRandomRigs) {
     recipe.radiusHigh = seed % 2 == 0 ? 0.1f : 0.4f;
     recipe.shapedChance = seed % 3 == 0 ? 0.0f : 0.5f;
     recipe.groovesChance = 0.5f;
+    recipe.partChance = seed % 8 < 4 ? 0.5f : 0.0f;
     Rig rig = randomRig(*character, recipe, seed);
     rig.smoothing.detail = DetailKind::kUniform;
     rig.smoothing.depth = 4;

@@ -11,6 +11,7 @@
 #include "tests/support/characters/body_with_arms.h"
 #include "tests/support/characters/real_characters.h"
 #include "tests/support/characters/synthetic_characters.h"
+#include "tests/support/long_run.h"
 #include "tests/support/surface/projected.h"
 #include "tests/support/surface/skin_metrics.h"
 #include "tests/viewport/tools/laid_muscles.h"
@@ -18,7 +19,7 @@
 namespace sinew::test {
 namespace {
 
-constexpr float kPosesPerSecond = 8.0f;
+const float kPosesPerSecond = longRun() ? 8.0f : 5.0f;
 
 using CharacterPtr = std::shared_ptr<const Character>;
 
