@@ -7,12 +7,12 @@
 #include <cassert>
 #include <cmath>
 #include <numbers>
-#include <numeric>
 
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
 #include "core/geometry/at.h"
+#include "core/geometry/edge_sides.h"
 #include "core/geometry/index_table.h"
 
 namespace sinew {
@@ -24,35 +24,6 @@ constexpr double kDegreesOfRounding = 0.01;
 constexpr double kFlatness = 1e-6;  ///< Height over longest edge below which a triangle has no direction.
 /// Number of triangles of an edge with which each is compared; bounds the work for edges with very many.
 constexpr std::size_t kMostCreasesCompared = 16;
-
-/// One triangle at one of its three edges.
-struct Side {
-  int triangle = 0;
-  int side = 0;
-};
-
-/// The triangles of every edge, in triangle order.
-class Sides {
- public:
-  explicit Sides(const ControlMesh& mesh) : begin_(mesh.edges.size() + 1, 0), sides_(3 * mesh.triangles.size()) {
-    for (const ControlTriangle& triangle : mesh.triangles) {
-      for (const int edge : triangle.edges) ++begin_[toIndex(edge) + 1];
-    }
-    std::partial_sum(begin_.begin(), begin_.end(), begin_.begin());
-    std::vector<std::size_t> next(begin_.begin(), begin_.end() - 1);
-    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-      for (int i = 0; i < 3; ++i) sides_[at(next, at(mesh.triangles[t].edges, i))++] = {static_cast<int>(t), i};
-    }
-  }
-
-  [[nodiscard]] std::span<const Side> of(std::size_t edge) const {
-    return std::span(sides_).subspan(begin_[edge], begin_[edge + 1] - begin_[edge]);
-  }
-
- private:
-  std::vector<std::size_t> begin_;  // [E+1]
-  std::vector<Side> sides_;
-};
 
 /// Unit normal of a face; zero if it has no area.
 glm::dvec3 faceNormal(const ControlMesh& mesh, const ControlTriangle& triangle) {
@@ -66,7 +37,7 @@ glm::dvec3 faceNormal(const ControlMesh& mesh, const ControlTriangle& triangle) 
   return height > kFlatness ? cross / height : glm::dvec3(0.0);
 }
 
-int longestSide(const ControlMesh& mesh, const ControlTriangle& triangle) {
+int numberOfLongestSide(const ControlMesh& mesh, const ControlTriangle& triangle) {
   int longest = 0;
   double most = -1.0;
   for (int i = 0; i < 3; ++i) {
@@ -80,7 +51,7 @@ int longestSide(const ControlMesh& mesh, const ControlTriangle& triangle) {
 }
 
 /// [T] Direction of each face; zero only if it has no area and its neighbors neither.
-std::vector<glm::dvec3> faceNormals(const ControlMesh& mesh, const Sides& sides) {
+std::vector<glm::dvec3> faceNormals(const ControlMesh& mesh, const EdgeSides& sides) {
   std::vector<glm::dvec3> normals;
   normals.reserve(mesh.triangles.size());
   for (const ControlTriangle& triangle : mesh.triangles) normals.push_back(faceNormal(mesh, triangle));
@@ -88,7 +59,7 @@ std::vector<glm::dvec3> faceNormals(const ControlMesh& mesh, const Sides& sides)
   for (std::size_t t = 0; t < result.size(); ++t) {
     if (result[t] != glm::dvec3(0.0)) continue;
     const ControlTriangle& triangle = mesh.triangles[t];
-    for (const Side& other : sides.of(toIndex(at(triangle.edges, longestSide(mesh, triangle))))) {
+    for (const EdgeSide& other : sides.of(at(triangle.edges, numberOfLongestSide(mesh, triangle)))) {
       if (at(normals, other.triangle) == glm::dvec3(0.0)) continue;
       result[t] = at(normals, other.triangle);
       break;
@@ -123,7 +94,7 @@ class Fans {
   std::vector<int> parent_;
 };
 
-int cornerAt(const ControlMesh& mesh, const Side& side, int vertex) {
+int cornerAt(const ControlMesh& mesh, const EdgeSide& side, int vertex) {
   const bool first = at(at(mesh.triangles, side.triangle).vertices, side.side) == vertex;
   return 3 * side.triangle + (first ? side.side : (side.side + 1) % 3);
 }
@@ -133,7 +104,7 @@ int cornerAt(const ControlMesh& mesh, const Side& side, int vertex) {
 /// cases. The normals in the file are ignored (docs/design.md, Creases).  @return [3T] representative of each corner's
 /// fan
 std::vector<int> fansOf(const ControlMesh& mesh, float degrees) {
-  const Sides sides(mesh);
+  const EdgeSides sides(mesh);
   const std::vector<glm::dvec3> normals = faceNormals(mesh, sides);
   const double angle = (static_cast<double>(degrees) + kDegreesOfRounding) * std::numbers::pi / 180.0;
   const auto smooth = [&](int s, int t) {
@@ -144,7 +115,7 @@ std::vector<int> fansOf(const ControlMesh& mesh, float degrees) {
   };
   Fans fans(3 * mesh.triangles.size());
   for (std::size_t e = 0; e < mesh.edges.size(); ++e) {
-    const std::span<const Side> around = sides.of(e);
+    const std::span<const EdgeSide> around = sides.of(static_cast<int>(e));
     for (std::size_t i = 0; i < around.size(); ++i) {
       for (std::size_t j = i + 1; j < std::min(around.size(), i + 1 + kMostCreasesCompared); ++j) {
         if (!smooth(around[i].triangle, around[j].triangle)) continue;

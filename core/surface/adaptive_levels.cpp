@@ -16,6 +16,7 @@
 #include "core/character/range_of_motion.h"
 #include "core/geometry/at.h"
 #include "core/geometry/parallel.h"
+#include "core/geometry/triangle_sides.h"
 #include "core/rig/motion_clip.h"
 #include "core/rig/posed_rig.h"
 #include "core/surface/align_splits.h"
@@ -156,7 +157,6 @@ std::vector<Pose> detailPoses(const Character& character, const Rig& rig, const 
 constexpr float kNoPiece = std::numeric_limits<float>::max();
 
 /// Splits cloth as finely as the skin under it.
-
 class ClothSplitter {
  public:
   ClothSplitter(const Preparation& next, RefinementLevels& levels)
@@ -171,27 +171,17 @@ class ClothSplitter {
     const std::size_t firstEdge = mesh_.positions.size();
     const std::size_t firstTriangle = firstEdge + mesh_.edges.size();
     for (std::size_t e = 0; e < mesh_.edges.size(); ++e) {
-      if (layers_.carriers[firstEdge + e] == SkinLayer::kCloth) raise(mesh_.edges[e].vertices, levels_.edges[e]);
+      if (layers_.carriers[firstEdge + e] != SkinLayer::kCloth) continue;
+      raise(mesh_.edges[e].vertices, lengthOf(mesh_, mesh_.edges[e]), levels_.edges[e]);
     }
     for (std::size_t t = 0; t < mesh_.triangles.size(); ++t) {
       if (layers_.carriers[firstTriangle + t] != SkinLayer::kCloth) continue;
-      raise(mesh_.triangles[t].vertices, levels_.triangles[t]);
+      const ControlTriangle& triangle = mesh_.triangles[t];
+      raise(triangle.vertices, longestSide(cornersOf(mesh_, triangle)), levels_.triangles[t]);
     }
   }
 
  private:
-  [[nodiscard]] float lengthOf(int a, int b) const {
-    return glm::distance(at(mesh_.positions, a), at(mesh_.positions, b));
-  }
-
-  [[nodiscard]] float longest(std::span<const int> corners) const {
-    float length = 0.0f;
-    for (std::size_t i = 0; i < corners.size(); ++i) {
-      length = std::max(length, lengthOf(corners[i], corners[(i + 1) % corners.size()]));
-    }
-    return length;
-  }
-
   [[nodiscard]] float pieceUnder(int triangle) const {
     if (triangle < 0) return kNoPiece;
     const int carrier = static_cast<int>(mesh_.positions.size() + mesh_.edges.size()) + triangle;
@@ -199,14 +189,14 @@ class ClothSplitter {
     const ControlTriangle& skin = at(mesh_.triangles, triangle);
     int level = at(levels_.triangles, triangle);
     for (const int e : skin.edges) level = std::max<int>(level, at(levels_.edges, e));
-    return longest(skin.vertices) / static_cast<float>(level);
+    return longestSide(cornersOf(mesh_, skin)) / static_cast<float>(level);
   }
 
-  void raise(std::span<const int> corners, std::uint8_t& level) const {
+  void raise(std::span<const int> corners, float length, std::uint8_t& level) const {
     float piece = kNoPiece;
     for (const int v : corners) piece = std::min(piece, at(pieces_, v));
     if (!(piece > 0.0f) || piece == kNoPiece) return;
-    const float wanted = std::min(std::ceil(longest(corners) / piece), static_cast<float>(kMaxDepth));
+    const float wanted = std::min(std::ceil(length / piece), static_cast<float>(kMaxDepth));
     level = std::max(level, static_cast<std::uint8_t>(wanted));
   }
 
@@ -267,12 +257,7 @@ class LevelSearch {
     tolerance_ = {margin * from.tolerance * height, widened(kNormalCosine, from.tolerance),
                   kSeenPiece * from.tolerance * height};
     for (const ControlTriangle& triangle : mesh_.triangles) {
-      float longest = 0.0f;
-      for (const int e : triangle.edges) {
-        const auto& ends = at(mesh_.edges, e).vertices;
-        longest = std::max(longest, glm::distance(at(mesh_.positions, ends[0]), at(mesh_.positions, ends[1])));
-      }
-      longest_.push_back(longest / height);
+      longest_.push_back(longestSide(cornersOf(mesh_, triangle)) / height);
     }
   }
 

@@ -5,14 +5,16 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <span>
 #include <utility>
 #include <vector>
 
-#include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
 
 #include "core/geometry/at.h"
+#include "core/geometry/edge_sides.h"
 #include "core/geometry/parallel.h"
+#include "core/geometry/triangle_sides.h"
 #include "core/surface/adaptive_levels.h"
 #include "core/surface/patches/aligned_triangle.h"
 #include "core/surface/patches/sample_grids.h"
@@ -104,7 +106,7 @@ class SplitAligner {
         tolerance_(tolerance),
         levels_(levels),
         splits_(std::move(splits)),
-        trianglesAt_(mesh.edges.size()),
+        sides_(mesh),
         asksEdge_(mesh.edges.size(), 0),
         asksTriangle_(mesh.triangles.size(), 0) {
     splits_.edges.resize(mesh.edges.size());
@@ -128,7 +130,6 @@ class SplitAligner {
   void findUnknown() {
     for (std::size_t t = 0; t < mesh_.triangles.size(); ++t) {
       const SplitLevels split = splitOf(mesh_, levels_, static_cast<int>(t));
-      for (const int e : mesh_.triangles[t].edges) at(trianglesAt_, e).push_back(static_cast<int>(t));
       if (splits_.triangles[t].levels == split) continue;
       splits_.triangles[t] = {split, {}, {}};
       asksTriangle_[t] = 1;
@@ -138,7 +139,7 @@ class SplitAligner {
       if (asksEdge_[e] == 0) continue;
       splits_.edges[e].clear();
       if (levels_.edges[e] == 1) continue;
-      for (const int t : trianglesAt_[e]) at(asksTriangle_, t) = 1;
+      for (const EdgeSide& own : sides_.of(static_cast<int>(e))) at(asksTriangle_, own.triangle) = 1;
     }
     leaveOutUnseen();
   }
@@ -146,7 +147,8 @@ class SplitAligner {
   void leaveOutUnseen() {
     const auto isSeen = [&](int t) { return isWorthAligning(t); };
     for (std::size_t e = 0; e < asksEdge_.size(); ++e) {
-      if (levels_.edges[e] == 1 || !std::ranges::all_of(trianglesAt_[e], isSeen)) asksEdge_[e] = 0;
+      const std::span sides = sides_.of(static_cast<int>(e));
+      if (levels_.edges[e] == 1 || !std::ranges::all_of(sides, isSeen, &EdgeSide::triangle)) asksEdge_[e] = 0;
     }
     for (std::size_t t = 0; t < asksTriangle_.size(); ++t) {
       if (asksTriangle_[t] == 0) continue;
@@ -158,11 +160,7 @@ class SplitAligner {
   [[nodiscard]] bool isWorthAligning(int t) const {
     const int highest = highestOf(at(splits_.triangles, t).levels);
     if (highest == 1 || mesh_.triangles.size() <= kDenseMesh) return highest > 1;
-    float longest = 0.0f;
-    for (const int e : at(mesh_.triangles, t).edges) {
-      const auto& [a, b] = at(mesh_.edges, e).vertices;
-      longest = std::max(longest, glm::distance(at(mesh_.positions, a), at(mesh_.positions, b)));
-    }
+    const float longest = longestSide(cornersOf(mesh_, at(mesh_.triangles, t)));
     return longest >= kLeastAlignedPiece * tolerance_ * static_cast<float>(highest);
   }
 
@@ -179,20 +177,17 @@ class SplitAligner {
   }
 
   [[nodiscard]] AlignedTriangle triangleOf(int t, const SideShares& sides) const {
-    const auto corner = [&](std::size_t c) { return at(mesh_.positions, at(mesh_.triangles, t).vertices[c]); };
     const TriangleSamples& samples = surface_.of(t);
     const SampleGrids grids(samples.positions, samples.normals, samples.fine, samplesOf(toIndex(t)));
-    return {at(splits_.triangles, t).levels, sides, {corner(0), corner(1), corner(2)}, grids, tolerance_};
+    return {at(splits_.triangles, t).levels, sides, cornersOf(mesh_, at(mesh_.triangles, t)), grids, tolerance_};
   }
 
   /// Against triangles whose other sides are evenly spaced, so that no edge depends on another.
   void alignEdge(std::size_t e) {
     AlignedEdge edge(levels_.edges[e], tolerance_);
-    for (const int t : trianglesAt_[e]) {
-      const ControlTriangle& triangle = at(mesh_.triangles, t);
-      const auto found = std::ranges::find(triangle.edges, static_cast<int>(e));
-      const auto side = static_cast<std::size_t>(found - triangle.edges.begin());
-      edge.add(triangleOf(t, {}), side, mesh_.edges[e].vertices[0] == triangle.vertices[side]);
+    for (const auto& [t, side] : sides_.of(static_cast<int>(e))) {
+      const bool isForward = mesh_.edges[e].vertices[0] == at(at(mesh_.triangles, t).vertices, side);
+      edge.add(triangleOf(t, {}), toIndex(side), isForward);
     }
     splits_.edges[e] = edge.align();
   }
@@ -208,9 +203,9 @@ class SplitAligner {
   float tolerance_;
   const RefinementLevels& levels_;
   AlignedSplits splits_;
-  std::vector<std::vector<int>> trianglesAt_;  ///< [E]
-  std::vector<std::uint8_t> asksEdge_;         ///< [E]
-  std::vector<std::uint8_t> asksTriangle_;     ///< [T]
+  EdgeSides sides_;
+  std::vector<std::uint8_t> asksEdge_;      ///< [E]
+  std::vector<std::uint8_t> asksTriangle_;  ///< [T]
 };
 
 }  // namespace

@@ -1,6 +1,6 @@
 // tests/panels/animated_links_test.cpp: keys and drivers of how much groups blend, in the matrix and in the graph.
 
-#include "tests/support/editor/headless_editor.h"
+#include "tests/support/editor/clip_editor.h"
 
 #include "app/editor/animate.h"
 #include "app/editor/blending_edit.h"
@@ -14,20 +14,13 @@ namespace {
 
 constexpr const char* kCell = "blending/cell/torso/legs";
 
-/// Bundled rig in its first clip, in the Groups tab.
-class AnimatedLinks : public HeadlessEditor {
+/// In the Groups tab.
+class AnimatedLinks : public ClipEditor {
  protected:
-  static constexpr int kKeyK = 75;
-
   void SetUp() override {
-    HeadlessEditor::SetUp();
-    ASSERT_TRUE(openFile(state, std::filesystem::path(SINEW_SOURCE_DIR) / "assets" / "demo.rig.json"));
-    chooseClip(state.open.transport, 0, state.character());
-    state.open.transport.playing = false;
-    settle();
+    ClipEditor::SetUp();
     click("blending/tab");
     ASSERT_TRUE(shown(kCell));
-    opened = state.document.rig();
   }
   [[nodiscard]] NumberRef amount() const {
     return {Parameter::kLinkAmount, findLink(state.document.rig(), "legs", "torso")};
@@ -35,19 +28,10 @@ class AnimatedLinks : public HeadlessEditor {
   [[nodiscard]] const AnimatedNumber* animated() const {
     return amount().owner < 0 ? nullptr : animationOf(state.document.rig(), amount());
   }
-  void goTo(double time) {
-    state.open.transport.time = time;
-    settle();
-  }
   void choose(const std::vector<std::string>& rows) {
     click(kCell, 1);
     for (const std::string& row : rows) click("context/" + row);
   }
-  void undoAll() {
-    while (state.document.commands.canUndo()) undo(state);
-    settle();
-  }
-  Rig opened;
 };
 
 TEST_F(AnimatedLinks, AreKeyedUnderThePointerAndInTheMenu) {

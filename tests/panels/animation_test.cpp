@@ -13,7 +13,7 @@
 #include "app/panels/timeline.h"
 #include "core/rig/animated_edit.h"
 #include "core/rig/driver_input.h"
-#include "tests/support/editor/headless_editor.h"
+#include "tests/support/editor/clip_editor.h"
 #include "tests/support/editor/muscles_named.h"
 #include "tests/support/rigs/driven_rig.h"
 
@@ -23,19 +23,13 @@ namespace {
 constexpr const char* kRadius = "inspector/radius.x";
 constexpr const char* kLower = "forearm.L";
 
-/// Bundled rig in its first clip; only "biceps L" is selected.
-class Animation : public HeadlessEditor {
+/// Only "biceps L" is selected.
+class Animation : public ClipEditor {
  protected:
-  static constexpr int kKeyK = 75;
-
   void SetUp() override {
-    HeadlessEditor::SetUp();
-    ASSERT_TRUE(openFile(state, std::filesystem::path(SINEW_SOURCE_DIR) / "assets" / "demo.rig.json"));
-    chooseClip(state.open.transport, 0, state.character());
-    state.open.transport.playing = false;
+    ClipEditor::SetUp();
     select(state.document, {"biceps L"});
     settle();
-    opened = state.document.rig();
   }
   [[nodiscard]] NumberRef radius() const { return {Parameter::kRadiusX, state.document.activePrimitive()}; }
   [[nodiscard]] const AnimatedNumber* animated() const { return animationOf(state.document.rig(), radius()); }
@@ -48,10 +42,6 @@ class Animation : public HeadlessEditor {
     DriverInput input;
     input.bone = kLower;
     return sinew::inputNow(input, state.document.rig(), state.character(), state.live->pose()).value();
-  }
-  void goTo(double time) {
-    state.open.transport.time = time;
-    settle();
   }
   void turnElbow(float degrees) {
     const int bone = state.character().skeleton.findBone(kLower).value();
@@ -79,11 +69,6 @@ class Animation : public HeadlessEditor {
   [[nodiscard]] const std::string& label() const {
     return state.document.commands.label(state.document.commands.position());
   }
-  void undoAll() {
-    while (state.document.commands.canUndo()) undo(state);
-  }
-
-  Rig opened;
 };
 
 TEST_F(Animation, KeyStoresTheFieldValueAtTheCurrentTime) {

@@ -9,6 +9,7 @@
 #include <glm/geometric.hpp>
 
 #include "core/geometry/at.h"
+#include "core/geometry/triangle_sides.h"
 
 namespace sinew {
 
@@ -56,21 +57,6 @@ class WorkList {
 
 }  // namespace
 
-LevelGrader::LevelGrader(const ControlMesh& mesh)
-    : mesh_(mesh), trianglesBegin_(mesh.edges.size() + 1, 0), trianglesAt_(3 * mesh.triangles.size()) {
-  for (const Edge& edge : mesh.edges) {
-    lengths_.push_back(glm::distance(at(mesh.positions, edge.vertices[0]), at(mesh.positions, edge.vertices[1])));
-  }
-  for (const ControlTriangle& triangle : mesh.triangles) {
-    for (const int edge : triangle.edges) ++at(trianglesBegin_, edge + 1);
-  }
-  for (std::size_t e = 0; e < mesh.edges.size(); ++e) trianglesBegin_[e + 1] += trianglesBegin_[e];
-  std::vector<int> next = trianglesBegin_;
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    for (const int edge : mesh.triangles[t].edges) at(trianglesAt_, at(next, edge)++) = static_cast<int>(t);
-  }
-}
-
 RefinementLevels LevelGrader::graded(RefinementLevels levels) const {
   WorkList waiting(mesh_.triangles.size());
   while (!waiting.empty()) {
@@ -79,23 +65,23 @@ RefinementLevels LevelGrader::graded(RefinementLevels levels) const {
     std::uint8_t& inside = at(levels.triangles, t);
     const auto isWhole = [&](int edge) { return at(levels.edges, edge) == 1; };
     if (inside == 1 && std::ranges::all_of(edges, isWhole)) continue;  // Most of a fine mesh.
-    float longest = 0.0f;
-    for (const int edge : edges) longest = std::max(longest, at(lengths_, edge));
+    const std::array<float, 3> lengths = sideLengths(cornersOf(mesh_, at(mesh_.triangles, t)));
+    const float longest = std::ranges::max(lengths);
     Finest finest{longest / static_cast<float>(inside), inside};
-    for (const int edge : edges) {
-      const int level = at(levels.edges, edge);
-      const Finest own{at(lengths_, edge) / static_cast<float>(level), level};
+    for (std::size_t side = 0; side < 3; ++side) {
+      const int level = at(levels.edges, edges[side]);
+      const Finest own{lengths[side] / static_cast<float>(level), level};
       if (level > 1 && own.piece < finest.piece) finest = own;
     }
     const auto needed = [&](float length) {
       return std::min(levelFor(length, kMostRatio * finest.piece), finest.level);
     };
     inside = static_cast<std::uint8_t>(std::max<int>(inside, needed(longest)));
-    for (const int edge : edges) {
-      const int level = needed(at(lengths_, edge));
-      if (level <= at(levels.edges, edge)) continue;
-      at(levels.edges, edge) = static_cast<std::uint8_t>(level);
-      for (int i = at(trianglesBegin_, edge); i < at(trianglesBegin_, edge + 1); ++i) waiting.add(at(trianglesAt_, i));
+    for (std::size_t side = 0; side < 3; ++side) {
+      const int level = needed(lengths[side]);
+      if (level <= at(levels.edges, edges[side])) continue;
+      at(levels.edges, edges[side]) = static_cast<std::uint8_t>(level);
+      for (const EdgeSide& beside : sides_.of(edges[side])) waiting.add(beside.triangle);
     }
   }
   return levels;
@@ -160,11 +146,6 @@ bool isWithin(float most, const glm::vec3& sample, const std::array<glm::vec3, 3
               const std::array<float, 3>& shares) {
   const glm::vec3 own = shares[0] * corners[0] + shares[1] * corners[1] + shares[2] * corners[2];
   return !(glm::distance(sample, own) > most) || !(distanceFromPiece(sample, corners, shares) > most);
-}
-
-float longestSide(const std::array<glm::vec3, 3>& corners) {
-  const auto& [a, b, c] = corners;
-  return std::max({glm::distance(a, b), glm::distance(b, c), glm::distance(c, a)});
 }
 
 /// Number of the sample at place k of row j of a triangle.

@@ -4,10 +4,10 @@
 #include <array>
 #include <cstddef>
 #include <span>
-#include <vector>
 
 #include <glm/vec3.hpp>
 
+#include "core/geometry/edge_sides.h"
 #include "sinew/geometry/control_mesh.h"
 #include "sinew/rig/rig.h"
 #include "sinew/surface/refinement.h"
@@ -22,16 +22,15 @@ inline constexpr std::array kGradedLevels{1, 2, 3, 4, 6, 12, 16};
 /// the triangle's own shape. Lengths are those of the bind pose.
 class LevelGrader {
  public:
-  explicit LevelGrader(const ControlMesh& mesh);  ///< @param mesh  must outlive this.
+  /// @param mesh  must outlive this.
+  explicit LevelGrader(const ControlMesh& mesh) : mesh_(mesh), sides_(mesh) {}
 
   /// Never lowers a level. The result does not depend on the order of triangles.
   [[nodiscard]] RefinementLevels graded(RefinementLevels levels) const;
 
  private:
   const ControlMesh& mesh_;
-  std::vector<float> lengths_;       ///< [E]
-  std::vector<int> trianglesBegin_;  ///< [E + 1] into trianglesAt_.
-  std::vector<int> trianglesAt_;     ///< Edge by edge.
+  EdgeSides sides_;
 };
 
 struct FineSamples {

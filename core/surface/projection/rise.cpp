@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 
 #include "core/geometry/at.h"
+#include "core/geometry/triangle_sides.h"
 #include "core/geometry/triangle_tree.h"
 
 namespace sinew {
@@ -130,14 +131,10 @@ class PointGrid {
 
   void addInside(const ControlMesh& mesh, std::span<const glm::vec3> directions, const ControlTriangle& triangle,
                  double spacing) {
-    std::array<glm::vec3, 3> p;
+    const std::array<glm::vec3, 3> p = cornersOf(mesh, triangle);
     std::array<glm::vec3, 3> d;
-    for (std::size_t i = 0; i < 3; ++i) {
-      p[i] = at(mesh.positions, triangle.vertices[i]);
-      d[i] = at(directions, triangle.vertices[i]);
-    }
-    const float longest = std::max({glm::distance(p[0], p[1]), glm::distance(p[1], p[2]), glm::distance(p[2], p[0])});
-    const double wanted = std::ceil(static_cast<double>(longest) / spacing);
+    for (std::size_t i = 0; i < 3; ++i) d[i] = at(directions, triangle.vertices[i]);
+    const double wanted = std::ceil(static_cast<double>(longestSide(p)) / spacing);
     const int steps = static_cast<int>(std::min(wanted, static_cast<double>(kMostSteps)));
     for (int j = 0; j <= steps && steps > 1; ++j) {
       for (int k = 0; j + k <= steps; ++k) {
