@@ -69,9 +69,12 @@ class AlignedEdge {
 
   [[nodiscard]] double evenShare(int step) const { return static_cast<double>(step) / level_; }
 
-  [[nodiscard]] PointFit fitAt(int step, double share) {
+  [[nodiscard]] PointFit fitAt(int step, double share, const FitBound& bound = {}) {
     PointFit fit;
-    for (Side& side : sides_) fit.add(side.triangle.fitAt(side.point(step, level_), side.place(share)));
+    for (Side& side : sides_) {
+      fit.add(side.triangle.fitAt(side.point(step, level_), side.place(share), bound));
+      if (bound.excludes(fit)) break;
+    }
     return fit;
   }
 
@@ -81,7 +84,7 @@ class AlignedEdge {
     PointFit fit = fitAt(step, home);
     for (const double share : {home - length, home + length}) {
       if (std::abs(share - evenShare(step)) * level_ > kMostAlongEdge) continue;
-      const PointFit moved = fitAt(step, share);
+      const PointFit moved = fitAt(step, share, boundOf(fit));
       if (!isBetterFit(moved, fit, tolerance_)) continue;
       fit = moved;
       own = share;

@@ -12,12 +12,18 @@ namespace sinew {
 namespace {
 
 constexpr double kAlignedLeastAngle = 0.2618;  ///< 15 degrees in the bind pose, unless the former triangles have less.
+constexpr double kWideTangent = 0.27;          ///< Of 15.1 degrees.
 constexpr double kPointGain = 0.98;            ///< A point is moved if its error becomes less than this fraction.
 constexpr float kDiagonalGain = 0.9f;          ///< Likewise a diagonal.
 constexpr float kLeastTurn = 1e-5f;            ///< Squared, a pose, 0.2 degrees: less is not worth a change.
 constexpr int kDiagonalPasses = 8;
 
 double crossOf(const glm::dvec2& a, const glm::dvec2& b) { return a.x * b.y - a.y * b.x; }
+
+float apartSquared(const glm::vec3& a, const glm::vec3& b) {
+  const glm::vec3 apart = a - b;
+  return glm::dot(apart, apart);
+}
 
 /// Squared distance of unit vectors.
 float turnBetween(const glm::vec3& a, const glm::vec3& b) {
@@ -33,6 +39,11 @@ bool isAt(int point, const std::array<int, 3>& triangle) {
   return std::ranges::find(triangle, point) != triangle.end();
 }
 
+/// What a fit's `turned` must be less than.
+double mostTurned(const PointFit& former) {
+  return std::min(kPointGain * former.turned, former.turned - static_cast<double>(kLeastTurn) * former.area);
+}
+
 }  // namespace
 
 void PointFit::add(const PointFit& other) {
@@ -42,11 +53,18 @@ void PointFit::add(const PointFit& other) {
   off = std::max(off, other.off);
 }
 
+// What follows cannot take much away: triangles that turn over do, but are excluded by their angles, and rounding by
+// far less than the least turn.
+FitBound boundOf(const PointFit& former) {
+  FitBound out{.leastAngle = std::min(kAlignedLeastAngle, former.leastAngle)};
+  if (former.leastAngle > 0.0) out.turned = mostTurned(former) + static_cast<double>(kLeastTurn) * former.area;
+  return out;
+}
+
 bool isBetterFit(const PointFit& moved, const PointFit& former, float tolerance) {
   if (moved.leastAngle < std::min(kAlignedLeastAngle, former.leastAngle)) return false;
   if (moved.off > tolerance && moved.off > former.off) return false;
-  const double least = static_cast<double>(kLeastTurn) * former.area;
-  return moved.turned < std::min(kPointGain * former.turned, former.turned - least);
+  return moved.turned < mostTurned(former);
 }
 
 AlignedTriangle::AlignedTriangle(const SplitLevels& levels, const SideShares& sides,
@@ -98,13 +116,17 @@ void AlignedTriangle::read(const glm::dvec2& place, PlaceSample* out) const {
   for (std::size_t pose = 0; pose < poses(); ++pose) out[pose] = grids_.at(cell, pose);
 }
 
+/// Angles above kAlignedLeastAngle are alike, and may be left out.
 double AlignedTriangle::leastAngle(const std::array<int, 3>& t) const {
-  double least = 4.0;
+  double least = kAnyAngle;
   for (std::size_t i = 0; i < 3; ++i) {
     const glm::dvec2 from = inPlane(at(places_, t[i]));
     const glm::dvec2 u = inPlane(at(places_, t[(i + 1) % 3])) - from;
     const glm::dvec2 v = inPlane(at(places_, t[(i + 2) % 3])) - from;
-    least = std::min(least, std::atan2(crossOf(u, v), glm::dot(u, v)));
+    const double sine = crossOf(u, v);
+    const double cosine = glm::dot(u, v);
+    if (sine > 0.0 && sine > kWideTangent * cosine) continue;
+    least = std::min(least, std::atan2(sine, cosine));
   }
   return least;
 }
@@ -119,30 +141,34 @@ void AlignedTriangle::addFit(const std::array<int, 3>& t, PointFit& fit) {
   std::array<SampleCell, 3> onSides;
   for (std::size_t i = 0; i < 3; ++i) onSides[i] = grids_.cellOf(0.5 * (places[i] + places[(i + 1) % 3]));
   float turned = 0.0f;
+  float offSquared = 0.0f;
   for (std::size_t pose = 0; pose < poses(); ++pose) {
     const PlaceSample& a = sampleAt(t[0], pose);
     const PlaceSample& b = sampleAt(t[1], pose);
     const PlaceSample& c = sampleAt(t[2], pose);
     const PlaceSample surface = grids_.at(middle, pose);
     turned += turnBetween(a.normal + b.normal + c.normal, surface.normal);
-    own.off = std::max(own.off, glm::distance((a.position + b.position + c.position) / 3.0f, surface.position));
+    offSquared = std::max(offSquared, apartSquared((a.position + b.position + c.position) / 3.0f, surface.position));
     for (std::size_t i = 0; i < 3; ++i) {
       const glm::vec3 flat = 0.5f * (sampleAt(t[i], pose).position + sampleAt(t[(i + 1) % 3], pose).position);
-      own.off = std::max(own.off, glm::distance(flat, grids_.positionAt(onSides[i], pose)));
+      offSquared = std::max(offSquared, apartSquared(flat, grids_.positionAt(onSides[i], pose)));
     }
   }
+  own.off = std::sqrt(offSquared);
   own.turned = own.area * static_cast<double>(turned);
   own.area *= static_cast<double>(poses());
   fit.add(own);
 }
 
-PointFit AlignedTriangle::fitAt(int point, const glm::dvec2& place) {
+PointFit AlignedTriangle::fitAt(int point, const glm::dvec2& place, const FitBound& bound) {
   const glm::dvec2 former = at(places_, point);
   std::copy_n(&sampleAt(point, 0), poses(), former_.begin());
   move(point, place);
   PointFit fit;
   for (const std::array<int, 3>& t : triangles_) {
-    if (isAt(point, t)) addFit(t, fit);
+    if (!isAt(point, t)) continue;
+    addFit(t, fit);
+    if (bound.excludes(fit)) break;
   }
   at(places_, point) = former;
   std::ranges::copy(former_, &sampleAt(point, 0));
@@ -179,7 +205,7 @@ void AlignedTriangle::moveIfBetter(int point, double step) {
   PointFit fit = fitAt(point, home);
   for (const glm::dvec2& way : {glm::dvec2(1, 0), glm::dvec2(0, 1), glm::dvec2(-1, 0), glm::dvec2(0, -1)}) {
     const glm::dvec2 place = home + step * size * way;
-    const PointFit moved = fitAt(point, place);
+    const PointFit moved = fitAt(point, place, boundOf(fit));
     if (!isBetterFit(moved, fit, tolerance_)) continue;
     fit = moved;
     best = place;

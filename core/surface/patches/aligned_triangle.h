@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -16,16 +17,28 @@
 
 namespace sinew {
 
+inline constexpr double kAnyAngle = 4.0;  ///< More than any.
+
 /// How well the small triangles at a point fit the surface.
 struct PointFit {
-  double turned = 0.0;      ///< Squared distance of interpolated normals from the surface's in the triangles' middles,
-                            ///< times area, over poses.
-  double area = 0.0;        ///< Of these triangles, times the number of poses.
-  double leastAngle = 4.0;  ///< Bind pose.
-  float off = 0.0f;         ///< Largest distance from the surface in a pose, of middles also of sides, world units.
+  double turned = 0.0;  ///< Squared distance of interpolated normals from the surface's in the triangles' middles,
+                        ///< times area, over poses.
+  double area = 0.0;    ///< Of these triangles, times the number of poses.
+  double leastAngle = kAnyAngle;  ///< Bind pose; those of more than 15 degrees may be left out.
+  float off = 0.0f;  ///< Largest distance from the surface in a pose, of middles also of sides, world units.
 
   void add(const PointFit& other);
 };
+
+/// No fit beyond these is better than another.
+struct FitBound {
+  double leastAngle = -kAnyAngle;
+  double turned = std::numeric_limits<double>::max();
+
+  [[nodiscard]] bool excludes(const PointFit& fit) const { return fit.leastAngle < leastAngle || fit.turned > turned; }
+};
+
+[[nodiscard]] FitBound boundOf(const PointFit& former);
 
 /// Whether `moved` is closer, makes no slivers and stays within the tolerance, or is no worse there than `former`.
 /// @param tolerance  of `off`
@@ -39,8 +52,8 @@ class AlignedTriangle {
 
   [[nodiscard]] int pointOn(std::size_t side, int step) const;  ///< @param step  1..level-1 from corner `side`.
   [[nodiscard]] glm::dvec2 placeOn(std::size_t side, double share) const;
-  /// Of the small triangles at a point, if it were at `place`.
-  [[nodiscard]] PointFit fitAt(int point, const glm::dvec2& place);
+  /// Of the small triangles at a point, if it were at `place`; of some of them if these are beyond the bound.
+  [[nodiscard]] PointFit fitAt(int point, const glm::dvec2& place, const FitBound& bound = {});
   void move(int point, const glm::dvec2& place);
 
   /// Moves inner points and swaps diagonals.

@@ -34,6 +34,7 @@ class SampleGrids {
         normals_(normals),
         sampled_(sampled),
         fine_(fine),
+        stride_(sampled / fine),
         perPose_(static_cast<std::size_t>((sampled + 1) * (sampled + 2) / 2)) {}
 
   [[nodiscard]] std::size_t poses() const { return positions_.size() / perPose_; }
@@ -65,21 +66,21 @@ class SampleGrids {
   }
   [[nodiscard]] std::pair<int, float> cellOf(double coordinate) const {
     const double scaled = std::clamp(coordinate, 0.0, 1.0) * fine_;
-    const double nearest = std::round(scaled);
+    const double nearest = static_cast<int>(scaled + 0.5);
     const double place = std::abs(scaled - nearest) < 1e-9 ? nearest : scaled;
     const int cell = static_cast<int>(place);
     return {cell, static_cast<float>(place - cell)};
   }
   [[nodiscard]] std::size_t numberOf(int row, int column) const {
-    const int stride = sampled_ / fine_;
-    const int j = row * stride;
-    return static_cast<std::size_t>(j * (sampled_ + 1) - j * (j - 1) / 2 + column * stride);
+    const int j = row * stride_;
+    return static_cast<std::size_t>(j * (sampled_ + 1) - j * (j - 1) / 2 + column * stride_);
   }
 
   std::span<const glm::vec3> positions_;
   std::span<const glm::vec3> normals_;
   int sampled_;
   int fine_;
+  int stride_;  ///< Samples to the next one used.
   std::size_t perPose_;
 };
 
