@@ -13,7 +13,7 @@ bones and blend them, and turns the coarse mesh plus the ellipsoids into one
 smooth, textured, closed mesh while the character plays its animation.
 
 The package holds the editor, the command line (inspect, check, muscle,
-retarget, smooth, export, pack, render, farm, bench) and sample characters.")
+retarget, fit, smooth, export, pack, render, farm, bench) and sample characters.")
 set(CPACK_DEBIAN_PYTHON_DESCRIPTION
 "muscles for animated glTF characters (Python 3)
 Sinew turns a skinned glTF character with ellipsoids on its bones into one

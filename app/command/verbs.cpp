@@ -112,6 +112,7 @@ std::vector<Verb> allVerbs(const RunEditor& edit) {
       checkRigVerb(),
       muscleVerb(),
       retargetVerb(),
+      fitVerb(),
       smoothVerb(),
       exportVerb(),
       packVerb(),

@@ -79,6 +79,7 @@ CLI::Option* addPath(CLI::App& verb, const char* name, std::filesystem::path& pa
 [[nodiscard]] Verb checkRigVerb();
 [[nodiscard]] Verb muscleVerb();
 [[nodiscard]] Verb retargetVerb();
+[[nodiscard]] Verb fitVerb();
 [[nodiscard]] Verb smoothVerb();
 [[nodiscard]] Verb exportVerb();
 [[nodiscard]] Verb packVerb();

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "core/geometry/at.h"
@@ -27,28 +28,38 @@ float solidAngle(const TriangleCorners& corners, const glm::vec3& p) {
   return above == 0.0f && below == 0.0f ? 0.0f : 2.0f * std::atan2(above, below);
 }
 
-/// Slab test of a ray and a box.
-bool meetsBox(const Bounds& box, const glm::vec3& from, const glm::vec3& inverse) {
+/// 1 / direction, clamped for rays along an axis, to avoid 0 * infinity.
+glm::vec3 inverseOf(const glm::vec3& direction) {
+  constexpr float kFar = 1e30f;
+  glm::vec3 inverse(0.0f);
+  for (int k = 0; k < 3; ++k) inverse[k] = std::clamp(1.0f / direction[k], -kFar, kFar);
+  return inverse;
+}
+
+/// Slab test of a line between two places on it and a box.
+bool meetsBox(const Bounds& box, const glm::vec3& from, const glm::vec3& inverse, float low, float high) {
   const glm::vec3 a = (box.low - from) * inverse;
   const glm::vec3 b = (box.high - from) * inverse;
   const glm::vec3 in = glm::min(a, b);
   const glm::vec3 out = glm::max(a, b);
-  const float last = std::min({out.x, out.y, out.z});
-  return last >= 0.0f && std::max({in.x, in.y, in.z}) <= last;
+  const float last = std::min({out.x, out.y, out.z, high});
+  return last >= low && std::max({in.x, in.y, in.z}) <= last;
 }
 
-/// Moeller and Trumbore 1997.
-bool meetsTriangle(const TriangleCorners& c, const glm::vec3& from, const glm::vec3& direction) {
+constexpr float kMissed = std::numeric_limits<float>::infinity();
+
+/// Where the line meets the triangle, or kMissed. Moeller and Trumbore 1997.
+float meetingWith(const TriangleCorners& c, const glm::vec3& from, const glm::vec3& direction) {
   const glm::vec3 side = c[1] - c[0];
   const glm::vec3 other = c[2] - c[0];
   const glm::vec3 across = glm::cross(direction, other);
   const float volume = glm::dot(side, across);
-  if (volume == 0.0f) return false;
+  if (volume == 0.0f) return kMissed;
   const glm::vec3 way = from - c[0];
   const float u = glm::dot(way, across) / volume;
   const glm::vec3 turned = glm::cross(way, side);
   const float v = glm::dot(direction, turned) / volume;
-  return u >= 0.0f && v >= 0.0f && u + v <= 1.0f && glm::dot(other, turned) / volume > 0.0f;
+  return u >= 0.0f && v >= 0.0f && u + v <= 1.0f ? glm::dot(other, turned) / volume : kMissed;
 }
 
 }  // namespace
@@ -155,25 +166,46 @@ float TriangleTree::windingAt(const glm::vec3& p) const {
 }
 
 bool TriangleTree::isMetBy(const glm::vec3& from, const glm::vec3& direction) const {
-  constexpr float kFar = 1e30f;  // Clamped for rays along an axis, to avoid 0 * infinity.
-  glm::vec3 inverse(0.0f);
-  for (int k = 0; k < 3; ++k) inverse[k] = std::clamp(1.0f / direction[k], -kFar, kFar);
+  const glm::vec3 inverse = inverseOf(direction);
   std::array<int, kMostDepth> open{};
   std::size_t count = 0;
   if (!nodes_.empty()) open[count++] = 0;
   while (count > 0) {
     const Node& node = at(nodes_, open[--count]);
-    if (!meetsBox(node.box, from, inverse)) continue;
+    if (!meetsBox(node.box, from, inverse, 0.0f, kMissed)) continue;
     if (node.count == 0) {
       open[count++] = node.first + 1;
       open[count++] = node.first;
       continue;
     }
     for (int i = node.first; i < node.first + node.count; ++i) {
-      if (meetsTriangle(at(corners_, i), from, direction)) return true;
+      const float along = meetingWith(at(corners_, i), from, direction);
+      if (along > 0.0f && along < kMissed) return true;
     }
   }
   return false;
+}
+
+void TriangleTree::meetings(const glm::vec3& from, const glm::vec3& direction, float low, float high,
+                            std::vector<LineMeeting>& out) const {
+  out.clear();
+  const glm::vec3 inverse = inverseOf(direction);
+  std::array<int, kMostDepth> open{};
+  std::size_t count = 0;
+  if (!nodes_.empty()) open[count++] = 0;
+  while (count > 0) {
+    const Node& node = at(nodes_, open[--count]);
+    if (!meetsBox(node.box, from, inverse, low, high)) continue;
+    if (node.count == 0) {
+      open[count++] = node.first + 1;
+      open[count++] = node.first;
+      continue;
+    }
+    for (int i = node.first; i < node.first + node.count; ++i) {
+      const float along = meetingWith(at(corners_, i), from, direction);
+      if (along >= low && along <= high) out.push_back({at(numbers_, i), along});
+    }
+  }
 }
 
 }  // namespace sinew

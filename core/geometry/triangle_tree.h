@@ -70,6 +70,12 @@ using TriangleCorners = std::array<glm::vec3, 3>;
   return size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
 }
 
+/// Where a line meets a triangle.
+struct LineMeeting {
+  int triangle = 0;    ///< Its number in the tree.
+  float along = 0.0f;  ///< From the line's point, in its direction's lengths.
+};
+
 struct NearestPoint {
   int triangle = -1;       ///< Its number in the tree; -1: none within the distance.
   glm::vec3 shares{0.0f};  ///< Barycentric.
@@ -123,6 +129,11 @@ class TriangleTree {
 
   /// Whether a ray hits any triangle from either side.  @param direction  of any length but 0
   [[nodiscard]] bool isMetBy(const glm::vec3& from, const glm::vec3& direction) const;
+
+  /// Where a line meets triangles from either side, low <= along <= high, in no particular but always the same order.
+  /// @param direction  of any length but 0  @param out  replaced
+  void meetings(const glm::vec3& from, const glm::vec3& direction, float low, float high,
+                std::vector<LineMeeting>& out) const;
 
  private:
   static constexpr std::size_t kMostDepth = 64;

@@ -138,4 +138,37 @@ FieldSample sampleField(std::span<const PosedPrimitive> primitives, std::span<co
   return sampleField(primitives, candidates, levels, point, scratch);
 }
 
+void fieldShares(std::span<const PosedPrimitive> primitives, std::span<const Candidate> candidates,
+                 CliqueLevelsView levels, const glm::vec3& point, FieldScratch& scratch, std::vector<float>& out) {
+  out.assign(candidates.size(), levels.empty() ? 1.0f : 0.0f);
+  if (levels.empty()) return;
+  (void)sampleField(primitives, candidates, levels, point, scratch);  // Leaves the sums of the slots.
+  const bool soft = !scratch.softness.empty();
+  std::vector<float> ofSlot;
+  for (const CliqueLevel& level : levels) {
+    ofSlot.assign(scratch.ofSlot.size(), 0.0f);
+    if (soft) {
+      (void)softest(level.cliques, scratch);
+      for (std::size_t i = 0; i < ofSlot.size(); ++i) ofSlot[i] = static_cast<float>(scratch.blend.groups()[i].share);
+    } else {
+      (void)highest(level.cliques, scratch);
+      const auto& sums = scratch.ofClique;
+      const auto best = std::ranges::max_element(sums, {}, &FieldSample::value) - sums.begin();
+      if (sums.empty()) continue;
+      for (const int slot : level.cliques[static_cast<std::size_t>(best)]) {
+        if (static_cast<std::size_t>(slot) < ofSlot.size()) at(ofSlot, slot) = 1.0f;
+      }
+    }
+    for (std::size_t i = 0; i < candidates.size(); ++i) {
+      if (static_cast<std::size_t>(candidates[i].slot) >= ofSlot.size()) continue;
+      const float m = at(ofSlot, candidates[i].slot);
+      const float groove = soft ? at(primitives, candidates[i].primitive).groove : 0.0f;
+      out[i] += static_cast<float>(level.weight) * m * (1.0f + 0.5f * groove * (1.0f - m));
+    }
+  }
+  for (std::size_t i = 0; i < candidates.size(); ++i) {
+    if (at(primitives, candidates[i].primitive).strength < 0.0f) out[i] = 1.0f;
+  }
+}
+
 }  // namespace sinew

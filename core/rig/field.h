@@ -74,4 +74,8 @@ void poseField(std::span<const FieldPrimitive> primitives, std::span<const glm::
 [[nodiscard]] FieldSample sampleField(std::span<const PosedPrimitive> primitives, std::span<const Candidate> candidates,
                                       CliqueLevelsView levels, const glm::vec3& point);
 
+/// How much of each candidate counts at a point: d F / d (m_i f_i), 0..1.  @param out [candidates]
+void fieldShares(std::span<const PosedPrimitive> primitives, std::span<const Candidate> candidates,
+                 CliqueLevelsView levels, const glm::vec3& point, FieldScratch& scratch, std::vector<float>& out);
+
 }  // namespace sinew

@@ -35,6 +35,7 @@ _sinew() {
             :check) verb=check ;;
             :muscle) verb=muscle ;;
             :retarget) verb=retarget ;;
+            :fit) verb=fit ;;
             :smooth) verb=smooth ;;
             :export) verb=export ;;
             :pack) verb=pack ;;
@@ -57,6 +58,10 @@ _sinew() {
         muscle:--report) _sinew_files json; return ;;
         retarget:-o|retarget:--output) _sinew_files json; return ;;
         retarget:--report) _sinew_files json; return ;;
+        fit:-o|fit:--output) _sinew_files json; return ;;
+        fit:--prior) :; return ;;
+        fit:--carves) :; return ;;
+        fit:--report) _sinew_files json; return ;;
         smooth:--clip) :; return ;;
         smooth:--clips) _sinew_files glb gltf; return ;;
         smooth:--time) :; return ;;
@@ -135,7 +140,7 @@ _sinew() {
     esac
     case "$verb:$cur" in
         :-*) _sinew_words --version -h --help ;;
-        :*) _sinew_words edit inspect check muscle retarget smooth export pack render farm bench; _sinew_files glb gltf vrm rig.json ;;
+        :*) _sinew_words edit inspect check muscle retarget fit smooth export pack render farm bench; _sinew_files glb gltf vrm rig.json ;;
         edit:-*) _sinew_words -h --help --log-state --scale ;;
         edit:*) _sinew_files glb gltf vrm rig.json ;;
         inspect:-*) _sinew_words -h --help --clips --json --strict ;;
@@ -146,6 +151,8 @@ _sinew() {
         muscle:*) _sinew_files glb gltf vrm rig.json ;;
         retarget:-*) _sinew_words -h --help -o --output --report ;;
         retarget:*) _sinew_files glb gltf vrm rig.json ;;
+        fit:-*) _sinew_words -h --help -o --output --prior --carves --each-side --report ;;
+        fit:*) _sinew_files glb gltf vrm rig.json ;;
         smooth:-*) _sinew_words -h --help --clip --clips --time --frames --fps --depth --detail --tolerance --mode --patch --crease --shape --projection -o --output --report --list --shard --resume --dry-run --threads --progress ;;
         smooth:*) _sinew_files glb gltf vrm rig.json ;;
         export:-*) _sinew_words -h --help --as --clips --mesh --depth --detail --tolerance --weights --clip --joints --joint-scale --fps --substeps --bound --json --error-map -o --output --list --shard --resume --dry-run --threads --progress ;;

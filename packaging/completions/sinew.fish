@@ -15,6 +15,8 @@ function __sinew_verb
                 set verb muscle
             case :retarget
                 set verb retarget
+            case :fit
+                set verb fit
             case :smooth
                 set verb smooth
             case :export
@@ -58,6 +60,7 @@ complete -c sinew -n '__sinew_in ""' -a inspect -d 'Describe characters and rigs
 complete -c sinew -n '__sinew_in ""' -a check -d 'Find muscles that leave the flesh, and mend them'
 complete -c sinew -n '__sinew_in ""' -a muscle -d 'Give a character a set of muscles that fits its body'
 complete -c sinew -n '__sinew_in ""' -a retarget -d 'Put the muscles of a rig on another character'
+complete -c sinew -n '__sinew_in ""' -a fit -d 'Change muscles until the skin looks like a sculpt'
 complete -c sinew -n '__sinew_in ""' -a smooth -d 'Write the smoothed surface of one moment, or of each frame'
 complete -c sinew -n '__sinew_in ""' -a export -d 'Write the character for games'
 complete -c sinew -n '__sinew_in ""' -a pack -d 'Write a character and its rig as one file that a game loads'
@@ -93,6 +96,13 @@ complete -c sinew -n '__sinew_in "retarget"' -a '(__sinew_files glb gltf vrm rig
 complete -c sinew -n '__sinew_in "retarget"' -s h -l help -d 'Print this and exit'
 complete -c sinew -n '__sinew_in "retarget"' -s o -l output -x -a '(__sinew_files json)' -d 'Rig to write (.rig.json)'
 complete -c sinew -n '__sinew_in "retarget"' -l report -x -a '(__sinew_files json)' -d 'What was left out and why, as JSON'
+complete -c sinew -n '__sinew_in "fit"' -a '(__sinew_files glb gltf vrm rig.json)'
+complete -c sinew -n '__sinew_in "fit"' -s h -l help -d 'Print this and exit'
+complete -c sinew -n '__sinew_in "fit"' -s o -l output -x -a '(__sinew_files json)' -d 'Rig to write (.rig.json)'
+complete -c sinew -n '__sinew_in "fit"' -l prior -x -d 'Between keeping the muscles, 1, and matching the sculpt, 0.01 (0.1)'
+complete -c sinew -n '__sinew_in "fit"' -l carves -x -d 'Add up to N carves where the sculpt is lower (0)'
+complete -c sinew -n '__sinew_in "fit"' -l each-side -d 'Follow the sculpt on each side: twins are no longer linked'
+complete -c sinew -n '__sinew_in "fit"' -l report -x -a '(__sinew_files json)' -d 'How near the skin has come, as JSON'
 complete -c sinew -n '__sinew_in "smooth"' -a '(__sinew_files glb gltf vrm rig.json)'
 complete -c sinew -n '__sinew_in "smooth"' -s h -l help -d 'Print this and exit'
 complete -c sinew -n '__sinew_in "smooth"' -l clip -x -d 'Pose from this clip, or "Range of motion", made from the joints; without it, the bind pose'

@@ -1,6 +1,7 @@
 // tests/geometry/triangle_tree_test.cpp: rays compared with a test of all triangles.
 #include "core/geometry/triangle_tree.h"
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <random>
@@ -67,6 +68,41 @@ TEST(TriangleTree, RayHitsMatchASearch) {
   EXPECT_GT(met, 200);
   EXPECT_GT(missed, 200);
   EXPECT_FALSE(TriangleTree({}, {}).isMetBy(glm::vec3(0.0f), glm::vec3(1.0f)));
+}
+
+TEST(TriangleTree, MeetingsOfALineAreAllThatASearchFinds) {
+  std::mt19937 random(5);
+  std::uniform_real_distribution<float> anywhere(-1.0f, 1.0f);
+  const auto point = [&](float size) { return size * glm::vec3(anywhere(random), anywhere(random), anywhere(random)); };
+  std::vector<TriangleCorners> triangles;
+  std::vector<int> numbers;
+  for (int i = 0; i < 50; ++i) {
+    const glm::vec3 middle = point(1.0f);
+    triangles.push_back({middle + point(0.4f), middle + point(0.4f), middle + point(0.4f)});
+    numbers.push_back(100 + i);
+  }
+  const TriangleTree tree(triangles, numbers);
+  std::vector<LineMeeting> meetings;
+  int found = 0;
+  for (int i = 0; i < 2'000; ++i) {
+    const glm::vec3 from = point(1.0f);
+    const glm::vec3 direction = glm::normalize(point(1.0f));
+    tree.meetings(from, direction, -0.5f, 0.8f, meetings);
+    for (std::size_t t = 0; t < triangles.size(); ++t) {
+      const auto& [a, b, c] = triangles[t];
+      const glm::dvec3 normal = glm::cross(glm::dvec3(b - a), glm::dvec3(c - a));
+      const double along = glm::dot(glm::dvec3(a - from), normal) / glm::dot(glm::dvec3(direction), normal);
+      // Seen from far behind, the line is a ray.
+      const auto through = goesThrough(triangles[t], glm::dvec3(from) - 9.0 * glm::dvec3(direction), direction);
+      if (!through || std::abs(along + 0.5) < 1e-4 || std::abs(along - 0.8) < 1e-4) continue;
+      const auto same = std::ranges::find(meetings, 100 + static_cast<int>(t), &LineMeeting::triangle);
+      ASSERT_EQ(same != meetings.end(), *through && along > -0.5 && along < 0.8) << i << ' ' << t;
+      if (same == meetings.end()) continue;
+      EXPECT_NEAR(same->along, along, 1e-3);
+      ++found;
+    }
+  }
+  EXPECT_GT(found, 200);
 }
 
 }  // namespace

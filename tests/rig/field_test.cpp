@@ -115,5 +115,46 @@ TEST(Field, GradientNearARimIgnoresDistantMuscles) {
   }
 }
 
+TEST(Field, SharesAreDerivativesByEachMuscle) {
+  std::mt19937 random(23);
+  std::uniform_real_distribution<float> unit(-1.0f, 1.0f);
+  const CliqueLevels chain{{1.0, {{0, 1}, {1, 2}}}};
+  const CliqueLevels inPart{{0.3, {{0, 1}, {1, 2}}}, {0.7, {{0}, {1}, {2}}}};
+  int compared = 0;
+  int shared = 0;
+  for (int round = 0; round < 2000; ++round) {
+    std::vector<PosedPrimitive> some;
+    std::vector<Candidate> all;
+    for (int i = 0; i < 6; ++i) {
+      some.push_back(sphere({unit(random), unit(random), unit(random)}, 0.6f, i == 5 ? -0.7f : 1.0f));
+      some.back().groove = round % 2 == 0 ? 0.0f : 0.8f;
+      all.push_back({i, 0.6f + 0.4f * unit(random), i % 3});
+    }
+    const CliqueLevelsView levels = round % 3 == 0 ? CliqueLevelsView() : round % 3 == 1 ? chain : inPart;
+    const glm::vec3 x = 0.8f * glm::vec3(unit(random), unit(random), unit(random));
+    FieldScratch scratch;
+    std::vector<float> shares;
+    fieldShares(some, all, levels, x, scratch, shares);
+    ASSERT_EQ(shares.size(), all.size());
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      std::array<float, 2> values{};
+      std::array<float, 2> own{};
+      for (std::size_t side = 0; side < 2; ++side) {
+        std::vector<Candidate> changed = all;
+        changed[i].weight *= side == 0 ? 0.98f : 1.02f;
+        values[side] = sampleField(some, changed, levels, x).value;
+        own[side] = sampleField(some, std::span(changed).subspan(i, 1), {}, x).value;
+      }
+      if (std::abs(own[1] - own[0]) < 1e-3f) continue;
+      const float measured = (values[1] - values[0]) / (own[1] - own[0]);
+      if (measured > 0.02f && measured < 0.98f) ++shared;
+      EXPECT_NEAR(shares[i], measured, 0.03f) << round << ' ' << i;
+      ++compared;
+    }
+  }
+  EXPECT_GT(compared, 500);
+  EXPECT_GT(shared, 100);
+}
+
 }  // namespace
 }  // namespace sinew

@@ -55,7 +55,7 @@ struct MeanSizes {
 
 class Sweller {
  public:
-  Sweller(const FieldView& field, const SwellSettings& settings, const RiseView& rise, Surface& surface,
+  Sweller(const FieldView& field, const SwellSettings& settings, const RiseView& rise, Surface* surface,
           VertexScratch& scratch)
       : field_(field),
         settings_(settings),
@@ -69,7 +69,7 @@ class Sweller {
     gatherCandidates(vertex, near, scratch_);
     if (scratch_.candidates.empty()) return;
     const auto index = static_cast<std::size_t>(vertex.index);
-    const glm::vec3 p = surface_.positions[index];
+    const glm::vec3 p = surface_->positions[index];
     const CliqueLevelsView cliques = field_.cliquesOf(vertex.carrier);
     const float onSkin = sampleField(field_.primitives, scratch_.candidates, cliques, p, scratch_.field).value;
     if (onSkin == 0.0f) return;
@@ -81,7 +81,62 @@ class Sweller {
     place(skin, onSkin, index, {static_cast<float>(s), belowOverhangs(skin, s, sizes.radius)}, cliques);
   }
 
+  /// The implicit function of the root: psi(s, f) = 0, so ds / df_i = -(d psi / d f_i) / (d psi / d s).
+  void slopes(const CarriedVertex& vertex, const glm::vec3& p, float height, HeightSlopes& out) {
+    gatherCandidates(vertex, field_.lists->of(vertex.carrier), scratch_);
+    const auto index = static_cast<std::size_t>(vertex.index);
+    const glm::vec3& d = rise_.directions[index];
+    const CliqueLevelsView cliques = field_.cliquesOf(vertex.carrier);
+    const float onSkin = sampleField(field_.primitives, scratch_.candidates, cliques, p, scratch_.field).value;
+    if (onSkin == 0.0f) return;
+    const MeanSizes sizes = meanSizesAt(p);
+    const SkinField skin(isoRadius_, isoRoot_, sizes.blendWidth);
+    const UnlimitedRise rise = unlimited(skin, onSkin, index, height);
+    const float sign = height > 0.0f ? 1.0f : -1.0f;
+    const double s = static_cast<double>(sign * rise.s);
+    out.top = p + sign * rise.s * d;
+    const glm::vec3 gradient =
+        sampleField(field_.primitives, scratch_.candidates, cliques, out.top, scratch_.field).gradient;
+    using Overhangs = in_double::Overhangs<double (*)(double)>;
+    const double sigma = Overhangs::overhangSlope(skin.ray(height > 0.0f), skin.blendWidth, sizes.radius);
+    const double fall = std::min(skin.slope(s) + static_cast<double>(glm::dot(gradient, d)), -sigma);
+    const bool atEnd = height < 0.0f && static_cast<double>(rise.s) > 0.999 * skin.plateau();
+    const float byRoot = atEnd ? 0.0f : rise.byRoot / static_cast<float>(-fall);
+    fieldShares(field_.primitives, scratch_.candidates, cliques, out.top, scratch_.field, topShares_);
+    fieldShares(field_.primitives, scratch_.candidates, cliques, p, scratch_.field, skinShares_);
+    for (std::size_t i = 0; i < scratch_.candidates.size(); ++i) {
+      const auto& [primitive, weight, slot] = scratch_.candidates[i];
+      out.of.push_back({primitive, weight * topShares_[i] * byRoot, weight * skinShares_[i] * sign * rise.byOnSkin});
+    }
+  }
+
  private:
+  /// What limitedHeight() was made from; sizes, not signed.
+  struct UnlimitedRise {
+    float s = 0.0f;
+    float byRoot = 1.0f;    ///< d height / d s
+    float byOnSkin = 0.0f;  ///< d height / d F on the skin
+  };
+  UnlimitedRise unlimited(const SkinField& skin, float onSkin, std::size_t index, float height) const {
+    const auto touchAt = [&](float value) {
+      return in_float::inverseTouchLimit(value, settings_.iso, static_cast<float>(isoRoot_),
+                                         static_cast<float>(isoRadius_), static_cast<float>(1.0 / skin.width));
+    };
+    const float touch = touchAt(onSkin);
+    const float inverse = height > 0.0f ? std::max(rise_.inverseLimits[index], touch) : touch;
+    const float size = std::abs(height);
+    if (!(size * inverse > 0.5f)) return {size};
+    const float limit = 1.0f / inverse;
+    UnlimitedRise out;
+    out.s = 0.25f * limit * limit / std::max(limit - size, 1e-6f * limit);
+    out.byRoot = 0.25f * limit * limit / (out.s * out.s);
+    if (touch < inverse) return out;
+    const float step = 0.01f * onSkin;
+    const float next = touchAt(onSkin + step);
+    if (next > 0.0f) out.byOnSkin = (1.0f - 0.5f * limit / out.s) * (1.0f / next - limit) / step;
+    return out;
+  }
+
   /// h at a point of the skin: the mean over its muscles, weighted by their parts of the field, of the lesser of the
   /// rig's blend width and the muscle's mean radius. With a larger h the skin would rise as a whole and drop off a
   /// cliff at the end of the muscle's influence.
@@ -149,45 +204,54 @@ class Sweller {
 
   void place(const SkinField& skin, float onSkin, std::size_t index, const Root& root, CliqueLevelsView cliques) {
     const float s = root.s;
-    const glm::vec3 n = surface_.normals[index];
+    const glm::vec3 n = surface_->normals[index];
     const glm::vec3 d = rise_.directions[index];
-    const glm::vec3 p = surface_.positions[index];
+    const glm::vec3 p = surface_->positions[index];
     const glm::vec3 gradient =
         sampleField(field_.primitives, scratch_.candidates, cliques, p + s * d, scratch_.field).gradient;
     // s grows by 1 along d and is constant along the skin: its gradient is n / (n.d).
     const float slope = static_cast<float>(skin.slope(static_cast<double>(s))) / std::max(glm::dot(n, d), kLeastAlong);
     const float height = limitedHeight(skin, onSkin, index, root.below);
-    surface_.positions[index] = p + height * d;
+    surface_->positions[index] = p + height * d;
     const glm::vec3 ofField = normalizeOr(-(slope * n + gradient), n);
     // A limit flattens the skin below it.
-    surface_.normals[index] = height == s ? ofField : normalizeOr(n + (height / s) * (ofField - n), n);
-    surface_.displacement[index] = height;
+    surface_->normals[index] = height == s ? ofField : normalizeOr(n + (height / s) * (ofField - n), n);
+    surface_->displacement[index] = height;
   }
 
   const FieldView& field_;
   const SwellSettings& settings_;
   RiseView rise_;
-  Surface& surface_;
+  Surface* surface_;  ///< Null: only for slopes().
   VertexScratch& scratch_;
   double isoRadius_;  ///< r_T
   double isoRoot_;
+  std::vector<float> topShares_;  ///< [candidates], as the next.
+  std::vector<float> skinShares_;
 };
 
 }  // namespace
 
 void swellVertex(const CarriedVertex& vertex, const FieldView& field, const SwellSettings& settings,
                  const RiseView& rise, Surface& surface, VertexScratch& scratch) {
-  Sweller(field, settings, rise, surface, scratch).move(vertex, field.lists->of(vertex.carrier));
+  Sweller(field, settings, rise, &surface, scratch).move(vertex, field.lists->of(vertex.carrier));
 }
 
 void swell(const ControlMesh& mesh, const FieldView& field, const SwellSettings& settings, const RiseView& rise,
            Surface& surface, ProjectionScratch& scratch) {
   scratch.counts = {};
-  Sweller sweller(field, settings, rise, surface, scratch);
+  Sweller sweller(field, settings, rise, &surface, scratch);
   forEachReachable(
       mesh, *surface.refinement, field, surface.positions, Reach::kOverlapping, {}, scratch.walk,
       [&](const CarriedVertex& vertex, std::span<const CarrierCandidate> near) { sweller.move(vertex, near); });
   addToReport(scratch.counts, surface.report);
+}
+
+void heightSlopes(const CarriedVertex& vertex, const FieldView& field, const SwellSettings& settings,
+                  const RiseView& rise, const glm::vec3& patch, float height, VertexScratch& scratch,
+                  HeightSlopes& out) {
+  out.of.clear();
+  if (height != 0.0f) Sweller(field, settings, rise, nullptr, scratch).slopes(vertex, patch, height, out);
 }
 
 }  // namespace sinew

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <span>
+#include <vector>
 
 #include "core/geometry/formulas.h"
 #include "core/surface/projection/projection_scratch.h"
@@ -50,5 +51,22 @@ void swell(const ControlMesh& mesh, const FieldView& field, const SwellSettings&
 
 void swellVertex(const CarriedVertex& vertex, const FieldView& field, const SwellSettings& settings,
                  const RiseView& rise, Surface& surface, VertexScratch& scratch);
+
+/// How a height changes with the field of one muscle.
+struct HeightSlope {
+  int primitive = 0;
+  float atTop = 0.0f;   ///< d height / d f_i at the root.
+  float onSkin = 0.0f;  ///< The same on the patch, where the limit over muscles that only touch the skin is made.
+};
+struct HeightSlopes {
+  glm::vec3 top{0.0f};  ///< The root; below an overhang, what is left of it. World.
+  std::vector<HeightSlope> of;
+};
+
+/// Slopes of the height that swell() has found at a vertex, other muscles and all blend widths staying as they are.
+/// Empty where it is 0.  @param patch  the vertex on its patch, world  @param height  Surface::displacement
+void heightSlopes(const CarriedVertex& vertex, const FieldView& field, const SwellSettings& settings,
+                  const RiseView& rise, const glm::vec3& patch, float height, VertexScratch& scratch,
+                  HeightSlopes& out);
 
 }  // namespace sinew
