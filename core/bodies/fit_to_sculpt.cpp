@@ -12,6 +12,7 @@
 #include "core/bodies/sculpt_heights.h"
 #include "core/bodies/sculpt_settling.h"
 #include "core/geometry/at.h"
+#include "core/rig/sheet_edit.h"
 
 namespace sinew {
 namespace {
@@ -158,6 +159,7 @@ Result<SculptFit> fitToSculpt(const Rig& rig, const std::shared_ptr<const Charac
                               const Motions& motions, const ControlMesh& sculpt, const SculptFitOptions& options) {
   const Error canceled = errorAt("", std::string(kFitCanceled));
   Rig start = rig;
+  while (!start.sheets.empty()) start = breakIntoStrips(std::move(start), 0);
   const MirrorPlan* mirror = options.mirror && plan.usable() ? &plan : nullptr;
   for (Primitive& primitive : start.primitives) {
     if (!options.mirror) primitive.mirror.clear();

@@ -52,9 +52,9 @@ struct SculptFit {
 };
 
 /// Levenberg-Marquardt over all muscles at once: squares of what is left of the heights and of their differences along
-/// edges, and a pull to the start of `hold`. Territories, lines, groups, reaches and shapes stay. A muscle that check()
-/// would find only after the fit is held back.
-/// Error: kFitCanceled; the sculpt does not fit this body; the rig has no muscles to change, or swells not.
+/// edges, and a pull to the start of `hold`. Sheets are broken into strips. Territories, lines, groups, reaches and
+/// shapes stay. A muscle that check() would find only after the fit is held back. Error: kFitCanceled; the sculpt does
+/// not fit this body; the rig has no muscles to change, or swells not.
 /// @param rig  valid  @param motions  of the rig's character  @param sculpt  in the bind pose (loadSculpt)
 [[nodiscard]] Result<SculptFit> fitToSculpt(const Rig& rig, const std::shared_ptr<const Character>& character,
                                             const MirrorPlan& plan, const Motions& motions, const ControlMesh& sculpt,
