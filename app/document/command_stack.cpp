@@ -72,7 +72,10 @@ void CommandStack::updateGesture(Rig rig) {
   assert(gesture_);
   if (*current_ == rig) return;
   identities_.identify(rig, *current_);
-  if (keeper_) rig = keeper_(*steps_[position_].rig, *current_, std::move(rig));
+  if (keeper_) {
+    rig = keeper_(*steps_[position_].rig, *current_, std::move(rig));
+    identities_.identify(rig, *current_);  // It may have added some.
+  }
   if (*current_ == rig) return;
   show(std::make_shared<const Rig>(std::move(rig)));
 }

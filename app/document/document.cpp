@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "app/document/folder_listing.h"
+#include "app/document/listed_muscles.h"
 #include "core/bodies/sheets/keep_sheets.h"
 #include "core/geometry/at.h"
 #include "core/geometry/nearest_name.h"
@@ -154,7 +155,7 @@ int Document::activePrimitive() const {
 const std::string& Document::activeName() const {
   static const std::string kNone;
   const int active = activePrimitive();
-  return active < 0 ? kNone : at(rig().primitives, active).name;
+  return active < 0 ? kNone : muscleName(rig(), active);
 }
 
 std::string Document::name() const { return file().empty() ? "untitled" : file().filename().string(); }

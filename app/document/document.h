@@ -81,7 +81,7 @@ struct Document {
 
   [[nodiscard]] const Rig& rig() const { return commands.rig(); }
   [[nodiscard]] int activePrimitive() const;  ///< Rig index of the last picked primitive that is in the rig; or -1.
-  [[nodiscard]] const std::string& activeName() const;  ///< Its name; "" if there is none.
+  [[nodiscard]] const std::string& activeName() const;  ///< muscleName() of it; "" if there is none.
   /// The rig in a pose. Valid until the next call.
   [[nodiscard]] const PosedRig& posedRig(const Pose& pose) const {
     return poses.posed(rig(), commands.revision(), character, pose);

@@ -86,7 +86,8 @@ std::optional<LeftBehind> readLeftBehind(const fs::path& file) {
   left.file = file;
   left.rigFile = json->at("rig_file").text("");
   left.characterFile = json->at("character_file").text("");
-  left.primitives = static_cast<int>(json->at("rig").at("primitives").items().size());
+  const Json& rig = json->at("rig");
+  left.primitives = static_cast<int>(rig.at("primitives").items().size() + rig.at("sheets").items().size());
   std::error_code failed;
   left.when = fs::last_write_time(file, failed);
   if (failed || left.characterFile.empty()) return std::nullopt;

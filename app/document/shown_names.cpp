@@ -8,6 +8,7 @@
 #include <string_view>
 #include <utility>
 
+#include "app/document/listed_muscles.h"
 #include "app/ui/code_points.h"
 #include "core/character/bone_names.h"
 #include "core/geometry/at.h"
@@ -55,7 +56,8 @@ std::string withCount(std::size_t count, const char* one) {
 }
 
 std::string namedMuscles(const Rig& rig, std::span<const int> indices) {
-  return indices.size() == 1 ? at(rig.primitives, indices.front()).name : withCount(indices.size(), "muscle");
+  const std::vector<int> leads = leadsOf(rig, indices);
+  return leads.size() == 1 ? muscleName(rig, leads.front()) : withCount(leads.size(), "muscle");
 }
 
 std::string defaultMuscleName(const Skeleton& skeleton, int bone) {

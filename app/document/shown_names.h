@@ -14,7 +14,7 @@ namespace sinew::app {
 /// "1 muscle", "3 muscles". @param one  "muscle"
 [[nodiscard]] std::string withCount(std::size_t count, const char* one);
 
-/// "biceps L", or "3 muscles". @param indices  into the rig
+/// "biceps L", or "3 muscles"; a sheet is one. @param indices  into the rig
 [[nodiscard]] std::string namedMuscles(const Rig& rig, std::span<const int> indices);
 
 /// "upper_arm.L muscle": name of a new muscle on a bone, which may be taken.

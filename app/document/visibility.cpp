@@ -5,6 +5,7 @@
 #include <string_view>
 #include <unordered_map>
 
+#include "app/document/listed_muscles.h"
 #include "core/geometry/at.h"
 #include "core/rig/attachment.h"
 
@@ -81,13 +82,20 @@ EffectiveVisibility effectiveVisibility(const Visibility& visibility, const Rig&
   };
   const bool soloing = !visibility.solo.bones.empty() || anyOf(visibility.solo.muscles);
   const bool isolating = visibility.isolated && anyOf(*visibility.isolated);
+  const std::vector<int> listed = listedBones(rig, skeleton, boneOf);
   for (std::size_t i = 0; i < rig.primitives.size(); ++i) {
+    const std::string& sheet = rig.primitives[i].sheet;
+    if (i > 0 && !sheet.empty() && rig.primitives[i - 1].sheet == sheet) {
+      effective.visible.push_back(effective.visible.back());
+      effective.locked.push_back(effective.locked.back());
+      continue;
+    }
     const PrimitiveId id = rig.primitives[i].id();
-    const bool put = visibility.hidden.muscles.contains(id) || holds(effective.boneHidden, boneOf[i]);
-    const bool soloed = !soloing || visibility.solo.muscles.contains(id) || holds(soloBones, boneOf[i]);
+    const bool put = visibility.hidden.muscles.contains(id) || holds(effective.boneHidden, listed[i]);
+    const bool soloed = !soloing || visibility.solo.muscles.contains(id) || holds(soloBones, listed[i]);
     const bool among = !isolating || visibility.isolated->contains(id);
     effective.visible.push_back(!visibility.bare && !put && soloed && among);
-    effective.locked.push_back(visibility.locked.muscles.contains(id) || holds(effective.boneLocked, boneOf[i]));
+    effective.locked.push_back(visibility.locked.muscles.contains(id) || holds(effective.boneLocked, listed[i]));
   }
   return effective;
 }

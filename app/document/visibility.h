@@ -14,6 +14,7 @@ namespace sinew::app {
 enum class Mark { kHidden, kLocked, kSolo };  ///< A switch of muscles and bones.
 
 /// View state. Bones by Bone::path; a bone's mark applies to all muscles on it and below. Marks of undone muscles stay.
+/// Those of a sheet are on its first belly (listed_muscles.h).
 struct Visibility {
   struct Marks {
     std::set<PrimitiveId> muscles;

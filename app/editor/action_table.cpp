@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "app/document/listed_muscles.h"
 #include "app/editor/animate.h"
 #include "app/editor/blending_edit.h"
 #include "app/editor/clip_commands.h"
@@ -11,6 +12,7 @@
 #include "app/editor/open_file.h"
 #include "app/editor/picture_commands.h"
 #include "app/editor/session.h"
+#include "app/editor/sheet_commands.h"
 #include "app/editor/symmetry_commands.h"
 #include "core/geometry/at.h"
 
@@ -138,6 +140,9 @@ Possible linkable(const State& s) { return mirrorable(s).also(twoSelected(s.docu
 Possible anyMuscle(const State& s) {
   return idle(s).also(!s.document.rig().primitives.empty(), "There are no muscles yet");
 }
+Possible sheetSelected(const State& s) {
+  return selected(s).also(!selectedSheets(s.document).empty(), "Select a sheet first");
+}
 Possible boneOrMuscle(const State& s) {
   return anyMuscle(s).also(selected(s) || s.document.selection.bone >= 0, "Select a muscle or a bone first");
 }
@@ -175,6 +180,9 @@ const Action kEditActions[] = {
      key(GLFW_KEY_DELETE), kNone, selected, nullptr, deletePointed},
     {"edit/group", "Group", "Put the selected muscles into a new group", ctrl(GLFW_KEY_G), kNone, selected, nullptr,
      groupSelection},
+    {"edit/break-sheet", "Break into strips",
+     "Make the bellies of the selected sheets muscles of their own, on a line for each strip if the sheet has lines",
+     kNone, kNone, sheetSelected, nullptr, breakSelection},
     {"edit/key", "Key number",
      "Key the number under the pointer at this moment of the clip; while driven keys are set, set one at this pose",
      key(GLFW_KEY_K), kNone, keyable, nullptr, keyPointed},

@@ -8,6 +8,7 @@
 
 #include "app/document/shown_names.h"
 #include "app/editor/edit.h"
+#include "app/editor/sheet_commands.h"
 #include "core/geometry/nearest_name.h"
 #include "core/rig/driver_input.h"
 
@@ -428,6 +429,7 @@ void keyPointed(EditorState& state) {
 
 bool removePointedPoint(EditorState& state) {
   const CurvePoint pointed = state.open.animate.pointedPoint;
+  if (!pointed.sheet.empty()) return removeProfilePoint(state, pointed.sheet, pointed.along, pointed.point);
   const std::optional<NumberRef> ref = refOf(state.document.rig(), pointed.number);
   const AnimatedNumber* number = ref ? animationOf(state.document.rig(), *ref) : nullptr;
   if (number == nullptr || pointed.driver < 0 || pointed.driver >= static_cast<int>(number->drivers.size()))

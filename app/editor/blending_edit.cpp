@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "app/document/listed_muscles.h"
 #include "app/document/shown_names.h"
 #include "app/editor/commands.h"
 #include "app/editor/edit.h"
@@ -176,13 +177,14 @@ void selectMembers(Document& document, const std::string& group) {
   document.selection.clear();
   for (const int index : membersOf(document.rig(), group))
     document.selection.primitives.push_back(document.idAt(index));
+  completeSheets(document);
 }
 
 std::vector<int> draggedMuscles(const Document& document, int grabbed) {
   const auto index = static_cast<std::size_t>(grabbed);
   if (index >= document.rig().primitives.size()) return {};
   if (document.selection.contains(document.idAt(grabbed))) return selectedIndices(document);
-  return {grabbed};
+  return membersOfMuscle(document.rig(), grabbed);
 }
 
 void highlightGroup(EditorState& state, const std::string& group) {

@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <array>
+#include <unordered_set>
 #include <utility>
 
 #include "app/document/command_stack.h"
+#include "app/document/listed_muscles.h"
 #include "app/document/shown_names.h"
 #include "app/editor/blending_edit.h"
 #include "app/editor/clip_commands.h"
@@ -16,6 +18,7 @@
 #include "app/editor/visibility_commands.h"
 #include "app/viewport/tools/viewport_tools.h"
 #include "core/geometry/at.h"
+#include "core/rig/sheet_edit.h"
 #include "core/rig/twins.h"
 #include "sinew/rig/rig_edit.h"
 
@@ -171,24 +174,43 @@ void addMuscle(EditorState& state, int bone, ShapePreset preset) {
 void deleteSelection(EditorState& state) {
   const std::vector<int> indices = editedIndices(state.document);
   if (indices.empty() || isBusy(state)) return;
-  const std::string what = indices.size() == 1 ? state.document.activeName() : withCount(indices.size(), "muscle");
+  const std::string what = namedMuscles(state.document.rig(), indices);
   edit(state, "Delete " + what, removePrimitives(state.document.rig(), indices));
 }
+
+namespace {
+
+/// Selects copies of the selection, not those of twins. @param copied  rig indices before
+void selectCopies(Document& document, const Rig& before, const std::vector<int>& copied, const Selection& originals) {
+  const Rig& rig = document.rig();
+  std::vector<PrimitiveId>& selected = document.selection.primitives;
+  int copy = nextIndex(before);
+  for (const int original : withoutSheets(before, copied)) {
+    if (copy == nextIndex(rig)) break;  // The rig is full.
+    if (originals.contains(at(before.primitives, original).id())) selected.push_back(document.idAt(copy));
+    ++copy;
+  }
+  std::size_t sheet = before.sheets.size();
+  for (const std::string& original : sheetsOf(before, copied)) {
+    const std::vector<int> own = bellies(before, original);
+    const std::vector<int> copies = bellies(rig, rig.sheets[sheet++].name);
+    if (own.empty() || !originals.contains(at(before.primitives, own.front()).id())) continue;
+    for (const int belly : copies) selected.push_back(document.idAt(belly));
+  }
+  completeSheets(document);
+}
+
+}  // namespace
 
 void duplicateSelection(EditorState& state) {
   const std::vector<int> indices = editedIndices(state.document);
   if (indices.empty() || isBusy(state)) return;
-  const std::size_t before = state.document.rig().primitives.size();
+  const std::shared_ptr<const Rig> before = state.document.commands.sharedRig();
   const Selection originals = state.document.selection;
-  const std::string what = namedMuscles(state.document.rig(), selectedIndices(state.document));
-  if (!edit(state, "Duplicate " + what, duplicatePairs(state.document.rig(), indices))) return;
-  const auto& primitives = state.document.rig().primitives;
+  const std::string what = namedMuscles(*before, selectedIndices(state.document));
+  if (!edit(state, "Duplicate " + what, duplicatePairs(*before, indices))) return;
   state.document.selection.primitives.clear();
-  // Selects copies of the selection, not those of twins.
-  for (std::size_t i = before; i < primitives.size(); ++i) {
-    const PrimitiveId original = at(primitives, indices[i - before]).id();
-    if (originals.contains(original)) state.document.selection.primitives.push_back(primitives[i].id());
-  }
+  selectCopies(state.document, *before, indices, originals);
   const std::string copies = namedMuscles(state.document.rig(), selectedIndices(state.document));
   if (state.session.preferences.keymap == Keymap::kBlender) {
     startDrag(state.view.tools, ToolKind::kMove);  // As in Blender, the copy follows the pointer, as another step.
@@ -200,14 +222,19 @@ void duplicateSelection(EditorState& state) {
 
 void startRename(EditorState& state, PrimitiveId primitive) {
   const int index = findPrimitive(state.document.rig(), primitive);
-  if (index >= 0) state.open.rename = {primitive, at(state.document.rig().primitives, index).name, true};
+  if (index < 0) return;
+  const int lead = leadOf(state.document.rig(), index);
+  state.open.rename = {state.document.idAt(lead), muscleName(state.document.rig(), lead), true};
 }
 
 bool rename(EditorState& state, PrimitiveId primitive, const std::string& name) {
   const int index = findPrimitive(state.document.rig(), primitive);
   if (index < 0) return false;
-  const std::string before = at(state.document.rig().primitives, index).name;
-  return before == name || edit(state, "Rename " + before, renameWithTwin(state.document.rig(), index, name));
+  const Rig& rig = state.document.rig();
+  const std::string before = muscleName(rig, index);
+  if (before == name) return true;
+  const int sheet = findSheet(rig, at(rig.primitives, index).sheet);
+  return edit(state, "Rename " + before, sheet < 0 ? renameWithTwin(rig, index, name) : renameSheet(rig, sheet, name));
 }
 
 void selectNothing(EditorState& state) {
@@ -216,8 +243,10 @@ void selectNothing(EditorState& state) {
     state.open.animate.drivenKey = {};
   } else if (editsTerritory(state)) {
     endTerritoryMode(state.view.tools);
+  } else if (state.view.tools.sheet.origin) {
+    state.view.tools.sheet = {};
   } else if (selection.primitives.empty() && selection.bone < 0 && state.open.layers.chosen < 0 &&
-             (state.view.tools.tool == ToolKind::kAddMuscle || state.view.tools.tool == ToolKind::kMuscleLine)) {
+             addsMuscles(state.view.tools.tool)) {
     setTool(state.view.tools, ToolKind::kMove);
   } else {
     selection.clear();
@@ -269,11 +298,13 @@ std::vector<int> selectedIndices(const Document& document) {
 std::vector<PrimitiveShape> shownShapes(const EditorState& state, bool all) {
   std::vector<PrimitiveShape> shapes = primitiveShapes(state.document, state.live->pose());
   // The left panels highlight muscles while they are shown.
-  const std::vector<int> lit = state.view.layout.leftShown ? state.frame.highlighted : std::vector<int>{};
-  for (PrimitiveShape& shape : shapes) {
-    shape.hovered =
-        shape.rigIndex == state.view.tools.hover.primitive || std::ranges::find(lit, shape.rigIndex) != lit.end();
+  const Rig& rig = state.document.rig();
+  std::unordered_set<int> lit;
+  for (const int index : state.view.layout.leftShown ? state.frame.highlighted : std::vector<int>{}) {
+    if (toIndex(index) < rig.primitives.size()) lit.insert(leadOf(rig, index));
   }
+  lit.insert(state.view.tools.hover.primitive);
+  for (PrimitiveShape& shape : shapes) shape.hovered = lit.contains(leadOf(rig, shape.rigIndex));
   if (!all) std::erase_if(shapes, [](const PrimitiveShape& shape) { return !shape.selected && !shape.hovered; });
   return shapes;
 }
@@ -281,6 +312,7 @@ std::vector<PrimitiveShape> shownShapes(const EditorState& state, bool all) {
 namespace {
 
 bool hasMuscle(const EditorState& state) { return state.document.activePrimitive() >= 0; }
+bool isSingle(const EditorState& state) { return activeSheet(state.document) < 0; }
 bool onBone(const EditorState& state) { return territorySubject(state.document) >= 0; }
 bool mirrors(const EditorState& state) { return canMirror(state.document); }
 bool hasBone(const EditorState& state) { return state.document.selection.bone >= 0; }
@@ -306,6 +338,7 @@ constexpr std::array kNeeds{
     Need{"edit/rename", hasMuscle, kNoMuscle},
     Need{"edit/delete", hasMuscle, kNoMuscle},
     Need{"tool/territory", hasMuscle, kNoMuscle},
+    Need{"tool/territory", isSingle, "A sheet moves the skin that it lies on"},
     Need{"tool/territory", onBone, "The muscle's bone is not in this character"},
     Need{"edit/add-on-bone", hasBone, "There is no bone here"},
     Need{"edit/select-on-bone", hasMuscles, "There are no muscles yet"},
@@ -318,6 +351,7 @@ constexpr std::array kNeeds{
 void selectEntry(Document& document, const PickEntry& entry) {
   if (entry.muscle) {
     document.selection.set(entry.muscle);
+    completeSheets(document);
   } else {
     document.selection.clear();
     document.selection.bone = entry.bone;

@@ -63,6 +63,8 @@ struct CurvePoint {
   HeldNumber number;
   int driver = -1;  ///< Index; -1: none.
   int point = -1;
+  std::string sheet = {};  ///< A profile of this sheet instead;
+  bool along = false;      ///< along its strips, else across.
 
   friend bool operator==(const CurvePoint&, const CurvePoint&) = default;
 };

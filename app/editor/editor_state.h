@@ -152,6 +152,7 @@ struct OutlinerState {
 struct InspectorState {
   bool percent = false;        ///< Lengths in percent of the height, else in character units.
   bool shapeOpen = false;      ///< Unfolded: shape,
+  bool sheetOpen = false;      ///< further numbers of a sheet,
   bool territoryOpen = false;  ///< bones of a default territory,
   bool animationOpen = false;  ///< drivers and keys.
   std::string boneFilter;      ///< Of the open list of bones.

@@ -6,6 +6,7 @@
 #include <set>
 #include <utility>
 
+#include "app/document/listed_muscles.h"
 #include "app/document/shown_names.h"
 #include "app/editor/commands.h"
 #include "app/editor/edit.h"
@@ -71,7 +72,7 @@ SelectedLines selectedLines(const Document& document) {
   SelectedLines lines;
   const Rig& rig = document.rig();
   std::set<int> found;
-  for (const int index : selectedIndices(document)) {
+  for (const int index : withoutSheets(rig, selectedIndices(document))) {
     const int line = findLine(rig, at(rig.primitives, index).line);
     if (line < 0) continue;
     found.insert(line);
@@ -79,9 +80,18 @@ SelectedLines selectedLines(const Document& document) {
   }
   lines.indices.assign(found.begin(), found.end());
   const int active = document.activePrimitive();
-  if (active >= 0) lines.active = findLine(rig, at(rig.primitives, active).line);
+  if (active >= 0 && !isBelly(rig, active)) lines.active = findLine(rig, at(rig.primitives, active).line);
   if (lines.active < 0 && !lines.indices.empty()) lines.active = lines.indices.front();
   return lines;
+}
+
+std::vector<int> flexingLines(const Document& document) {
+  std::set<int> lines;
+  for (const int index : selectedIndices(document)) {
+    lines.insert(findLine(document.rig(), at(document.rig().primitives, index).line));
+  }
+  lines.erase(-1);
+  return {lines.begin(), lines.end()};
 }
 
 std::string namedLines(const Rig& rig, const std::vector<int>& lines) {
@@ -153,8 +163,8 @@ void removeViaPoints(EditorState& state) {
 }
 
 void takeOffLines(EditorState& state) {
-  std::vector<int> muscles = selectedIndices(state.document);
   const Rig& rig = state.document.rig();
+  std::vector<int> muscles = withoutSheets(rig, selectedIndices(state.document));
   std::erase_if(muscles, [&](int index) { return at(rig.primitives, index).line.empty(); });
   if (muscles.empty()) return;
   const std::string whose = muscles.size() == 1 ? " off its line" : " off their lines";
@@ -168,7 +178,7 @@ void attachOtherEnd(EditorState& state, int bone) {
   std::string said;
   const Motions motions(document.character);
   Rig rig = document.rig();
-  for (const int index : selectedIndices(document)) {
+  for (const int index : withoutSheets(rig, selectedIndices(document))) {
     const Primitive& muscle = at(rig.primitives, index);
     if (!muscle.line.empty() || skeleton.findBone(muscle.bone) == bone) continue;
     Result<Rig> lined = withOtherEnd(std::move(rig), index, bone, state.character());

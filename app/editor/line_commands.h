@@ -9,7 +9,7 @@
 
 namespace sinew::app {
 
-/// The lines that carry the selected muscles.
+/// The lines that carry the selected muscles, except for those of sheets, which follow from their sheets.
 struct SelectedLines {
   std::vector<int> indices;  ///< Into Rig::lines, ascending, each once.
   int active = -1;           ///< The active muscle's, else the first; -1: none.
@@ -18,6 +18,7 @@ struct SelectedLines {
   [[nodiscard]] bool several() const { return indices.size() > 1; }
 };
 [[nodiscard]] SelectedLines selectedLines(const Document& document);
+[[nodiscard]] std::vector<int> flexingLines(const Document& document);  ///< With those of sheets, ascending.
 
 [[nodiscard]] std::string namedLines(const Rig& rig, const std::vector<int>& lines);  ///< "biceps L", or "3 lines"
 

@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 
+#include "app/document/listed_muscles.h"
 #include "app/document/muscle_sets.h"
 #include "app/document/shown_names.h"
 #include "app/editor/commands.h"
@@ -67,17 +68,17 @@ const Motions& motionsOf(EditorState& state) {
 /// One undo step. Selects the muscle on that side.
 void lay(EditorState& state, Preset set, PresetMuscle muscle, BodySide side) {
   const std::string name = muscle.name;
-  const std::size_t before = state.document.rig().primitives.size();
+  const int before = nextIndex(state.document.rig());
   set.muscles = {std::move(muscle)};
+  set.sheets.clear();
   auto added =
       sinew::addMuscleSet(state.document.rig(), set, {1.0f, set.definition}, motionsOf(state), *state.document.mirror);
   if (!added) return refuse(state, added.error());
   if (!edit(state, "Lay " + name, added->fitted.rig)) return;
-  const auto& primitives = state.document.rig().primitives;
-  if (primitives.size() <= before) return;
-  const bool right = side == BodySide::kRight && primitives.size() > before + 1;  // The left one comes first.
-  state.document.selection.clear();
-  state.document.selection.primitives = {primitives[before + (right ? 1 : 0)].id()};
+  const int end = nextIndex(state.document.rig());
+  if (end <= before) return;
+  const bool right = side == BodySide::kRight && end > before + 1;  // The left one comes first.
+  state.document.selection.set(state.document.idAt(before + (right ? 1 : 0)));
   for (const std::string& line : added->mended) say(state, "Mended " + line);
 }
 
@@ -228,6 +229,10 @@ void checkMuscles(EditorState& state) {
   check.shown = true;
   check.revision = state.document.commands.revision();
   check.findings = sinew::check(rig, Motions(state.document.character));
+  // Of the strips of a sheet the first with a finding of a kind.
+  std::set<std::pair<int, FindingKind>> seen;
+  std::erase_if(check.findings,
+                [&](const Finding& one) { return !seen.emplace(leadOf(rig, one.primitive), one.kind).second; });
   for (const Finding& finding : check.findings) check.muscles.push_back(state.document.idAt(finding.primitive));
 }
 
@@ -241,6 +246,7 @@ void goToFinding(EditorState& state, int finding) {
   CheckState& check = state.open.check;
   check.chosen = finding;
   state.document.selection.set(at(check.muscles, finding));
+  completeSheets(state.document);
   const Finding& found = at(check.findings, finding);
   if (found.clip == kRangeOfMotionName) playRangeOfMotion(state);
   const int clip = found.clip.empty() ? -1 : findClip(state.character(), found.clip);

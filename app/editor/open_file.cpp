@@ -15,6 +15,7 @@
 #include "app/document/document.h"
 #include "app/document/file_stamp.h"
 #include "app/document/folder_listing.h"
+#include "app/document/listed_muscles.h"
 #include "app/document/shown_names.h"
 #include "app/editor/clip_commands.h"
 #include "app/editor/commands.h"
@@ -204,7 +205,7 @@ void reportRetargeted(EditorState& state, const Retargeted& done) {
   for (const auto& [name, why] : done.leftOut)
     addQuietly(state.session, MessageKind::kWarning, name + " is left out: " + why);
   for (const std::string& line : done.mended) addQuietly(state.session, MessageKind::kNote, "Mended " + line);
-  std::string text = withCount(done.rig.primitives.size(), "muscle") + " kept";
+  std::string text = withCount(allLeads(done.rig).size(), "muscle") + " kept";
   if (!done.leftOut.empty()) text += ", " + std::to_string(done.leftOut.size()) + " left out";
   if (!done.mended.empty()) text += ", " + std::to_string(done.mended.size()) + " mended";
   say(state, text + (done.leftOut.empty() && done.mended.empty() ? "" : ": see the messages"));

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "app/document/listed_muscles.h"
 #include "app/document/shown_names.h"
 #include "app/editor/blending_edit.h"
 #include "app/editor/commands.h"
@@ -31,7 +32,7 @@ struct Walk {
 
   [[nodiscard]] bool filtered() const { return !view.filter.empty(); }
   [[nodiscard]] bool muscleShown(int muscle, bool boneMatches) const {
-    return boneMatches || containsText(at(rig.primitives, muscle).name, view.filter);
+    return boneMatches || containsText(muscleName(rig, muscle), view.filter);
   }
   [[nodiscard]] bool foldedAway(const std::string& path) const {
     return !filtered() && view.folded != nullptr && view.folded->contains(path);
@@ -40,9 +41,10 @@ struct Walk {
 
 void sortMuscles(Walk& walk, const std::vector<int>& boneOf) {
   walk.musclesOfBone.resize(walk.skeleton.bones.size());
-  for (std::size_t i = 0; i < boneOf.size(); ++i) {
-    auto& list = boneOf[i] >= 0 ? at(walk.musclesOfBone, boneOf[i]) : walk.unattached;
-    list.push_back(static_cast<int>(i));
+  for (const int lead : allLeads(walk.rig)) {
+    const int bone = at(boneOf, lead);
+    auto& list = bone >= 0 ? at(walk.musclesOfBone, bone) : walk.unattached;
+    list.push_back(lead);
   }
 }
 
@@ -108,19 +110,21 @@ std::vector<std::string> partsInOrder(const Walk& walk, const std::vector<std::s
 void addParts(Walk& walk, const std::vector<int>& boneOf) {
   const bool byGroup = walk.view.order == OutlinerOrder::kGroups;
   const std::vector<std::string> ofBones = byGroup ? std::vector<std::string>() : bodyParts(walk.skeleton);
-  std::vector<std::string> partOf(boneOf.size());
-  for (std::size_t i = 0; i < boneOf.size(); ++i) {
-    if (byGroup) partOf[i] = walk.rig.primitives[i].group;
-    else if (boneOf[i] >= 0) partOf[i] = at(ofBones, boneOf[i]);
+  const std::vector<int> leads = allLeads(walk.rig);
+  std::vector<std::string> partOf(leads.size());
+  for (std::size_t i = 0; i < leads.size(); ++i) {
+    const int bone = at(boneOf, leads[i]);
+    if (byGroup) partOf[i] = at(walk.rig.primitives, leads[i]).group;
+    else if (bone >= 0) partOf[i] = at(ofBones, bone);
   }
   for (const std::string& part : partsInOrder(walk, partOf)) {
     std::vector<int> muscles;
     for (std::size_t i = 0; i < partOf.size(); ++i) {
-      const bool asked = walk.muscleShown(static_cast<int>(i), walk.filtered() && containsText(part, walk.view.filter));
-      if (partOf[i] == part && asked) muscles.push_back(static_cast<int>(i));
+      const bool asked = walk.muscleShown(leads[i], walk.filtered() && containsText(part, walk.view.filter));
+      if (partOf[i] == part && asked) muscles.push_back(leads[i]);
     }
     if (muscles.empty()) continue;
-    std::ranges::stable_sort(muscles, {}, [&](int i) { return at(walk.rig.primitives, i).name; });
+    std::ranges::stable_sort(muscles, {}, [&](int i) { return muscleName(walk.rig, i); });
     const bool open = !walk.foldedAway(foldedKey(part));
     walk.rows.push_back({RowKind::kPart, -1, 0, true, open, part});
     if (!open) continue;
@@ -263,8 +267,10 @@ void fold(EditorState& state, const std::string& key, bool folded) {
 
 }  // namespace
 
-void reparentMuscles(EditorState& state, const std::vector<int>& indices, int bone) {
+void reparentMuscles(EditorState& state, const std::vector<int>& muscles, int bone) {
   const auto rig = state.document.commands.sharedRig();
+  const std::vector<int> indices = withoutSheets(*rig, muscles);
+  if (indices.empty()) return sayRefusal(state, "A sheet follows the bones of its edges: drag their points");
   const Skeleton& skeleton = state.character().skeleton;
   const auto& matrices = state.live->pose().boneInWorld;
   const std::string target = skeleton.fileName(bone);
@@ -294,11 +300,10 @@ void clickMuscle(EditorState& state, const std::vector<OutlinerRow>& rows, int p
   const int anchor = range ? rowOf(rows, state.open.rowAnchor, rig, skeleton) : -1;
   if (anchor >= 0) {
     selection.setAll(musclesBetween(state.document, rows, anchor, position), toggle);
-    return;
+    return completeSheets(state.document);
   }
-  const PrimitiveId muscle = state.document.idAt(row.index);
-  if (toggle || range) selection.toggle(muscle);
-  else selection.set(muscle);
+  if (toggle || range) toggleMuscle(state.document, row.index);
+  else selectMuscle(state.document, row.index);
   state.open.rowAnchor = keyOf(row, rig, skeleton);
 }
 
@@ -333,6 +338,7 @@ void moveCursor(EditorState& state, const std::vector<OutlinerRow>& rows, int by
 void selectMuscles(Document& document, const std::vector<int>& indices) {
   document.selection.primitives.clear();
   for (const int index : indices) document.selection.primitives.push_back(document.idAt(index));
+  completeSheets(document);
 }
 
 void setFolded(EditorState& state, int bone, bool folded, bool all) {
@@ -354,7 +360,7 @@ void unfoldParts(EditorState& state, int muscle) {
   const Primitive& primitive = at(state.document.rig().primitives, muscle);
   const Skeleton& skeleton = state.character().skeleton;
   state.view.outliner.folded.erase(foldedKey(primitive.group));
-  const std::optional<int> bone = skeleton.findBone(primitive.bone);
+  const std::optional<int> bone = skeleton.findBone(listedBone(state.document.rig(), muscle));
   if (!bone) return;
   const std::vector<std::string> parts = bodyParts(skeleton);
   state.view.outliner.folded.erase(foldedKey(at(parts, *bone)));

@@ -31,7 +31,7 @@ struct OutlinerView {
   std::vector<bool> hiddenBones{};  ///< [bones] Hidden without a muscle on or below them; empty: none.
 };
 
-/// @param boneOf  boneOfEach()
+/// A sheet is one row, of its first belly. @param boneOf  listedBones()
 [[nodiscard]] std::vector<OutlinerRow> outlinerRows(const Rig& rig, const Skeleton& skeleton,
                                                     const std::vector<int>& boneOf, const OutlinerView& view);
 
@@ -49,14 +49,14 @@ struct OutlinerView {
 /// In any case; true for an empty part.
 [[nodiscard]] bool containsText(const std::string& text, const std::string& part);
 
-/// Muscles on a bone and below, in rig order.
+/// Muscles on a bone and below, in rig order. @param boneOf  listedBones()
 [[nodiscard]] std::vector<int> musclesUnder(int bone, const Skeleton& skeleton, const std::vector<int>& boneOf);
 
 inline constexpr const char* kMusclePayload =
     "sinew.muscles";  ///< Drag and drop: rig index (int) of the grabbed muscle.
 
-/// Moves muscles to another bone, keeping their places in the shown pose. One undo step, or a refusal.
-void reparentMuscles(EditorState& state, const std::vector<int>& indices, int bone);
+/// Moves muscles to another bone, keeping their places in the shown pose; sheets stay. One undo step, or a refusal.
+void reparentMuscles(EditorState& state, const std::vector<int>& muscles, int bone);
 
 /// A click on a muscle's row. @param range  Shift: from the anchor to here  @param toggle  Ctrl
 void clickMuscle(EditorState& state, const std::vector<OutlinerRow>& rows, int position, bool range, bool toggle);

@@ -7,6 +7,7 @@
 
 #include <imgui.h>
 
+#include "app/document/listed_muscles.h"
 #include "app/document/shown_names.h"
 #include "app/editor/commands.h"
 #include "app/editor/edit.h"
@@ -127,15 +128,17 @@ void mirrorSelection(EditorState& state) {
   Rig rig = state.document.rig();
   std::size_t done = 0;
   std::set<int> twins;
-  for (const int index : selectedIndices(state.document)) {
+  const auto leads = leadsOf(rig, selectedIndices(state.document));
+  for (const int index : leads) {
     if (twins.contains(index)) continue;  // Of a selected pair the first leads.
+    const int twin = twinOf(rig, index);
     Result<Rig> mirrored = mirrorToOtherSide(rig, index, *state.document.mirror);
     if (!mirrored) {
       refuse(state, mirrored.error());
       continue;
     }
     rig = std::move(mirrored).value();
-    twins.insert(twinOf(rig, index));
+    twins.insert(twin >= 0 ? leadOf(rig, twin) : twinOf(rig, index));
     ++done;
   }
   if (done > 0) edit(state, "Mirror " + countText(done, state.document.activeName()), std::move(rig));
@@ -143,22 +146,22 @@ void mirrorSelection(EditorState& state) {
 
 void flipSelection(EditorState& state) {
   const std::vector<int> selected = selectedIndices(state.document);
-  edit(state, "Flip " + countText(selected.size(), state.document.activeName()),
+  edit(state, "Flip " + namedMuscles(state.document.rig(), selected),
        flipPrimitives(state.document.rig(), selected, *state.document.mirror));
 }
 
 void unlinkSelection(EditorState& state) {
   Rig rig = state.document.rig();
-  for (const int index : selectedIndices(state.document)) rig = clearMirror(std::move(rig), index);
+  for (const int index : leadsOf(rig, selectedIndices(state.document))) rig = clearMirror(std::move(rig), index);
   edit(state, "Unlink " + namedMuscles(state.document.rig(), selectedIndices(state.document)), std::move(rig));
 }
 
 void linkSelection(EditorState& state) {
   const Rig& rig = state.document.rig();
   const int leader = state.document.activePrimitive();
-  for (const int index : selectedIndices(state.document)) {
+  for (const int index : leadsOf(rig, selectedIndices(state.document))) {
     if (index == leader) continue;
-    edit(state, "Link " + at(rig.primitives, leader).name + " and " + at(rig.primitives, index).name,
+    edit(state, "Link " + muscleName(rig, leader) + " and " + muscleName(rig, index),
          linkTwins(rig, leader, index, *state.document.mirror));
     return;
   }
@@ -173,13 +176,14 @@ void selectTwins(Document& document) {
     if (twin >= 0) twins.push_back(at(rig.primitives, twin).id());
   }
   document.selection.setAll(twins);
+  completeSheets(document);
 }
 
 bool anyTwin(const Document& document) {
   return std::ranges::any_of(selectedIndices(document), [&](int index) { return twinOf(document.rig(), index) >= 0; });
 }
 
-bool twoSelected(const Document& document) { return selectedIndices(document).size() == 2; }
+bool twoSelected(const Document& document) { return leadsOf(document.rig(), selectedIndices(document)).size() == 2; }
 
 std::string whyTwinStays(const Document& document) {
   const int active = document.activePrimitive();
@@ -196,7 +200,7 @@ void invertSelection(Document& document) { document.selection.invert(pickableMus
 void selectOnBone(Document& document) {
   const Rig& rig = document.rig();
   const Skeleton& skeleton = document.character->skeleton;
-  const std::vector<int> boneOf = boneOfEach(rig, skeleton);
+  const std::vector<int> boneOf = listedBones(rig, skeleton, boneOfEach(rig, skeleton));
   std::set<int> bones;
   for (const int index : selectedIndices(document)) bones.insert(at(boneOf, index));
   if (bones.empty()) bones.insert(document.selection.bone);
@@ -214,7 +218,7 @@ void copySelection(Document& document) {
 void cutSelection(EditorState& state) {
   const std::vector<int> indices = editedIndices(state.document);
   if (indices.empty()) return;
-  const std::string what = countText(indices.size(), state.document.activeName());
+  const std::string what = namedMuscles(state.document.rig(), indices);
   copySelection(state.document);
   edit(state, "Cut " + what, removePrimitives(state.document.rig(), indices));
 }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "app/document/listed_muscles.h"
 #include "app/document/shown_names.h"
 #include "app/editor/blending_edit.h"
 #include "app/editor/commands.h"
@@ -69,9 +70,10 @@ bool isHidden(const std::vector<bool>& hidden, int bone) { return !hidden.empty(
 
 namespace {
 
+/// A sheet by its first belly.
 std::vector<PrimitiveId> selectedMuscles(const Document& document) {
   std::vector<PrimitiveId> muscles;
-  for (const int index : selectedIndices(document)) muscles.push_back(document.idAt(index));
+  for (const int lead : leadsOf(document.rig(), selectedIndices(document))) muscles.push_back(document.idAt(lead));
   return muscles;
 }
 
@@ -128,9 +130,10 @@ void holdBare(EditorState& state, bool keyDown, bool buttonDown) {
 std::string hiddenText(const Document& document) {
   const Visibility& visibility = document.visibility;
   if (visibility.bare) return "Before: without muscles";
-  const auto hidden = hiddenPrimitives(visibility, document.rig(), document.character->skeleton).size();
+  const Rig& rig = document.rig();
+  const auto hidden = leadsOf(rig, hiddenPrimitives(visibility, rig, document.character->skeleton)).size();
   if (hidden == 0) return "";
-  const std::string count = std::to_string(hidden) + " of " + std::to_string(document.rig().primitives.size());
+  const std::string count = std::to_string(hidden) + " of " + std::to_string(allLeads(rig).size());
   return visibility.isolated ? "Isolated: " + count + " muscles hidden" : count + " muscles hidden";
 }
 

@@ -9,6 +9,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "app/document/listed_muscles.h"
 #include "app/editor/animate.h"
 #include "app/editor/blending_edit.h"
 #include "app/editor/commands.h"
@@ -225,7 +226,7 @@ void deleteItems(PanelUi& ui, const Rig& rig, int group, bool empty) {
 
 std::string groupText(const Rig& rig, int group) {
   const std::string& name = at(rig.groups, group).name;
-  const std::size_t count = membersOf(rig, name).size();
+  const std::size_t count = leadsOf(rig, membersOf(rig, name)).size();
   return name + ": " + (count == 1 ? "1 muscle" : std::to_string(count) + " muscles");
 }
 
@@ -313,7 +314,7 @@ void groupMenu(PanelUi& ui, int group) {
   const std::string name = at(rig->groups, group).name;
   const GroupId id = at(rig->groups, group).id();
   ui.state.open.blending.group = id;
-  const std::vector<int> members = membersOf(*rig, name);
+  const std::vector<int> members = leadsOf(*rig, membersOf(*rig, name));
   const std::vector<int> selected = selectedIndices(ui.state.document);
   if (contextItem(ui, "Select its muscles", "group-select", !members.empty())) selectMembers(ui.state.document, name);
   if (contextItem(ui, "Move selected muscles here", "group-move-here", !selected.empty())) {

@@ -1,4 +1,4 @@
-// app/panels/curve_editor.cpp: a small picture of a driver's curve whose points can be dragged.
+// app/panels/curve_editor.cpp: a small picture of a driver's curve or a sheet's profile whose points can be dragged.
 
 #include "app/panels/curve_editor.h"
 
@@ -75,8 +75,13 @@ glm::vec4 rangeOf(const Curve& curve) {
 }
 
 /// The ranges to show: least x, least y, most x, most y.
-glm::vec4 axesOf(const Curve& curve, const std::optional<float>& now) {
-  const glm::vec4 range = rangeOf(curve);
+glm::vec4 axesOf(const Curve& curve, const CurveView& view) {
+  const std::optional<float>& now = view.now;
+  glm::vec4 range = rangeOf(curve);
+  if (view.shown) {
+    range = {glm::min(glm::vec2(range), glm::vec2(*view.shown)),
+             glm::max(glm::vec2(range.z, range.w), glm::vec2(view.shown->z, view.shown->w))};
+  }
   glm::vec2 low(range);
   glm::vec2 high(range.z, range.w);
   if (now) {
@@ -114,7 +119,7 @@ void drawPlot(PanelUi& ui, const Plot& plot, const Curve& curve, const CurveView
   std::vector<ImVec2> line;
   for (int i = 0; i <= kCurveSteps; ++i) {
     const float x = plot.axes.x + (plot.axes.z - plot.axes.x) * static_cast<float>(i) / kCurveSteps;
-    const float y = valueAt(curve, x);
+    const float y = view.drawn ? view.drawn(x) : valueAt(curve, x);
     // A step is drawn upright.
     if (curve.kind == CurveKind::kStep && !line.empty()) line.push_back({plot.at({x, y}).x, line.back().y});
     line.push_back(window(plot.at({x, y})));
@@ -168,7 +173,7 @@ void drawCurveEditor(PanelUi& ui, const Curve& curve, const Curve& atStart, cons
       std::max({labelSize(view.valueText(range.y)).x, labelSize(view.valueText(range.w)).x, ui.px(kLeastGutter)});
   const Plot plot{{corner.x + gutter + 2.0f * inset, corner.y + inset},
                   {corner.x + size.x - inset, corner.y + size.y - inset - kLabel * ImGui::GetFontSize()},
-                  dragging ? drag.axes : axesOf(curve, view.now)};
+                  dragging ? drag.axes : axesOf(curve, view)};
   drawLabels(ui, plot, rangeOf(curve), view);
   ImGui::PushItemFlag(ImGuiItemFlags_NoNav, true);
   ImGui::InvisibleButton(("##" + view.id).c_str(), size);
@@ -199,7 +204,7 @@ void drawCurveEditor(PanelUi& ui, const Curve& curve, const Curve& atStart, cons
     tooltip(ui, under >= 0 ? view.inputText(curve.points[static_cast<std::size_t>(under)].x) + ": " +
                                  view.valueText(curve.points[static_cast<std::size_t>(under)].y) +
                                  "\nDrag moves the point. Right click or Delete removes it"
-                           : "The number for each input. Double-click adds a point. The upright line is now");
+                           : view.hint);
   }
   CurvePoint chosen = animate.chosen;
   const int chosenPoint = chosen.point;

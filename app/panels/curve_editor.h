@@ -1,4 +1,4 @@
-// app/panels/curve_editor.h: a small picture of a driver's curve whose points can be dragged.
+// app/panels/curve_editor.h: a small picture of a driver's curve or a sheet's profile whose points can be dragged.
 #pragma once
 
 #include <functional>
@@ -17,6 +17,9 @@ struct CurveView {
   std::function<std::string(float)> valueText;
   const char* label = "";                            ///< The undo step's.
   std::function<Result<Rig>(const Curve&)> changed;  ///< The rig with another curve.
+  std::function<float(float)> drawn = {};            ///< The function that the points give; empty: valueAt().
+  std::optional<glm::vec4> shown = {};               ///< Least x, least y, most x, most y, at least; empty: the points.
+  const char* hint = "The number for each input. Double-click adds a point. The upright line is now";
 };
 
 /// Fills the width. One undo step each: dragging a point, a double click that adds one, a right click that removes one.

@@ -8,6 +8,7 @@
 
 #include <imgui_stdlib.h>
 
+#include "app/document/listed_muscles.h"
 #include "app/document/shown_names.h"
 #include "app/editor/blending_edit.h"
 #include "app/editor/commands.h"
@@ -19,16 +20,18 @@
 #include "app/ui/reading_order.h"
 #include "core/geometry/affine_image.h"
 #include "core/geometry/at.h"
+#include "core/rig/twins.h"
 
 namespace sinew::app {
 namespace {
 
 const Control kMuscleName{"inspector/name", "Name", "of the muscle rename"};
-const Control kMuscleBone{"inspector/bone", "Bone", "of the muscle parent reparent joint"};
+const Control kMuscleBone{"inspector/bone", "Bone", "of the muscle parent reparent joint", withSingleMuscle};
 const Control kMuscleGroup{"inspector/group", "Group", "of the muscle blend"};
-const Control kEffectSection{"inspector/section/effect", "Section Effect", "reach amount"};
-const Control kMuscleReach{"inspector/reach", "Reach", "influence falloff softness", nullptr, kEffectSection.id};
-const Control kAmount{"inspector/amount", "Amount", "strength weight opacity", nullptr, kEffectSection.id};
+const Control kEffectSection{"inspector/section/effect", "Section Effect", "reach amount", withSingleMuscle};
+const Control kMuscleReach{"inspector/reach", "Reach", "influence falloff softness", withSingleMuscle,
+                           kEffectSection.id};
+const Control kAmount{"inspector/amount", "Amount", "strength weight opacity", withSingleMuscle, kEffectSection.id};
 const Control kSign{"inspector/adds", "Effect", "adds or carves sign subtract negative positive", nullptr,
                     kEffectSection.id};
 
@@ -51,8 +54,7 @@ void nameRow(PanelUi& ui, const Subjects& subjects) {
     tooltip(ui, names + "\nEdits apply to all of them.");
     return;
   }
-  const std::string& name = subjects.shown().name;
-  std::string text = name;
+  std::string text = muscleName(*subjects.rig, subjects.active);
   const bool entered = ImGui::InputText("##name", &text, ImGuiInputTextFlags_EnterReturnsTrue);
   ui.widgets.note(kMuscleName.id);
   if (entered || ImGui::IsItemDeactivatedAfterEdit()) rename(ui.state, subjects.shown().id(), text);
@@ -185,11 +187,22 @@ void drawInspector(PanelUi& ui) {
     return;
   }
   Subjects subjects{ui.state.document.commands.sharedRig(), selectedIndices(ui.state.document), active, -1};
+  subjects.indices = leadsOf(*subjects.rig, subjects.indices);
   subjects.bone = ui.state.character().skeleton.findBone(subjects.shown().bone).value_or(-1);
   ImGui::PushID(subjects.several() ? "several" : subjects.shown().name.c_str());
   nameRow(ui, subjects);
+  if (isBelly(*subjects.rig, active)) {
+    groupRow(ui, subjects);
+    drawTwinRow(ui, subjects);
+    signRow(ui, subjects);
+    drawSheetRows(ui);
+    ImGui::PopID();
+    return;
+  }
+  const Subjects all = subjects;
+  subjects.indices = withoutSheets(*subjects.rig, std::move(subjects.indices));
   boneRow(ui, subjects);
-  groupRow(ui, subjects);
+  groupRow(ui, all);
   drawTwinRow(ui, subjects);
   drawLineRows(ui, subjects);
   drawPlacementRows(ui, subjects);
@@ -209,12 +222,13 @@ void drawInspector(PanelUi& ui) {
 
 namespace {
 
-const Control kShapeRow{"inspector/shape", "Shape", "of the muscle ellipsoid capsule egg spindle form"};
+const Control kShapeRow{"inspector/shape", "Shape", "of the muscle ellipsoid capsule egg spindle form",
+                        withSingleMuscle};
 /// In the order of shapeKeys().
 const Control kShapeRows[] = {
-    {"inspector/core", "Straight", "capsule cylinder core shape", nullptr, kShapeRow.id},
-    {"inspector/belly", "Belly", "egg cone shape thicker end", nullptr, kShapeRow.id},
-    {"inspector/bend.x", "Bend", "curve spindle shape sideways", nullptr, kShapeRow.id},
+    {"inspector/core", "Straight", "capsule cylinder core shape", withSingleMuscle, kShapeRow.id},
+    {"inspector/belly", "Belly", "egg cone shape thicker end", withSingleMuscle, kShapeRow.id},
+    {"inspector/bend.x", "Bend", "curve spindle shape sideways", withSingleMuscle, kShapeRow.id},
 };
 
 /// Sets one number of the shape. Makes the longest axis of an ellipsoid its y first, because shapes lie along y.
@@ -292,13 +306,14 @@ namespace {
 Possible withTwin(const EditorState& state) {
   const int active = state.document.activePrimitive();
   return withMuscle(state)
-      .also(state.document.selection.primitives.size() == 1, "Select one muscle")
+      .also(leadsOf(state.document.rig(), selectedIndices(state.document)).size() == 1, "Select one muscle")
       .also(active >= 0 && !at(state.document.rig().primitives, active).mirror.empty(), "The muscle has no twin");
 }
 
 const Control kTwin{"inspector/twin", "Twin", "mirror other side linked", withTwin};
 
-/// A button for an action at the end of the row.
+}  // namespace
+
 void rowButton(PanelUi& ui, const char* text, const std::string& id, const char* actionId, float width) {
   const Action& item = action(actionId);
   const bool enabled = item.enabled(ui.state);
@@ -310,13 +325,12 @@ void rowButton(PanelUi& ui, const char* text, const std::string& id, const char*
   if (pressed && enabled) run(item, ui.state);
 }
 
-}  // namespace
-
 void drawTwinRow(PanelUi& ui, const Subjects& subjects) {
   if (subjects.several() || (!canMirror(ui.state.document) && subjects.shown().mirror.empty())) return;
   beginRow(ui, kTwin);
   const float room = ImGui::GetContentRegionAvail().x;
-  const std::string& twin = subjects.shown().mirror;
+  const int other = twinOf(*subjects.rig, subjects.active);
+  const std::string twin = other < 0 ? subjects.shown().mirror : muscleName(*subjects.rig, other);
   if (twin.empty()) {
     rowButton(ui, "Mirror to other side", "inspector/mirror", "edit/mirror", room);
     return;

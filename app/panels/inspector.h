@@ -5,6 +5,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -65,6 +66,9 @@ struct NumberField {
 /// the item's width. Notes itself as its id.
 void drawNumberField(PanelUi& ui, const Subjects& subjects, const NumberField& field);
 
+/// A button for an action in a row.
+void rowButton(PanelUi& ui, const char* text, const std::string& id, const char* actionId, float width);
+
 /// Rows of an open menu: reset, copy, paste. All in shown units. @return the number to set, if one was chosen
 [[nodiscard]] std::optional<float> numberMenu(PanelUi& ui, const char* format, float shown,
                                               std::optional<float> initial);
@@ -89,9 +93,35 @@ void drawLinkAnimation(PanelUi& ui, int link);    ///< @param link  index into R
 
 // The inspector's rows about the lines of the selected muscles.
 
+/// A number of a line. All in shown units.
+struct LineNumber {
+  Control control;  ///< Its label is also the number's name in the history.
+  const char* format;
+  float speed;
+  float least;
+  float most;
+  float scale;  ///< Shown units per unit of the rig.
+  float& (*of)(LineSettings&);
+  const char* hint;
+  std::optional<Parameter> parameter = std::nullopt;  ///< None: keys and drivers cannot change it.
+  const char* word = "";                              ///< Shown in the field if several share a row.
+};
+
+struct LineRow {
+  const char* label;
+  std::span<const LineNumber> numbers;
+};
+[[nodiscard]] std::span<const LineRow> lineRows();          ///< Flex first.
+[[nodiscard]] bool lineSection(PanelUi& ui, bool several);  ///< The title over the others. @return as section()
+/// The number's format with its word, if that fits.
+[[nodiscard]] std::string labelled(const LineNumber& number, float value, float width);
+
 void drawLineRows(PanelUi& ui, const Subjects& subjects);  ///< Ends, length and buttons.
 void drawFlexRow(PanelUi& ui, const SelectedLines& lines);
 void drawLineNumbers(PanelUi& ui);                            ///< The rest of their numbers.
 void drawOtherEndRow(PanelUi& ui, const Subjects& subjects);  ///< For muscles that ride one bone.
+
+/// All rows of sheets, below name, group, twin and effect.
+void drawSheetRows(PanelUi& ui);
 
 }  // namespace sinew::app

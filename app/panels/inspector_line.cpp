@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "app/document/listed_muscles.h"
 #include "app/document/shown_names.h"
 #include "app/editor/line_commands.h"
 #include "app/panels/field_edit.h"
@@ -258,66 +259,59 @@ void drawLineRows(PanelUi& ui, const Subjects& subjects) {
 
 namespace {
 
-/// A number of a line. All in shown units.
-struct LineNumber {
-  Control control;  ///< Its label is also the number's name in the history.
-  const char* format;
-  float speed;
-  float least;
-  float most;
-  float scale;  ///< Shown units per unit of the rig.
-  float& (*of)(LineSettings&);
-  const char* hint;
-  std::optional<Parameter> parameter = std::nullopt;  ///< None: keys and drivers cannot change it.
-  const char* word = "";                              ///< Shown in the field if several share a row.
-};
-
 using S = LineSettings;
 
-const Control kOfLine{"inspector/section/line", "Section Muscle line", "lengths tendons volume", withLine};
+Possible withLineSettings(const EditorState& state) {
+  const int sheet = activeSheet(state.document);
+  const bool ofSheet = sheet >= 0 && at(state.document.rig().sheets, sheet).line;
+  return ofSheet ? withMuscle(state) : withLine(state);
+}
+
+const Control kOfLine{"inspector/section/line", "Section Muscle line", "lengths tendons volume", withLineSettings};
 
 const std::array kFlex{
-    LineNumber{Control("inspector/line/flex-height", "Flex height", "bulge higher contraction", withLine), "%.0f %%",
-               0.5f, -90.0f, 400.0f, 100.0f, [](S& s) -> float& { return s.flex.x; },
+    LineNumber{Control("inspector/line/flex-height", "Flex height", "bulge higher contraction", withLineSettings),
+               "%.0f %%", 0.5f, -90.0f, 400.0f, 100.0f, [](S& s) -> float& { return s.flex.x; },
                "How much higher the belly gets when the muscle is fully active.", Parameter::kFlexHeight, "height"},
-    LineNumber{Control("inspector/line/flex-width", "Flex width", "bulge wider contraction", withLine), "%.0f %%", 0.5f,
-               -90.0f, 400.0f, 100.0f, [](S& s) -> float& { return s.flex.y; },
+    LineNumber{Control("inspector/line/flex-width", "Flex width", "bulge wider contraction", withLineSettings),
+               "%.0f %%", 0.5f, -90.0f, 400.0f, 100.0f, [](S& s) -> float& { return s.flex.y; },
                "How much wider the belly gets when the muscle is fully active.", Parameter::kFlexWidth, "width"}};
 const std::array kVolume{LineNumber{
-    Control("inspector/line/volume", "Volume", "preserve girth squash stretch", withLine, kOfLine.id), "%.2f", 0.01f,
-    0.0f, kMostVolume, 1.0f, [](S& s) -> float& { return s.volume; },
+    Control("inspector/line/volume", "Volume", "preserve girth squash stretch", withLineSettings, kOfLine.id), "%.2f",
+    0.01f, 0.0f, kMostVolume, 1.0f, [](S& s) -> float& { return s.volume; },
     "0: the girth stays as the muscle stretches. 1: the volume stays. More: exaggerated.", Parameter::kVolume}};
 const std::array kRest{
     LineNumber{
-        Control("inspector/line/rest", "Rest length", "relaxed neutral", withLine, kOfLine.id), "%.0f %%", 0.2f,
+        Control("inspector/line/rest", "Rest length", "relaxed neutral", withLineSettings, kOfLine.id), "%.0f %%", 0.2f,
         100.0f * kLeastRest, 100.0f * kMostRest, 100.0f, [](S& s) -> float& { return s.rest; },
         "The length at which the belly is neither stretched nor shortened, in per cent of the line in the bind pose.",
         Parameter::kRest, "rest"},
-    LineNumber{Control("inspector/line/full", "Full contraction", "flexed shortest", withLine, kOfLine.id), "%.0f %%",
-               0.2f, 100.0f * kLeastFull, 100.0f * kMostFull, 100.0f, [](S& s) -> float& { return s.full; },
+    LineNumber{Control("inspector/line/full", "Full contraction", "flexed shortest", withLineSettings, kOfLine.id),
+               "%.0f %%", 0.2f, 100.0f * kLeastFull, 100.0f * kMostFull, 100.0f, [](S& s) -> float& { return s.full; },
                "The length at which shortening activates the muscle fully.", std::nullopt, "full"}};
 const std::array kTendons{LineNumber{Control("inspector/line/tendon-origin", "Tendon at the origin",
-                                             "tendons sinew start", withLine, kOfLine.id),
+                                             "tendons sinew start", withLineSettings, kOfLine.id),
                                      "%.0f %%", 0.2f, 0.0f, 80.0f, 100.0f, [](S& s) -> float& { return s.tendons.x; },
                                      "Share of the rest length that does not stretch.", std::nullopt, "origin"},
                           LineNumber{Control("inspector/line/tendon-insertion", "Tendon at the insertion",
-                                             "tendons sinew end", withLine, kOfLine.id),
+                                             "tendons sinew end", withLineSettings, kOfLine.id),
                                      "%.0f %%", 0.2f, 0.0f, 80.0f, 100.0f, [](S& s) -> float& { return s.tendons.y; },
                                      "Share of the rest length that does not stretch.", std::nullopt, "end"}};
 const std::array kFrame{
-    LineNumber{Control("inspector/line/pivot", "Pivot", "girth side bone", withLine, kOfLine.id), "%.2f", 0.01f, 0.0f,
-               1.0f, 1.0f, [](S& s) -> float& { return s.pivot; },
+    LineNumber{Control("inspector/line/pivot", "Pivot", "girth side bone", withLineSettings, kOfLine.id), "%.2f", 0.01f,
+               0.0f, 1.0f, 1.0f, [](S& s) -> float& { return s.pivot; },
                "1: the girth grows away from the bone. 0: to all sides of the line.", std::nullopt, "pivot"},
-    LineNumber{Control("inspector/line/twist", "Twist", "roll turn belly", withLine, kOfLine.id), "%.2f", 0.01f, 0.0f,
-               1.0f, 1.0f, [](S& s) -> float& { return s.twist; },
+    LineNumber{Control("inspector/line/twist", "Twist", "roll turn belly", withLineSettings, kOfLine.id), "%.2f", 0.01f,
+               0.0f, 1.0f, 1.0f, [](S& s) -> float& { return s.twist; },
                "The belly turns with 0: the first bone, 1: the second.", std::nullopt, "twist"}};
 const std::array kActivation{
-    LineNumber{Control("inspector/line/base", "Activation by hand", "active tone", withLine, kOfLine.id), "%.2f", 0.01f,
-               0.0f, 1.0f, 1.0f, [](S& s) -> float& { return s.base; }, "How active the muscle is at rest, 0 to 1.",
-               Parameter::kActivation, "hand"},
-    LineNumber{Control("inspector/line/gain", "Activation from shortening", "active automatic", withLine, kOfLine.id),
-               "%.2f", 0.01f, 0.0f, kMostGain, 1.0f, [](S& s) -> float& { return s.gain; },
-               "How much shortening activates it. 0: by hand alone.", std::nullopt, "gain"}};
+    LineNumber{Control("inspector/line/base", "Activation by hand", "active tone", withLineSettings, kOfLine.id),
+               "%.2f", 0.01f, 0.0f, 1.0f, 1.0f, [](S& s) -> float& { return s.base; },
+               "How active the muscle is at rest, 0 to 1.", Parameter::kActivation, "hand"},
+    LineNumber{
+        Control("inspector/line/gain", "Activation from shortening", "active automatic", withLineSettings, kOfLine.id),
+        "%.2f", 0.01f, 0.0f, kMostGain, 1.0f, [](S& s) -> float& { return s.gain; },
+        "How much shortening activates it. 0: by hand alone.", std::nullopt, "gain"}};
 
 float shownNumber(const LineNumber& number, const MuscleLine& line) {
   LineSettings settings = line.settings;
@@ -398,13 +392,6 @@ void hintOf(PanelUi& ui, const LineNumber& number, const std::string& animation,
   tooltip(ui, std::string(number.control.label) + "\n" + animation + number.hint + mixed + more);
 }
 
-/// The format with the number's word, if that fits.
-std::string labelled(const LineNumber& number, float value, float width) {
-  const std::string format = std::string(number.word) + (*number.word == '\0' ? "" : " ") + number.format;
-  const float room = width - 2.0f * ImGui::GetStyle().ItemInnerSpacing.x;
-  return ImGui::CalcTextSize(numberText(format.c_str(), value).c_str()).x <= room ? format : number.format;
-}
-
 void numberField(PanelUi& ui, const SelectedLines& lines, const LineNumber& number, float width) {
   const std::string id = number.control.id;
   const AnimatedField animated = animatedOf(lines, number);
@@ -449,17 +436,33 @@ void numberRow(PanelUi& ui, const SelectedLines& lines, const char* label, std::
 
 }  // namespace
 
-void drawFlexRow(PanelUi& ui, const SelectedLines& lines) { numberRow(ui, lines, "Flex", kFlex); }
+std::string labelled(const LineNumber& number, float value, float width) {
+  const std::string format = std::string(number.word) + (*number.word == '\0' ? "" : " ") + number.format;
+  const float room = width - 2.0f * ImGui::GetStyle().ItemInnerSpacing.x;
+  return ImGui::CalcTextSize(numberText(format.c_str(), value).c_str()).x <= room ? format : number.format;
+}
+
+void drawFlexRow(PanelUi& ui, const SelectedLines& lines) {
+  numberRow(ui, lines, lineRows().front().label, lineRows().front().numbers);
+}
+
+bool lineSection(PanelUi& ui, bool several) { return section(ui, kOfLine, several ? "Muscle lines" : "Muscle line"); }
+
+std::span<const LineRow> lineRows() {
+  static const std::array<LineRow, 6> kRows{{{"Flex", kFlex},
+                                             {"Lengths", kRest},
+                                             {"Volume", kVolume},
+                                             {"Tendons", kTendons},
+                                             {"Pivot", kFrame},
+                                             {"Active", kActivation}}};
+  return kRows;
+}
 
 void drawLineNumbers(PanelUi& ui) {
   const SelectedLines lines = selectedLines(ui.state.document);
   if (lines.indices.empty()) return;
-  if (!section(ui, kOfLine, lines.several() ? "Muscle lines" : "Muscle line")) return;
-  numberRow(ui, lines, "Lengths", kRest);
-  numberRow(ui, lines, "Volume", kVolume);
-  numberRow(ui, lines, "Tendons", kTendons);
-  numberRow(ui, lines, "Pivot", kFrame);
-  numberRow(ui, lines, "Active", kActivation);
+  if (!lineSection(ui, lines.several())) return;
+  for (const LineRow& row : lineRows().subspan(1)) numberRow(ui, lines, row.label, row.numbers);
 }
 
 }  // namespace sinew::app

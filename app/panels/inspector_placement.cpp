@@ -20,14 +20,15 @@
 namespace sinew::app {
 namespace {
 
-const Control kPlacementSection{"inspector/section/placement", "Section Placement", "centre rotation radii"};
+const Control kPlacementSection{"inspector/section/placement", "Section Placement", "centre rotation radii",
+                                withSingleMuscle};
 const Control kLengthUnits{"inspector/lengths/units", "Lengths in units or % of the height", "per cent percent",
-                           nullptr, kPlacementSection.id};
-const Control kCenter{"inspector/center.x", "Centre", "center position place move x y z", nullptr,
+                           withSingleMuscle, kPlacementSection.id};
+const Control kCenter{"inspector/center.x", "Centre", "center position place move x y z", withSingleMuscle,
                       kPlacementSection.id};
-const Control kRotation{"inspector/rotation.x", "Rotation", "angle turn orientation x y z", nullptr,
+const Control kRotation{"inspector/rotation.x", "Rotation", "angle turn orientation x y z", withSingleMuscle,
                         kPlacementSection.id};
-const Control kRadii{"inspector/radius.x", "Radii", "radius size scale thickness length x y z", nullptr,
+const Control kRadii{"inspector/radius.x", "Radii", "radius size scale thickness length x y z", withSingleMuscle,
                      kPlacementSection.id};
 
 constexpr const char* kAxisNames[] = {"x", "y", "z"};
@@ -173,10 +174,10 @@ void drawPlacementRows(PanelUi& ui, const Subjects& subjects) {
 
 namespace {
 
-const Control kTerritorySection{"inspector/section/territory", "Section Territory", "bones skin"};
-const Control kBones{"inspector/territory", "Bones", "of the territory skin region mask limit", nullptr,
+const Control kTerritorySection{"inspector/section/territory", "Section Territory", "bones skin", withSingleMuscle};
+const Control kBones{"inspector/territory", "Bones", "of the territory skin region mask limit", withSingleMuscle,
                      kTerritorySection.id};
-const Control kAddBone{"inspector/territory-add", "Add a bone to the territory", "skin region mask", nullptr,
+const Control kAddBone{"inspector/territory-add", "Add a bone to the territory", "skin region mask", withSingleMuscle,
                        kTerritorySection.id};
 
 void reset(PanelUi& ui, const Subjects& subjects) {

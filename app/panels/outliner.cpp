@@ -7,7 +7,9 @@
 
 #include <algorithm>
 #include <string>
+#include <utility>
 
+#include "app/document/listed_muscles.h"
 #include "app/document/shown_names.h"
 #include "app/editor/blending_edit.h"
 #include "app/editor/commands.h"
@@ -39,7 +41,7 @@ SharedEnds endsOfBones(const std::vector<std::string>& names) {
 
 SharedEnds endsOfMuscles(const Rig& rig) {
   std::vector<std::string_view> names;
-  for (const Primitive& primitive : rig.primitives) names.emplace_back(primitive.name);
+  for (const int lead : allLeads(rig)) names.emplace_back(muscleName(rig, lead));
   return sharedEnds(names);
 }
 
@@ -48,6 +50,7 @@ OutlinerContent gather(const EditorState& state) {
   OutlinerContent frame{state.document.commands.sharedRig(), skeleton, {}, {}, {}, {}, 0.0f, {}, {}, {}, {}};
   frame.boneOf = boneOfEach(*frame.rig, skeleton);
   frame.effective = effectiveVisibility(state.document.visibility, *frame.rig, skeleton, frame.boneOf);
+  frame.boneOf = listedBones(*frame.rig, skeleton, std::move(frame.boneOf));
   if (editsTerritory(state)) {
     frame.territory.assign(skeleton.bones.size(), false);
     for (const int bone : shownTerritory(state)) at(frame.territory, bone) = true;

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <string>
 
+#include "app/document/listed_muscles.h"
 #include "app/editor/blending_edit.h"
 #include "app/editor/commands.h"
 #include "app/editor/outliner.h"
@@ -51,7 +52,9 @@ struct Row {
     return high.x - ui.px(kCell * static_cast<float>(cells) + 2.0f);
   }
   /// Last part of the controls' ids.
-  [[nodiscard]] std::string name() const { return isMuscle() ? primitive().name : frame.skeleton.fileName(row.index); }
+  [[nodiscard]] std::string name() const {
+    return isMuscle() ? muscleName(*frame.rig, row.index) : frame.skeleton.fileName(row.index);
+  }
 };
 
 /// A clickable square at the right end; column 0 is the rightmost. @param always  draw it even if not hovered
@@ -85,10 +88,12 @@ void switchCell(Row& row, int column, Mark mark, const char* word, Icon on, Icon
     visibility.setBone(mark, row.bone().path, !set);
     return;
   }
-  const Selection& selection = row.ui.state.document.selection;
+  const Document& document = row.ui.state.document;
   visibility.setMuscle(mark, row.primitive().id(), !set);
-  if (!selection.contains(row.primitive().id())) return;
-  for (const PrimitiveId other : selection.primitives) visibility.setMuscle(mark, other, !set);
+  if (!document.selection.contains(row.primitive().id())) return;
+  for (const int lead : leadsOf(document.rig(), selectedIndices(document))) {
+    visibility.setMuscle(mark, document.idAt(lead), !set);
+  }
 }
 
 void drawSwitches(Row& row) {
@@ -141,8 +146,9 @@ void drawRename(Row& row) {
 }
 
 void drawDragged(PanelUi& ui, int index) {
-  const std::size_t count = draggedMuscles(ui.state.document, index).size();
-  const std::string name = inReadingOrder(shownMuscleName(ui.state.document.rig(), index));
+  const Rig& rig = ui.state.document.rig();
+  const std::size_t count = leadsOf(rig, draggedMuscles(ui.state.document, index)).size();
+  const std::string name = inReadingOrder(shownMuscleName(rig, index));
   ImGui::TextUnformatted((count == 1 ? name : std::to_string(count) + " muscles").c_str());
   mutedText("Drop on a bone or a group");
 }
@@ -222,14 +228,16 @@ void drawMuscle(Row& row) {
   const bool visible = row.frame.effective.visible[index];
   const bool attached = row.frame.boneOf[index] >= 0;
   const Tint tint = groupTint(*row.frame.rig, primitive.group);
-  drawIcon(list, primitive.sign > 0 ? Icon::kMuscle : Icon::kCarve, {row.indent() + ui.px(15), row.middle(ui.px(13))},
-           ui.px(13), tint.faded(visible ? 1.0f : 0.4f).packed());
+  const Icon icon = !primitive.sheet.empty() ? Icon::kSheet : (primitive.sign > 0 ? Icon::kMuscle : Icon::kCarve);
+  drawIcon(list, icon, {row.indent() + ui.px(15), row.middle(ui.px(13))}, ui.px(13),
+           tint.faded(visible ? 1.0f : 0.4f).packed());
   if (ui.state.open.rename.primitive == primitive.id()) return;
   const Tint color = visible ? palette::kText : palette::kMuted.faded(0.6f);
   const float from = row.indent() + ui.px(kNameFrom);
   const float room = row.nameEnd() - from;
   const std::string name = shownMuscleName(*row.frame.rig, row.row.index);
-  const std::string shown = attached ? name : name + "  (no bone " + primitive.bone + ")";
+  const std::string& bone = listedBone(*row.frame.rig, row.row.index);
+  const std::string shown = attached ? name : name + "  (no bone " + bone + ")";
   const bool cut = clippedText(list, {from, row.middle(ImGui::GetTextLineHeight())}, room, color.packed(), shown,
                                row.frame.muscleEnds);
   nameTooltip(row, cut, shown);

@@ -8,6 +8,7 @@
 #include <tuple>
 #include <vector>
 
+#include "app/document/listed_muscles.h"
 #include "app/editor/actions.h"
 #include "app/editor/line_commands.h"
 #include "app/editor/visibility_commands.h"
@@ -112,6 +113,12 @@ Possible withCharacter(const EditorState& state) { return {state.hasCharacter(),
 Possible withMuscle(const EditorState& state) {
   return withCharacter(state).also(state.document.activePrimitive() >= 0, "Select a muscle first");
 }
+Possible withSingleMuscle(const EditorState& state) {
+  return withMuscle(state).also(activeSheet(state.document) < 0, "Select a muscle that is no sheet");
+}
+Possible withSheet(const EditorState& state) {
+  return withMuscle(state).also(activeSheet(state.document) >= 0, "Select a sheet first");
+}
 Possible withLine(const EditorState& state) {
   return withMuscle(state).also(!selectedLines(state.document).indices.empty(),
                                 "Select a muscle that rides a line first");
@@ -127,6 +134,7 @@ void revealControl(EditorState& state, const Control& control) {
   unfold(state, control.section);
   // Rows that unfold others.
   if (std::string_view(control.section) == "inspector/shape") state.view.inspector.shapeOpen = true;
+  if (std::string_view(control.section) == "inspector/sheet/more") state.view.inspector.sheetOpen = true;
   if (std::string_view(control.section) == "export/advanced") state.dialogs.exporting.advanced = true;
   state.dialogs.reveal = {control.id};
 }

@@ -33,6 +33,8 @@ struct Control {
 [[nodiscard]] Possible nothing(const EditorState& state);
 [[nodiscard]] Possible withCharacter(const EditorState& state);
 [[nodiscard]] Possible withMuscle(const EditorState& state);
+[[nodiscard]] Possible withSingleMuscle(const EditorState& state);  ///< The active muscle is no sheet.
+[[nodiscard]] Possible withSheet(const EditorState& state);         ///< It is one.
 [[nodiscard]] Possible withLine(const EditorState& state);
 [[nodiscard]] Possible withExport(const EditorState& state);
 [[nodiscard]] Possible withFarmJob(const EditorState& state);

@@ -8,6 +8,7 @@
 #include <system_error>
 #include <utility>
 
+#include "app/document/listed_muscles.h"
 #include "app/document/shown_names.h"
 #include "app/editor/blending_edit.h"
 #include "app/editor/commands.h"
@@ -218,11 +219,10 @@ void addClips(PaletteEntries& all, const EditorState& state) {
 
 void addMuscles(PaletteEntries& all, const EditorState& state) {
   const Rig& rig = state.document.rig();
-  for (int i = 0; i < static_cast<int>(rig.primitives.size()); ++i) {
-    const Primitive& primitive = at(rig.primitives, i);
-    PaletteEntry entry{EntryKind::kMuscle, "muscle/" + primitive.name};
-    entry.muscle = primitive.id();
-    add(all, state, std::move(entry), shownMuscleName(rig, i), "Muscle on " + primitive.bone);
+  for (const int i : allLeads(rig)) {
+    PaletteEntry entry{EntryKind::kMuscle, "muscle/" + muscleName(rig, i)};
+    entry.muscle = at(rig.primitives, i).id();
+    add(all, state, std::move(entry), shownMuscleName(rig, i), "Muscle on " + listedBone(rig, i));
   }
   for (int i = 0; i < static_cast<int>(rig.groups.size()); ++i) {
     PaletteEntry entry{EntryKind::kGroup, "group/" + at(rig.groups, i).name};

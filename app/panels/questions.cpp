@@ -7,6 +7,7 @@
 #include <GLFW/glfw3.h>
 
 #include "app/document/file_stamp.h"
+#include "app/document/listed_muscles.h"
 #include "app/editor/clip_commands.h"
 #include "app/editor/commands.h"
 #include "app/editor/export_commands.h"
@@ -200,7 +201,7 @@ namespace {
 enum class KeepMusclesAnswer { kNone, kKeep, kOpenWithout, kAddClips, kCancel };
 
 std::string musclesOf(const Document& document) {
-  const std::size_t count = document.rig().primitives.size();
+  const std::size_t count = allLeads(document.rig()).size();
   return (count == 1 ? "the muscle" : "the " + std::to_string(count) + " muscles") + " of \"" + document.name() + '"';
 }
 

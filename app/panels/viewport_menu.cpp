@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "app/document/listed_muscles.h"
 #include "app/editor/blending_edit.h"
 #include "app/editor/visibility_commands.h"
 #include "app/panels/overlay.h"
@@ -56,7 +57,8 @@ void drawTitle(PanelUi& ui, const ViewportHover& target) {
     if (entry.muscle) text = "     " + text;
     swatch(ui, corner, entry);
   }
-  const std::size_t selected = ui.state.document.selection.primitives.size();
+  const Document& document = ui.state.document;
+  const std::size_t selected = leadsOf(document.rig(), selectedIndices(document)).size();
   if (selected > 1) text += "  (" + std::to_string(selected) + " selected)";
   mutedText(text.c_str());
   ui.widgets.note("context/title");

@@ -47,7 +47,8 @@ std::string readableName(const std::string& name, const char* word, int number) 
 }
 
 std::string shownMuscleName(const Rig& rig, int primitive) {
-  return readableName(at(rig.primitives, primitive).name, "muscle", primitive + 1);
+  const Primitive& muscle = at(rig.primitives, primitive);
+  return readableName(muscle.sheet.empty() ? muscle.name : muscle.sheet, "muscle", primitive + 1);
 }
 
 std::string shownGroupName(const Rig& rig, int group) {

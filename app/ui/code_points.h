@@ -21,7 +21,7 @@ void setGlyphs(HasGlyph hasGlyph);  ///< Of the interface's fonts. By default (c
 /// readable() with these glyphs and "word number".
 [[nodiscard]] std::string readableName(const std::string& name, const char* word, int number);
 
-/// Muscles, groups and morph targets in lists; counted from 1.
+/// Muscles, groups and morph targets in lists; counted from 1. A belly has the name of its sheet.
 [[nodiscard]] std::string shownMuscleName(const Rig& rig, int primitive);
 [[nodiscard]] std::string shownGroupName(const Rig& rig, int group);
 [[nodiscard]] std::string shownMorphName(const Rig& rig, int morph);

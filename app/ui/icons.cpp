@@ -178,6 +178,13 @@ IconDrawings allDrawings() {
     pen.ellipse(1.8f, 14.2f, 1.2f, 1.2f, 0.0f, true);
     pen.ellipse(14.2f, 1.8f, 1.2f, 1.2f, 0.0f, true);
   };
+  drawings[at(Icon::kSheet)] = [](const Pen& pen) {
+    pen.line(2, 2.4f, 4.2f, 13.8f);
+    pen.line(13.4f, 5.6f, 13.8f, 10);
+    pen.line(2.2f, 3.4f, 13.4f, 6.2f);
+    pen.line(3.1f, 8.2f, 13.6f, 7.9f);
+    pen.line(4, 12.8f, 13.7f, 9.4f);
+  };
   drawings[at(Icon::kPose)] = drawPose;
   drawings[at(Icon::kLoop)] = drawLoop;
   drawings[at(Icon::kPlus)] = [](const Pen& pen) {

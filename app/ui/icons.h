@@ -15,6 +15,7 @@ enum class Icon {
   kScale,
   kAddMuscle,
   kMuscleLine,
+  kSheet,
   kPlay,
   kPause,
   kNext,

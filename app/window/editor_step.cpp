@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "app/document/listed_muscles.h"
 #include "app/editor/actions.h"
 #include "app/editor/bindings.h"
 #include "app/editor/blending_edit.h"
@@ -45,8 +46,7 @@ bool tabIsAnAction(const EditorState& state, const RawInput& input) {
 bool closesWhatIsOpen(EditorState& state, const RawInput& input) {
   if (input.pressedKey != GLFW_KEY_ESCAPE || input.control || input.shift || input.alt) return false;
   const Selection& selection = state.document.selection;
-  const ToolKind tool = state.view.tools.tool;
-  const bool draws = tool == ToolKind::kAddMuscle || tool == ToolKind::kMuscleLine;
+  const bool draws = addsMuscles(state.view.tools.tool);
   const bool busy = !selection.primitives.empty() || selection.bone >= 0 || state.open.layers.chosen >= 0 || draws ||
                     editsTerritory(state) || state.open.animate.drivenKey.isOn() || state.open.gestureItem != 0;
   if (busy) return false;
@@ -74,7 +74,7 @@ void movePose(EditorState& state, const RawInput& input, double seconds) {
   if (!holdsPose(state.view.tools, leftPressed)) advance(state.open.transport, seconds, state.character());
   const FlexState& flex = state.open.flex;
   state.open.transport.flex = flex.shown();
-  state.open.transport.flexedLines = flex.selectedAlone ? selectedLines(state.document).indices : std::vector<int>();
+  state.open.transport.flexedLines = flex.selectedAlone ? flexingLines(state.document) : std::vector<int>();
   state.live->movePose(state.open.transport);
 }
 
@@ -148,6 +148,7 @@ void EditorStep::updateSurface(EditorState& state) {
   followClipFiles(state);
   state.live->movePose(state.open.transport);  // The pose tool may have rotated a joint.
   followEdits(state.document);
+  completeSheets(state.document);
   forgetSettledWarnings(state);
   const Result<bool> updated = state.live->update(state.document, surfaceView(state));
   if (!updated) addMessage(state.session, MessageKind::kError, updated.error().plainText());

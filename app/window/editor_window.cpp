@@ -53,6 +53,7 @@ std::u32string lettersOfNames(const EditorState& state) {
     addNameLetters(letters, character.morphTargets);
     addNameLetters(letters, character.parts);
     addNameLetters(letters, state.document.rig().primitives);
+    addNameLetters(letters, state.document.rig().sheets);
     addNameLetters(letters, state.document.rig().groups);
     for (const LayerChoice& choice : state.document.rig().layers) letters += codePoints(choice.part);
   }

@@ -321,16 +321,23 @@ void Picture::draw(EditorState& state, const DrawnOnCard* card, const View& view
   if (const std::optional<ShownLine> line = activeLine(state.document, pose)) {
     drawLine(list, canvas, *line, state.view.tools.lineHandles, !display.primitives && !display.anatomy);
   }
-  if (const std::optional<LineDrag>& drag = state.view.tools.line.drag) {
+  const ViewportTools& tools = state.view.tools;
+  if (const std::optional<ShownSheet> sheet = shownSheet(state.document, pose); sheet && !addsMuscles(tools.tool)) {
+    drawSheetEdges(list, canvas, *sheet, tools.sheetHandles);
+  }
+  for (const std::vector<glm::vec3>& edge : drawnEdges(tools.sheet, state.character(), pose)) {
+    if (!edge.empty()) drawStroke(list, canvas, edge);
+  }
+  if (const std::optional<LineDrag>& drag = tools.line.drag) {
     for (const int bone : {drag->startBone, drag->endBone}) {
       if (bone < 0) continue;
       const auto index = static_cast<std::size_t>(bone);
       drawBoneMark(list, canvas, state.character().skeleton.bones[index], pose.boneInWorld[index]);
     }
   }
-  const bool adds = state.view.tools.tool == ToolKind::kAddMuscle || state.view.tools.tool == ToolKind::kMuscleLine;
-  if (adds && !state.view.tools.addMuscle.drag && !state.view.tools.line.drag) {
-    drawLanding(list, canvas, state.view.tools.hover, state.character(), pose);
+  const bool draws = tools.addMuscle.drag || tools.line.drag || tools.sheet.drag;
+  if (addsMuscles(tools.tool) && !draws) {
+    drawLanding(list, canvas, tools.hover, state.character(), pose);
   }
   if (const Surface* const beside = besideSurface(state)) {
     drawMeshName(list, canvas, boundsOf(shownSurface(state).positions), "live");

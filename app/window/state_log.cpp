@@ -9,11 +9,14 @@
 #include <set>
 #include <utility>
 
+#include "app/document/listed_muscles.h"
 #include "app/editor/animate.h"
 #include "app/ui/keyboard_focus.h"
 #include "app/viewport/render/scene.h"
 #include "core/files/json/json.h"
 #include "core/files/rig_json_parts.h"
+#include "core/geometry/at.h"
+#include "core/rig/rig_edit.h"
 
 namespace sinew::app {
 namespace {
@@ -37,14 +40,16 @@ glm::vec2 inWindow(const EditorState& state, const glm::vec2& pixel) {
 
 Json documentState(const Document& document) {
   Json selection = Json::array();
+  const Rig& rig = document.rig();
   for (const PrimitiveId id : document.selection.primitives) {
-    const int index = findPrimitive(document.rig(), id);
-    if (index >= 0) selection.push(document.rig().primitives[static_cast<std::size_t>(index)].name);
+    const int index = findPrimitive(rig, id);
+    if (index >= 0 && leadOf(rig, index) == index) selection.push(muscleName(rig, index));
   }
   return Json::object()
       .set("path", document.file().string())
       .set("modified", document.commands.modified())
-      .set("primitives", static_cast<int>(document.rig().primitives.size()))
+      .set("primitives", static_cast<int>(rig.primitives.size()))
+      .set("sheets", static_cast<int>(rig.sheets.size()))
       .set("selection", selection)
       .set("bone", document.selection.bone < 0 || document.character == nullptr
                        ? Json("")
@@ -55,8 +60,8 @@ Json documentState(const Document& document) {
 
 Json namesOf(const Rig& rig, const std::set<PrimitiveId>& muscles) {
   Json names = Json::array();
-  for (const Primitive& primitive : rig.primitives) {
-    if (muscles.contains(primitive.id())) names.push(primitive.name);
+  for (const int lead : allLeads(rig)) {
+    if (muscles.contains(at(rig.primitives, lead).id())) names.push(muscleName(rig, lead));
   }
   return names;
 }
@@ -66,8 +71,8 @@ Json visibilityState(const EditorState& state) {
   Json away = Json::array();
   if (state.hasCharacter()) {
     const Rig& rig = state.document.rig();
-    for (const int index : hiddenPrimitives(visibility, rig, state.character().skeleton)) {
-      away.push(rig.primitives[static_cast<std::size_t>(index)].name);
+    for (const int lead : leadsOf(rig, hiddenPrimitives(visibility, rig, state.character().skeleton))) {
+      away.push(muscleName(rig, lead));
     }
   }
   return Json::object()
@@ -82,7 +87,7 @@ Json visibilityState(const EditorState& state) {
 Json groupState(const Rig& rig) {
   Json groups = Json::object();
   for (const Group& group : rig.groups) {
-    groups.set(group.name, static_cast<int>(std::ranges::count(rig.primitives, group.name, &Primitive::group)));
+    groups.set(group.name, static_cast<int>(leadsOf(rig, membersOf(rig, group.name)).size()));
   }
   return groups;
 }
@@ -133,6 +138,31 @@ Json lineState(const EditorState& state, const View& view) {
       .set("stretch", shown->stretch)
       .set("activation", shown->activation);
   return line;
+}
+
+/// The active sheet, with the points of its edges in the window.
+Json sheetState(const EditorState& state, const View& view) {
+  Json sheet = Json::object();
+  const auto shown = state.hasCharacter() ? shownSheet(state.document, state.live->pose()) : std::nullopt;
+  if (!shown) return sheet;
+  const MuscleSheet& own = at(state.document.rig().sheets, shown->index);
+  Json edges = Json::array();
+  for (const std::vector<glm::vec3>& edge : shown->edges) {
+    Json points = Json::array();
+    for (const glm::vec3& point : edge) {
+      const glm::vec2 pixel = inWindow(state, glm::vec2(view.toPixel(point)));
+      points.push(numbers({pixel.x, pixel.y}));
+    }
+    edges.push(points);
+  }
+  const SheetHandles& handles = state.view.tools.sheetHandles;
+  return sheet.set("name", own.name)
+      .set("edges", edges)
+      .set("hovered", handles.hovered ? nameOfEdge(own, handles.hovered->edge) : std::string())
+      .set("dragging", handles.drag.has_value())
+      .set("strips", own.strips)
+      .set("bellies", own.bellies)
+      .set("crest", own.crest);
 }
 
 void addAnimated(const EditorState& state, const std::vector<AnimatedNumber>& animated, int owner, Json& values,
@@ -346,6 +376,7 @@ std::string stateText(const EditorState& state, const WidgetLog& widgets, const 
       .set("box", Json::object().set("armed", tools.box.armed).set("dragging", tools.box.drag.has_value()))
       .set("gizmo", gizmoState(state))
       .set("line", lineState(state, view))
+      .set("sheet", sheetState(state, view))
       .set("flex", state.open.flex.shown())
       .set("animation", animationState(state))
       .set("viewport", numbers({v.x, v.y, v.z, v.w}))

@@ -13,6 +13,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "app/document/listed_muscles.h"
 #include "app/document/shown_names.h"
 #include "app/viewport/tools/gizmo.h"
 #include "core/character/bindings.h"
@@ -382,7 +383,7 @@ Result<void> show(const AddMuscleDrag& drag, const SkinStroke& stroke, Document&
       withMuscle(document, *drag.rigBefore, newMuscle(document.character->skeleton, drag.bone, placement));
   if (!rig) return rig.error();
   document.commands.updateGesture(std::move(rig).value());
-  document.selection.set(document.idAt(static_cast<int>(drag.rigBefore->primitives.size())));
+  document.selection.set(document.idAt(nextIndex(*drag.rigBefore)));
   return {};
 }
 
@@ -496,10 +497,10 @@ Result<std::string> addMuscleOnBone(Document& document, int bone, ShapePreset pr
   const Placement placement = shaped(preset, placementOf(ellipsoid, onBone.bindInWorld), kNewReach);
   Result<Rig> rig = withMuscle(document, document.rig(), newMuscle(character.skeleton, bone, placement));
   if (!rig) return rig.error();
-  const std::size_t index = document.rig().primitives.size();
-  const std::string name = rig->primitives[index].name;
+  const std::string name = at(rig->primitives, static_cast<int>(document.rig().primitives.size())).name;
+  const int index = nextIndex(document.rig());
   document.commands.apply("Add " + name, std::move(rig).value());
-  document.selection.set(document.idAt(static_cast<int>(index)));
+  document.selection.set(document.idAt(index));
   return document.activeName();
 }
 

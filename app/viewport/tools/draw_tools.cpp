@@ -91,8 +91,7 @@ namespace {
 constexpr ImU32 kTendon = IM_COL32(244, 238, 226, 255);
 constexpr ImU32 kHot = IM_COL32(255, 196, 64, 255);
 
-void drawCurve(ImDrawList& list, const Canvas& canvas, const ShownLine& line) {
-  const std::vector<glm::vec3> points = pointsAlong({line.origin, line.via, line.insertion});
+void drawPolyline(ImDrawList& list, const Canvas& canvas, const std::vector<glm::vec3>& points) {
   if (std::ranges::any_of(points, [&](const glm::vec3& point) { return canvas.isBehind(point); })) return;
   std::vector<ImVec2> pixels;
   for (const glm::vec3& point : points) pixels.push_back(canvas.at(point));
@@ -101,6 +100,10 @@ void drawCurve(ImDrawList& list, const Canvas& canvas, const ShownLine& line) {
   };
   stroke(kShadow, 2.0f * canvas.scale + 2.0f);
   stroke(kTendon, 2.0f * canvas.scale);
+}
+
+void drawCurve(ImDrawList& list, const Canvas& canvas, const ShownLine& line) {
+  drawPolyline(list, canvas, pointsAlong({line.origin, line.via, line.insertion}));
 }
 
 void ball(ImDrawList& list, const ImVec2& center, float radius, ImU32 color) {
@@ -127,6 +130,29 @@ void drawLine(ImDrawList& list, const Canvas& canvas, const ShownLine& line, con
     const ImU32 color = hot ? kHot : kTendon;
     if (end == LineEnd::kVia) diamond(list, canvas.at(*point), 6.0f * canvas.scale, color);
     else ball(list, canvas.at(*point), 5.0f * canvas.scale, color);
+  }
+}
+
+void drawSheetEdges(ImDrawList& list, const Canvas& canvas, const ShownSheet& sheet, const SheetHandles& handles) {
+  for (const std::vector<glm::vec3>& edge : sheet.edges) drawPolyline(list, canvas, edge);
+  const std::optional<EdgePoint> hot = handles.drag ? handles.drag->point : handles.hovered;
+  for (std::size_t e = 0; e < sheet.edges.size(); ++e) {
+    for (std::size_t p = 0; p < sheet.edges[e].size(); ++p) {
+      const glm::vec3& point = sheet.edges[e][p];
+      if (canvas.isBehind(point)) continue;
+      const EdgePoint own{static_cast<int>(e), static_cast<int>(p)};
+      const ImU32 color = hot == own ? kHot : kTendon;
+      if (e == 0) ball(list, canvas.at(point), 4.5f * canvas.scale, color);
+      else if (e + 1 == sheet.edges.size()) diamond(list, canvas.at(point), 5.5f * canvas.scale, color);
+      else ball(list, canvas.at(point), 3.0f * canvas.scale, color);
+    }
+  }
+}
+
+void drawStroke(ImDrawList& list, const Canvas& canvas, const std::vector<glm::vec3>& points) {
+  drawPolyline(list, canvas, points);
+  for (const glm::vec3* end : {&points.front(), &points.back()}) {
+    if (!canvas.isBehind(*end)) ball(list, canvas.at(*end), 3.5f * canvas.scale, kHot);
   }
 }
 

@@ -2,12 +2,14 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include <imgui.h>
 
 #include "app/viewport/tools/gizmo.h"
 #include "app/viewport/tools/line_handles.h"
 #include "app/viewport/tools/select.h"
+#include "app/viewport/tools/sheet_handles.h"
 
 namespace sinew::app {
 
@@ -39,6 +41,11 @@ void drawLanding(ImDrawList& list, const Canvas& canvas, const ViewportHover& ho
 
 /// The handles of the active muscle's line. @param curve  the line too, if LineDrawer::drawMuscleLines does not draw it
 void drawLine(ImDrawList& list, const Canvas& canvas, const ShownLine& line, const LineHandles& handles, bool curve);
+
+/// Edges of a sheet with the handles on their points; the origin's are round, those of the insertion diamonds.
+void drawSheetEdges(ImDrawList& list, const Canvas& canvas, const ShownSheet& sheet, const SheetHandles& handles);
+/// An edge that is being drawn.
+void drawStroke(ImDrawList& list, const Canvas& canvas, const std::vector<glm::vec3>& points);
 
 /// Handles, hover and the marks of a drag (axis line, wedge, number), clipped to the viewport. Layout and context are
 /// those of this frame (RouteResult). @param topLeft, unitsPerPixel  as in Canvas

@@ -7,6 +7,7 @@
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
+#include "app/document/listed_muscles.h"
 #include "app/viewport/tools/status_line.h"
 #include "app/viewport/tools/viewport_tools.h"
 #include "core/geometry/at.h"
@@ -23,7 +24,8 @@ std::vector<GizmoCompanion> companionsOf(const Document& document, int active) {
   const std::string& leader = rig.primitives[static_cast<std::size_t>(active)].name;
   for (const PrimitiveId id : document.selection.primitives) {
     const int index = findPrimitive(rig, id);
-    if (index < 0 || index == active || !isPickable(document.visibility, rig, skeleton, index)) continue;
+    if (index < 0 || index == active || isBelly(rig, index)) continue;
+    if (!isPickable(document.visibility, rig, skeleton, index)) continue;
     const Primitive& primitive = rig.primitives[static_cast<std::size_t>(index)];
     const auto isTwin = [&](const GizmoCompanion& other) {
       return primitive.mirror == rig.primitives[static_cast<std::size_t>(findPrimitive(rig, other.primitive))].name;
@@ -74,14 +76,14 @@ Result<Rig> dragged(const Document& document, const Pose& pose, int active, cons
 
 namespace {
 
-/// The active or dragged muscle; nullopt if this character lacks its bone.
+/// The active or dragged muscle; nullopt for a sheet (sheet_handles.h), or if this character lacks its bone.
 std::optional<GizmoTarget> muscleTarget(const ToolFrame& frame, bool atStart) {
   const Document& document = frame.document();
   const Skeleton& skeleton = document.character->skeleton;
   const Rig& rig = document.rig();
   const bool dragging = frame.tools.owner == PressOwner::kGizmo;
   const int index = dragging ? findPrimitive(rig, frame.tools.gizmoPrimitive) : document.activePrimitive();
-  if (index < 0) return std::nullopt;
+  if (index < 0 || isBelly(rig, index)) return std::nullopt;
   const Primitive& primitive = rig.primitives[static_cast<std::size_t>(index)];
   // The placement of the rig, carried by the driven line.
   const PosedMuscle& muscle = document.posedRig(frame.context.pose).muscles[static_cast<std::size_t>(index)];

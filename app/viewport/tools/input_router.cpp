@@ -64,17 +64,20 @@ void updateHover(ToolFrame& frame, const std::optional<GizmoTarget>& target) {
   ViewportTools& tools = frame.tools;
   tools.gizmo.hovered = GizmoHandle::kNone;
   tools.lineHandles.hovered = LineEnd::kNone;
+  tools.sheetHandles.hovered.reset();
   if (frame.input.mouseTaken || !pointerInside(frame)) {
     tools.hover = {};
     return;
   }
   if (activeTool(tools).picksMuscles && !frame.input.alt) {
     tools.lineHandles.hovered = lineEndUnder(frame.context, frame.view, frame.input.mouse);
+    tools.sheetHandles.hovered = edgePointUnder(frame.context, frame.view, frame.input.mouse);
   }
   if (tools.lineHandles.hovered == LineEnd::kNone && target && !frame.input.alt) {
     tools.gizmo.hovered = hitTest(layoutGizmo(tools.gizmo, target->placement, target->context), frame.input.mouse);
   }
-  if (tools.lineHandles.hovered != LineEnd::kNone || tools.gizmo.hovered != GizmoHandle::kNone) {
+  if (tools.lineHandles.hovered != LineEnd::kNone || tools.sheetHandles.hovered ||
+      tools.gizmo.hovered != GizmoHandle::kNone) {
     tools.hover = {};
     return;
   }
@@ -103,6 +106,9 @@ void pressLeft(ToolFrame& frame, const std::optional<GizmoTarget>& target) {
   } else if (tools.lineHandles.hovered != LineEnd::kNone) {
     beginLineEnd(tools.lineHandles, frame.context, frame.view, frame.input.mouse);
     tools.owner = PressOwner::kLine;
+  } else if (tools.sheetHandles.hovered) {
+    beginEdgePoint(tools.sheetHandles, frame.context, frame.view, frame.input.mouse);
+    tools.owner = PressOwner::kEdge;
   } else if (overHandle) {
     beginGizmo(frame, *target);
   } else if (const Tool& tool = activeTool(tools); tool.press && tool.press(frame)) {
@@ -216,6 +222,12 @@ void continueOwner(ToolFrame& frame) {
     case PressOwner::kLine:
       if (!continueLineEnd(tools.lineHandles, input, frame.context, frame.view)) tools.owner = PressOwner::kNone;
       break;
+    case PressOwner::kEdge:
+      if (!continueEdgePoint(tools.sheetHandles, input, frame.context, frame.view)) {
+        tools.owner = PressOwner::kNone;
+        if (released) clickThroughHandle(frame);
+      }
+      break;
     case PressOwner::kTool:
       if (!activeTool(tools).drag(frame, input)) tools.owner = PressOwner::kNone;
       break;
@@ -265,6 +277,7 @@ std::string statusOf(const ToolFrame& frame) {
     return describe(tools.gizmo) + drawnOtherwise(frame);
   }
   if (const std::string onLine = describe(tools.lineHandles); !onLine.empty()) return onLine;
+  if (std::string onSheet = describe(tools.sheetHandles, frame.document()); !onSheet.empty()) return onSheet;
   if (tools.box.drag) {
     return statusLine("Box", {"Release selects what it touches", "Shift adds", "Alt removes", "Esc cancels"});
   }
@@ -280,6 +293,7 @@ std::string statusOf(const ToolFrame& frame) {
 
 void setTool(ViewportTools& tools, ToolKind tool) {
   if (ownsKeyboard(tools)) return;
+  if (tool != tools.tool) tools.sheet = {};
   tools.tool = tool;
   tools.gizmo.mode = sinew::app::tools()[static_cast<std::size_t>(tool)]->handles;
 }
@@ -295,8 +309,8 @@ void armBox(ViewportTools& tools) {
 }
 
 bool ownsKeyboard(const ViewportTools& tools) {
-  return tools.gizmo.drag || tools.owner == PressOwner::kTool || tools.owner == PressOwner::kLine || tools.box.drag ||
-         tools.box.armed;
+  return tools.gizmo.drag || tools.owner == PressOwner::kTool || tools.owner == PressOwner::kLine ||
+         tools.owner == PressOwner::kEdge || tools.box.drag || tools.box.armed;
 }
 
 bool holdsPose(const ViewportTools& tools, bool leftPressed) {
@@ -311,8 +325,11 @@ void keepDrag(ViewportTools& tools, Document& document) {
 
 void cancelDrags(ViewportTools& tools, Document& document) {
   if (const Tool& tool = activeTool(tools); tool.cancel) tool.cancel(tools, document);
-  if ((tools.gizmo.drag || tools.lineHandles.drag) && document.commands.inGesture()) document.commands.cancelGesture();
+  const bool edits = tools.gizmo.drag || tools.lineHandles.drag || tools.sheetHandles.drag;
+  if (edits && document.commands.inGesture()) document.commands.cancelGesture();
   tools.lineHandles = {};
+  tools.sheetHandles = {};
+  tools.sheet = {};
   endGizmo(tools);
   tools.box = {};
   tools.dragWanted = false;

@@ -7,6 +7,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "app/document/listed_muscles.h"
 #include "app/viewport/tools/status_line.h"
 #include "core/geometry/at.h"
 #include "core/rig/line_edit.h"
@@ -60,7 +61,7 @@ const char* nameOf(LineEnd end) {
 
 std::optional<ShownLine> activeLine(const Document& document, const Pose& pose) {
   const int active = document.character ? document.activePrimitive() : -1;
-  if (active < 0) return std::nullopt;
+  if (active < 0 || isBelly(document.rig(), active)) return std::nullopt;
   const PosedRig& posed = document.posedRig(pose);
   const int index = at(posed.muscles, active).line;
   if (index < 0 || !at(posed.lines, index).usable) return std::nullopt;

@@ -34,7 +34,7 @@ struct ShownLine {
   float activation = 0.0f;
 };
 
-/// The line of the active muscle in a pose; nullopt: none, or this character lacks its bones.
+/// The line of the active muscle in a pose; nullopt: none, a sheet, or this character lacks its bones.
 [[nodiscard]] std::optional<ShownLine> activeLine(const Document& document, const Pose& pose);
 [[nodiscard]] std::optional<glm::vec3> endPoint(const ShownLine& line, LineEnd end);
 

@@ -8,6 +8,7 @@
 #include <GLFW/glfw3.h>
 #include <glm/geometric.hpp>
 
+#include "app/document/listed_muscles.h"
 #include "app/document/shown_names.h"
 #include "app/viewport/render/picking.h"
 #include "app/viewport/tools/status_line.h"
@@ -169,7 +170,7 @@ void show(LineDrag& drag, const std::optional<SkinAnchor>& end, Document& docume
     Result<Rig> rig = laid ? withLaidLine(*drag.rigBefore, laid.value(), plan) : Result<Rig>(laid.error());
     if (rig) {
       document.commands.updateGesture(std::move(rig).value());
-      document.selection.set(document.idAt(static_cast<int>(drag.rigBefore->primitives.size())));
+      document.selection.set(document.idAt(nextIndex(*drag.rigBefore)));
       drag.laid = laid.value();
     }
   }
@@ -186,7 +187,7 @@ std::string finish(const LineDrag& drag, Document& document) {
   Result<Rig> rig = withLaidLine(*drag.rigBefore, kept->laid, plan);
   if (!rig) return {};
   document.commands.updateGesture(std::move(rig).value());
-  document.selection.set(document.idAt(static_cast<int>(drag.rigBefore->primitives.size())));
+  document.selection.set(document.idAt(nextIndex(*drag.rigBefore)));
   return kept->said;
 }
 

@@ -6,13 +6,17 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string_view>
+#include <unordered_set>
 
 #include <glm/geometric.hpp>
 
+#include "app/document/listed_muscles.h"
 #include "app/document/shown_names.h"
 #include "app/ui/code_points.h"
 #include "app/ui/style.h"
 #include "core/character/bindings.h"
+#include "core/geometry/at.h"
 #include "core/geometry/silhouette.h"
 #include "core/rig/attachment.h"
 
@@ -45,6 +49,7 @@ struct Sight {
 
 struct Muscle {
   const Primitive& primitive;
+  PrimitiveId id;  ///< Of a belly that of the sheet's first.
   int bone;
   const Placement& placement;  ///< On its line.
   const glm::mat4& carrier;    ///< Bone space -> world.
@@ -96,7 +101,7 @@ bool isUnderSkin(const Sight& sight, const ShellSpan& span, const glm::mat4& sha
 }
 
 std::optional<Candidate> candidateOf(const Sight& sight, const Muscle& muscle) {
-  Candidate found{{muscle.primitive.id(), -1, 0.0f, false}, Place::kConcealed, 0.0f};
+  Candidate found{{muscle.id, -1, 0.0f, false}, Place::kConcealed, 0.0f};
   const glm::mat4 shape = shapeInWorld(muscle.placement, 1.0f, muscle.carrier);
   const std::optional<ShellSpan> span = crossShell(sight.ray, shape, muscle.placement.shape);
   if (span && muscle.drawn && (!sight.skin || span->enter < sight.body.enter)) {
@@ -157,7 +162,8 @@ std::vector<PickEntry> musclesUnder(const ViewportContext& context, const Ray& r
         context.display.primitives || context.display.anatomy || document.selection.contains(rig.primitives[i].id());
     if (!posed.muscles[i].usable) continue;
     const auto& [carrier, placement] = posed.muscles[i].body;
-    if (const auto candidate = candidateOf(sight, {rig.primitives[i], bones[i], placement, carrier, drawn})) {
+    const PrimitiveId id = document.idAt(leadOf(rig, static_cast<int>(i)));
+    if (const auto candidate = candidateOf(sight, {rig.primitives[i], id, bones[i], placement, carrier, drawn})) {
       found.push_back(*candidate);
     }
   }
@@ -165,7 +171,10 @@ std::vector<PickEntry> musclesUnder(const ViewportContext& context, const Ray& r
     return a.place != b.place ? a.place < b.place : a.rank < b.rank;
   });
   std::vector<PickEntry> entries;
-  for (const Candidate& candidate : found) entries.push_back(candidate.entry);
+  std::unordered_set<std::uint32_t> seen;
+  for (const Candidate& candidate : found) {
+    if (seen.insert(candidate.entry.muscle.value).second) entries.push_back(candidate.entry);
+  }
   return entries;
 }
 
@@ -187,6 +196,12 @@ SkinAnchor anchorOf(const SurfaceHit& hit, const Character& character, const Pos
 }
 
 }  // namespace
+
+std::optional<SkinAnchor> skinUnder(const ViewportContext& context, const View& view, const glm::vec2& pixel) {
+  const std::optional<SurfaceHit> hit = hitSkin(context, view.rayThrough(pixel));
+  if (!hit) return std::nullopt;
+  return anchorOf(*hit, *context.document.character, context.pose);
+}
 
 SkinPoint skinPointAt(const Character& character, const Pose& pose, const SkinAnchor& anchor) {
   const ControlTriangle& triangle = character.mesh.triangles[static_cast<std::size_t>(anchor.triangle)];
@@ -224,14 +239,19 @@ std::vector<PrimitiveShape> primitiveShapes(const Document& document, const Pose
   const std::vector<int> hidden = hiddenPrimitives(document.visibility, document.rig(), document.character->skeleton);
   std::erase_if(shapes,
                 [&](const PrimitiveShape& shape) { return std::ranges::binary_search(hidden, shape.rigIndex); });
-  const std::vector<Primitive>& muscles = document.rig().primitives;
+  const Rig& rig = document.rig();
   const int active = document.activePrimitive();
+  std::unordered_set<std::uint32_t> selected;
+  for (const PrimitiveId id : document.selection.primitives) selected.insert(id.value);
+  std::unordered_set<std::string_view> names;
+  for (const Primitive& muscle : rig.primitives) {
+    if (selected.contains(muscle.id().value)) names.insert(muscle.name);
+  }
   for (PrimitiveShape& shape : shapes) {
-    const Primitive& muscle = muscles[static_cast<std::size_t>(shape.rigIndex)];
-    shape.selected = document.selection.contains(muscle.id());
-    shape.active = shape.rigIndex == active;
-    const int twin = shape.selected || muscle.mirror.empty() ? -1 : findPrimitive(document.rig(), muscle.mirror);
-    shape.twin = twin >= 0 && document.selection.contains(document.idAt(twin));
+    const Primitive& muscle = at(rig.primitives, shape.rigIndex);
+    shape.selected = selected.contains(muscle.id().value);
+    shape.active = shape.selected && leadOf(rig, shape.rigIndex) == active;
+    shape.twin = !shape.selected && names.contains(muscle.mirror);
   }
   return shapes;
 }
@@ -267,9 +287,8 @@ ViewportHover hoverAt(const ViewportContext& context, const View& view, const gl
 
 void pick(Document& document, const ViewportHover& hover, bool add) {
   if (hover.primitive >= 0) {
-    const PrimitiveId muscle = document.idAt(hover.primitive);
-    if (add) document.selection.toggle(muscle);
-    else document.selection.set(muscle);
+    if (add) toggleMuscle(document, hover.primitive);
+    else selectMuscle(document, hover.primitive);
   } else if (hover.bone >= 0) {
     if (!add) document.selection.clear();
     document.selection.bone = hover.bone;
@@ -280,9 +299,8 @@ void pick(Document& document, const ViewportHover& hover, bool add) {
 
 std::string describe(const ViewportHover& hover, const Document& document) {
   if (hover.primitive >= 0) {
-    const Primitive& primitive = document.rig().primitives[static_cast<std::size_t>(hover.primitive)];
     return shownMuscleName(document.rig(), hover.primitive) + " on " +
-           shownBoneName(document.character->skeleton, primitive.bone);
+           shownBoneName(document.character->skeleton, listedBone(document.rig(), hover.primitive));
   }
   if (hover.bone >= 0) return "Bone " + shownBoneName(document.character->skeleton, hover.bone);
   return "";
@@ -303,19 +321,27 @@ std::vector<glm::vec3> outlineOf(const PrimitiveShape& shape, const View& view) 
   return points;
 }
 
-/// In rig order, without hidden and locked ones.
+/// In rig order, without hidden and locked ones; sheets with all their bellies.
 std::vector<PrimitiveId> musclesInBox(const ViewportContext& context, const View& view, const glm::vec2& corner,
                                       const glm::vec2& opposite) {
   const glm::vec2 low = glm::min(corner, opposite);
   const glm::vec2 high = glm::max(corner, opposite);
   const Document& document = context.document;
-  std::vector<PrimitiveId> muscles;
+  const Rig& rig = document.rig();
+  const Skeleton& skeleton = document.character->skeleton;
+  const EffectiveVisibility effective =
+      effectiveVisibility(document.visibility, rig, skeleton, boneOfEach(rig, skeleton));
+  std::vector<int> hits;
   for (const PrimitiveShape& shape : primitiveShapes(document, context.pose)) {
-    if (!isPickable(document.visibility, document.rig(), document.character->skeleton, shape.rigIndex)) continue;
+    if (effective.locked[toIndex(shape.rigIndex)]) continue;
     const std::vector<glm::vec3> points = outlineOf(shape, view);
     const bool hit =
         std::ranges::any_of(points, [&](const glm::vec3& p) { return inside(view.toPixel(p), low, high); });
-    if (hit) muscles.push_back(document.idAt(shape.rigIndex));
+    if (hit) hits.push_back(shape.rigIndex);
+  }
+  std::vector<PrimitiveId> muscles;
+  for (const int lead : leadsOf(rig, hits)) {
+    for (const int member : membersOfMuscle(rig, lead)) muscles.push_back(document.idAt(member));
   }
   return muscles;
 }
@@ -331,6 +357,7 @@ void selectBox(const ViewportContext& context, const View& view, const BoxDrag& 
   }
   if (box.mode == BoxMode::kReplace) selection.bone = -1;
   selection.setAll(muscles, box.mode == BoxMode::kAdd);
+  completeSheets(context.document);
 }
 
 void drawBox(ImDrawList& list, const BoxDrag& box, const glm::vec2& topLeft, float unitsPerPixel) {

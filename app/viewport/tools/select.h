@@ -16,7 +16,7 @@ namespace sinew::app {
 
 /// A muscle or a bone under the pointer.
 struct PickEntry {
-  PrimitiveId muscle;      ///< 0: a bone.
+  PrimitiveId muscle;      ///< 0: a bone. Of a sheet its first belly.
   int bone = -1;           ///< Index into Skeleton::bones; -1: a muscle.
   float distance = 0.0f;   ///< Along the ray.
   bool concealed = false;  ///< Hidden: only picked by repeated clicks.
@@ -57,7 +57,7 @@ struct SkinPoint {
 
 /// Things under the pointer. Index -1: none.
 struct ViewportHover {
-  int primitive = -1;  ///< Rig index of what a click picks, see musclesUnder.
+  int primitive = -1;  ///< Rig index of what a click picks, see musclesUnder; of a sheet its first belly.
   int bone = -1;       ///< Strongest bone of the skin, or a bone in x-ray.
   std::optional<SkinAnchor> skin;
   glm::vec3 pointInWorld{0.0f};  ///< The nearest hit; valid if primitive >= 0, bone >= 0 or skin.
@@ -67,6 +67,10 @@ struct ViewportHover {
 
   [[nodiscard]] bool any() const { return primitive >= 0 || bone >= 0 || skin.has_value(); }
 };
+
+/// The nearest skin under a pixel, whatever else lies there.
+[[nodiscard]] std::optional<SkinAnchor> skinUnder(const ViewportContext& context, const View& view,
+                                                  const glm::vec2& pixel);
 
 /// An anchor in a pose, by linear blend skinning of its three corners.
 [[nodiscard]] SkinPoint skinPointAt(const Character& character, const Pose& pose, const SkinAnchor& anchor);

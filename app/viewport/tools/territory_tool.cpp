@@ -57,7 +57,7 @@ int territorySubject(const Document& document) {
   const int active = document.activePrimitive();
   if (active < 0) return -1;
   const Primitive& primitive = at(document.rig().primitives, active);
-  return document.character->skeleton.findBone(primitive.bone) ? active : -1;
+  return primitive.sheet.empty() && document.character->skeleton.findBone(primitive.bone) ? active : -1;
 }
 
 Result<Rig> withTerritoryBone(const Rig& rig, int index, int bone, const Skeleton& skeleton) {

@@ -9,12 +9,16 @@
 namespace sinew::app {
 namespace {
 
-constexpr std::array<const Tool*, kToolCount> kTools{&kSelectTool, &kAddMuscleTool, &kMuscleLineTool, &kMoveTool,
-                                                     &kRotateTool, &kScaleTool,     &kPoseTool};
+constexpr std::array<const Tool*, kToolCount> kTools{&kSelectTool, &kAddMuscleTool, &kMuscleLineTool, &kSheetTool,
+                                                     &kMoveTool,   &kRotateTool,    &kScaleTool,      &kPoseTool};
 
 }  // namespace
 
 std::string nameOf(ToolKind tool) { return lowerCase(kTools[static_cast<std::size_t>(tool)]->label); }
+
+bool addsMuscles(ToolKind tool) {
+  return tool == ToolKind::kAddMuscle || tool == ToolKind::kMuscleLine || tool == ToolKind::kSheet;
+}
 
 std::span<const Tool* const, kToolCount> tools() { return kTools; }
 

@@ -17,16 +17,19 @@
 #include "app/viewport/tools/line_tool.h"
 #include "app/viewport/tools/pick_cycle.h"
 #include "app/viewport/tools/select.h"
+#include "app/viewport/tools/sheet_handles.h"
+#include "app/viewport/tools/sheet_tool.h"
 #include "app/viewport/tools/viewport_context.h"
 #include "app/viewport/tools/viewport_input.h"
 #include "sinew/character/pose.h"
 
 namespace sinew::app {
 
-enum class ToolKind { kSelect, kAddMuscle, kMuscleLine, kMove, kRotate, kScale, kPose };  ///< Rows of tools().
-inline constexpr std::size_t kToolCount = 7;
+enum class ToolKind { kSelect, kAddMuscle, kMuscleLine, kSheet, kMove, kRotate, kScale, kPose };  ///< Rows of tools().
+inline constexpr std::size_t kToolCount = 8;
 
 [[nodiscard]] std::string nameOf(ToolKind tool);  ///< Its label in lower case: "add muscle".
+[[nodiscard]] bool addsMuscles(ToolKind tool);
 
 enum class GizmoPivot { kActive, kCentroid };
 
@@ -39,7 +42,7 @@ struct GizmoCompanion {
 };
 
 /// Who holds the mouse from a press to its release.
-enum class PressOwner { kNone, kOutside, kGizmo, kLine, kTool, kClick, kOrbit, kPan, kBox, kMenu };
+enum class PressOwner { kNone, kOutside, kGizmo, kLine, kEdge, kTool, kClick, kOrbit, kPan, kBox, kMenu };
 
 /// Rotations of joints with the rings; the rig does not change.
 struct PoseBoneState {
@@ -56,6 +59,8 @@ struct ViewportTools {
   AddMuscleState addMuscle;
   LineToolState line;
   LineHandles lineHandles;
+  SheetToolState sheet;
+  SheetHandles sheetHandles;
   PoseBoneState pose;
   Camera camera;
   ViewportHover hover;
@@ -140,6 +145,7 @@ extern const Tool kScaleTool;
 extern const Tool kAddMuscleTool;
 extern const Tool kPoseTool;
 extern const Tool kMuscleLineTool;
+extern const Tool kSheetTool;
 extern const Tool kTerritoryTool;  ///< A mode over the chosen tool, not in tools().
 
 // Several selected muscles on one gizmo; in gizmo_tools.cpp.
@@ -159,7 +165,7 @@ extern const Tool kTerritoryTool;  ///< A mode over the chosen tool, not in tool
 
 // Territory mode: clicks on bones choose the skin that the active muscle may move; in territory_tool.cpp.
 
-/// Rig index of the active muscle if this character has its bone, else -1.
+/// Rig index of the active muscle if this character has its bone, else -1. Sheets get their territories from the skin.
 [[nodiscard]] int territorySubject(const Document& document);
 
 /// Adds or removes a bone, naming all of the territory; bones that the character lacks stay. Error: it is the last.

@@ -31,6 +31,15 @@ SheetMembers membersOfSheet(const Rig& rig, const std::string& sheet) {
   return members;
 }
 
+/// What has kept its name is the same, as after the sheet was renamed with its members.
+template <class Item>
+void keepIdentities(std::vector<Item>& laid, const std::vector<Item>& before) {
+  for (Item& item : laid) {
+    const auto same = std::ranges::find(before, item.name, &Item::name);
+    if (same != before.end()) item.identity = same->identity;
+  }
+}
+
 /// Under free names; identities follow from the names (references.h).
 void append(Rig& rig, SheetMembers members) {
   for (MuscleLine& line : members.lines) {
@@ -102,7 +111,11 @@ Rig SheetKeeper::keep(const Rig& shown, Rig wanted, const MirrorPlan& plan) {
                       own == membersOfSheet(shown, sheet.name);
     if (!same) {
       Result<LaidSheet> laid = laySheet(sheet, skinOf(wanted));
-      own = laid ? SheetMembers{std::move(laid.value().bellies), std::move(laid.value().lines)} : SheetMembers{};
+      SheetMembers next;
+      if (laid) next = {std::move(laid.value().bellies), std::move(laid.value().lines)};
+      keepIdentities(next.bellies, own.bellies);
+      keepIdentities(next.lines, own.lines);
+      own = std::move(next);
     }
     members.push_back(std::move(own));
   }

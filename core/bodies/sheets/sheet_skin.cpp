@@ -54,7 +54,7 @@ SheetSkin::SheetSkin(std::shared_ptr<const Character> character, const Rig& rig)
   for (std::size_t t = 0; t < refinement.triangles.size(); ++t) {
     const auto& [a, b, c] = refinement.triangles[t];
     const ControlTriangle& control = at(character_->mesh.triangles, refinement.controlOf[t]);
-    const SkinLayer layer = at(layers, control.part);
+    const SkinLayer layer = layers.empty() ? SkinLayer::kSkin : at(layers, control.part);  // Made without parts.
     if (layer == SkinLayer::kRigid) continue;
     const TriangleCorners corners{at(surface.positions, a), at(surface.positions, b), at(surface.positions, c)};
     const glm::vec3 area = 0.5f * glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
