@@ -36,9 +36,10 @@ struct MuscleOptions {
 void addMuscleOptions(CLI::App& verb, MuscleOptions& options) {
   addPath(verb, "FILE", options.file, "Character (.glb, .gltf, .vrm) or rig (.rig.json)")->required();
   addPath(verb, "-o,--output", options.output, "Rig to write (.rig.json)")->type_name("OUT.rig.json")->required();
-  verb.add_option("--set", options.set,
-                  "Set of muscles: athlete, animal, one of your own, or a file (.json); without it, the one for this "
-                  "kind of body")
+  verb.add_option(
+          "--set", options.set,
+          "Set of muscles: athlete, sculpted, animal, one of your own, or a file (.json); without it, the one for this "
+          "kind of body")
       ->type_name("NAME");
   verb.add_option("--mass", options.mass, "Girth of all muscles, 0.5 to 2 (1)")
       ->type_name("M")

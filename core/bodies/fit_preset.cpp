@@ -381,17 +381,12 @@ Result<Rig> withMuscle(Rig rig, const PresetMuscle& muscle, PlacedMuscle placed,
 
 constexpr float kSheetMass = 0.5f;  ///< Exponent of PresetTuning::mass on the thickness of sheets.
 
-/// The strongest bone of the nearest vertex.
-int boneOfSkin(const Character& character, const glm::vec3& point) {
-  int nearest = 0;
-  float least = std::numeric_limits<float>::max();
-  for (int v = 0; v < static_cast<int>(character.mesh.positions.size()); ++v) {
-    const glm::vec3 way = at(character.mesh.positions, v) - point;
-    if (glm::dot(way, way) >= least || character.mesh.influencesOf(v).empty()) continue;
-    least = glm::dot(way, way);
-    nearest = v;
-  }
-  return strongestBone(character, nearest);
+/// The bone of a point of an edge: above the start of a limb's part, that of the part before.
+int boneOfEdgeMark(const BodyFrame& frame, const Mark& mark) {
+  if (mark.u >= 0.0f || isTrunk(mark.slot)) return frame.boneOf(mark);
+  const Slot before = partBefore(mark.slot);
+  const int bone = frame.boneOf({before, isTrunk(before) ? 0.0f : 0.5f, mark.angle, 0.0f});
+  return bone >= 0 ? bone : frame.boneOf(mark);
 }
 
 /// The sheet with its edges on the skin of this body.
@@ -402,13 +397,14 @@ Result<MuscleSheet> placedSheet(const PresetPlace& place, const PresetSheet& mar
     SheetEdge& placed = sheet.edges.emplace_back();
     for (const Mark& mark : edge) {
       const auto flesh = place.flesh.measure(mark, false);
-      if (!flesh) return errorAt("", "this body has no skin there");
+      const int bone = boneOfEdgeMark(place.frame, mark);
+      if (!flesh || bone < 0) return errorAt("", "this body has no skin there");
       glm::vec3 point = flesh->at(mark.depth);
       if (marked.single) {
         point -=
             static_cast<float>(distanceTo(place.plan.plane, glm::dvec3(point))) * glm::vec3(place.plan.plane.normal);
       }
-      placed.points.push_back(anchorOn(skeleton, boneOfSkin(place.character, point), point));
+      placed.points.push_back(anchorOn(skeleton, bone, point));
     }
   }
   const float definition = place.tuning.definition.value_or(place.preset.definition);

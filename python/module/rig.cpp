@@ -76,7 +76,7 @@ void RigHandle::replace(Rig edited, Bones bones) {
     edited = keepTwins(rig_, rig_, std::move(edited), *character_->plan());
   }
   if (!edited.sheets.empty() || !rig_.sheets.empty()) {
-    if (!sheets_) sheets_ = std::make_unique<SheetKeeper>(character_->character());
+    if (!sheets_) sheets_ = std::make_shared<SheetKeeper>(character_->character());
     edited = sheets_->keep(rig_, std::move(edited), *character_->plan());
   }
   identities_.identify(edited, rig_);

@@ -59,7 +59,7 @@ class RigHandle {
   std::filesystem::path clipsFolder_;  ///< Where relative paths of Rig::clipFiles begin.
   std::vector<std::string> missingClips_;
   IdentitySource identities_;
-  std::unique_ptr<SheetKeeper> sheets_;  ///< Made when first needed.
+  std::shared_ptr<SheetKeeper> sheets_;  ///< Made when first needed.
 };
 
 /// `rig` with a group of that name, made where there is none.
