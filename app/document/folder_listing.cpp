@@ -53,11 +53,15 @@ constexpr std::size_t kMostEntries = 5000;
 constexpr std::array kJobEndings{".sh", ".json", ".txt"};
 constexpr std::size_t kMostRecentPlaces = 5;
 constexpr std::array kMovieEndings{".png", ".webp", ".gif", ".mp4"};
+constexpr std::array kSculptEndings{".glb", ".gltf", ".vrm", ".obj", ".ply"};
 constexpr std::array kReferenceEndings{".png", ".jpg", ".jpeg", ".webp"};
 
 bool passes(const std::string& lowerName, FileFilter filter) {
   if (filter == FileFilter::kPictures) return lowerName.ends_with(".png");
   if (filter == FileFilter::kReferences) return isReferenceName(lowerName);
+  if (filter == FileFilter::kSculpts) {
+    return std::ranges::any_of(kSculptEndings, [&](const char* end) { return lowerName.ends_with(end); });
+  }
   if (filter == FileFilter::kMovies) {
     return std::ranges::any_of(kMovieEndings, [&](const char* end) { return lowerName.ends_with(end); });
   }

@@ -51,7 +51,7 @@ struct FolderEntry {
 };
 
 /// Which files are listed; folders always are.
-enum class FileFilter { kAll, kRigs, kCharacters, kPictures, kJobs, kReferences, kMovies };
+enum class FileFilter { kAll, kRigs, kCharacters, kPictures, kJobs, kReferences, kMovies, kSculpts };
 
 /// A reference picture: .png, .jpg, .jpeg or .webp, in any case.
 [[nodiscard]] bool isReferenceName(const std::string& name);

@@ -8,6 +8,7 @@
 #include "app/editor/blending_edit.h"
 #include "app/editor/clip_commands.h"
 #include "app/editor/export_commands.h"
+#include "app/editor/fit_sculpt_commands.h"
 #include "app/editor/muscle_set_commands.h"
 #include "app/editor/open_file.h"
 #include "app/editor/picture_commands.h"
@@ -233,6 +234,9 @@ const Action kMuscleActions[] = {
      showsLibrary, showLibrary},
     {"muscles/save-set", "Save as set...", "Save the selected muscles as a set of your own that fits any character",
      kNone, kNone, selected, nullptr, nameNewSet},
+    {"muscles/fit-sculpt", "Fit to a sculpt...",
+     "Change the muscles until the skin looks like a sculpt of the same body (.glb, .obj, .ply)", kNone, kNone,
+     anyMuscle, nullptr, showSculptDialog, true},
     {"muscles/retarget", "Put on another character...",
      "Open another character with these muscles, each at its place on the other body", kNone, kNone, anyMuscle, nullptr,
      showRetargetDialog, true},

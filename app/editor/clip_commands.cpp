@@ -11,6 +11,7 @@
 #include "app/document/shown_names.h"
 #include "app/editor/commands.h"
 #include "app/editor/edit.h"
+#include "app/editor/muscle_set_commands.h"
 #include "core/bodies/transfer_clips.h"
 #include "core/character/clip_names.h"
 #include "core/geometry/at.h"
@@ -218,9 +219,8 @@ void showLocateClipsDialog(EditorState& state, int file) {
 }
 
 void showClipList(EditorState& state) {
+  closePanels(state);
   state.open.clipList.shown = true;
-  state.open.muscleSet.shown = state.open.bodyParts.shown = false;  // In the same place.
-  state.open.check = {};
 }
 
 void toggleClipList(EditorState& state) {

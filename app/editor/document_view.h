@@ -18,6 +18,7 @@
 
 #include "app/document/file_stamp.h"
 #include "app/document/playback.h"
+#include "app/document/sculpt_fit_job.h"
 #include "app/viewport/render/reference_picture.h"
 #include "app/viewport/tools/select.h"
 #include "core/bodies/body_map.h"
@@ -26,6 +27,7 @@
 #include "core/bodies/motions.h"
 #include "core/rig/line_edit.h"
 #include "sinew/rig/rig.h"
+#include "sinew/surface/surface.h"
 
 namespace sinew::app {
 
@@ -176,6 +178,31 @@ struct MuscleSetState {
   std::shared_ptr<const Motions> motions;  ///< The character's; made when first needed.
 };
 
+/// Muscles > Fit to a sculpt.
+struct SculptFitState {
+  bool shown = false;
+  std::filesystem::path file;
+  std::shared_ptr<const ControlMesh> sculpt;
+  float hold = kDefaultHold;  ///< As SculptFitOptions, and so are the next two.
+  int carves = 0;
+  bool mirror = true;
+
+  Rig start;                        ///< Before the panel's step.
+  std::optional<SculptFitJob> job;  ///< The running fit.
+  bool again = false;               ///< It replaces the panel's step.
+  std::size_t revision = 0;         ///< CommandStack::revision() when it began; afterwards that with its step.
+  std::string complaint;            ///< Why the last fit failed; "": it did not.
+  std::optional<SculptFit> result;  ///< Of the panel's step.
+  std::vector<Finding> findings;    ///< Of the result.
+  std::size_t made = 0;             ///< Number of results.
+
+  bool showsLeft = false;
+  Surface surface;           ///< The live surface, with what is left as displacement.
+  std::size_t leftOf = 0;    ///< 1 + revision of the live surface; 0: none.
+  std::size_t leftMade = 0;  ///< `made` of that.
+  std::size_t pictures = 0;  ///< Grows with each update of `surface`.
+};
+
 /// Muscles > Parts of the body.
 struct BodyPartsState {
   bool shown = false;
@@ -243,6 +270,7 @@ struct DocumentView {
   LineRangeState lineRange;
   CheckState check;
   MuscleSetState muscleSet;
+  SculptFitState sculptFit;
   BodyPartsState bodyParts;
   ClipListState clipList;
   ReferenceState reference;

@@ -244,7 +244,17 @@ struct Intent {
   std::filesystem::path file;  ///< kRecover: LeftBehind::file
 };
 
-enum class DialogKind { kNone, kOpen, kSaveAs, kSavePicture, kExportPlace, kJobPlace, kPicturesPlace, kReference };
+enum class DialogKind {
+  kNone,
+  kOpen,
+  kSaveAs,
+  kSavePicture,
+  kExportPlace,
+  kJobPlace,
+  kPicturesPlace,
+  kReference,
+  kSculpt
+};
 
 struct FileDialogState {
   DialogKind kind = DialogKind::kNone;

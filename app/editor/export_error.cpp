@@ -11,6 +11,7 @@
 #include "app/document/export_report.h"
 #include "app/editor/animate.h"
 #include "app/editor/commands.h"
+#include "app/editor/fit_sculpt_commands.h"
 #include "app/viewport/render/occlusion.h"
 #include "app/viewport/render/view.h"
 #include "core/geometry/at.h"
@@ -195,16 +196,18 @@ std::string largestErrorText(const EditorState& state) {
 }
 
 const Surface& shownSurface(const EditorState& state) {
+  if (showsLeft(state)) return state.open.sculptFit.surface;
   return showsExportError(state) ? state.session.exportError.surface : state.live->surface();
 }
 
 const Surface* besideSurface(const EditorState& state) {
   const ExportErrorState& error = state.session.exportError;
-  const bool shown = showsExportError(state) && error.madeView == ExportedView::kBoth;
+  const bool shown = !showsLeft(state) && showsExportError(state) && error.madeView == ExportedView::kBoth;
   return shown ? &error.beside : nullptr;
 }
 
 std::uint64_t shownRevision(const EditorState& state) {
+  if (showsLeft(state)) return 2 * kOwnRevisions + state.open.sculptFit.pictures;
   return showsExportError(state) ? kOwnRevisions + state.session.exportError.revision : state.live->revision();
 }
 

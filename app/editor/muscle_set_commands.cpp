@@ -11,6 +11,7 @@
 #include "app/document/shown_names.h"
 #include "app/editor/commands.h"
 #include "app/editor/edit.h"
+#include "app/editor/fit_sculpt_commands.h"
 #include "app/editor/pose_commands.h"
 #include "app/viewport/tools/select.h"
 #include "core/bodies/body_map.h"
@@ -58,13 +59,6 @@ Result<std::vector<Preset>> setsForBody(EditorState& state) {
   return std::move(all.sets);
 }
 
-/// The character's motions, computed once.
-const Motions& motionsOf(EditorState& state) {
-  auto& motions = state.open.muscleSet.motions;
-  if (!motions) motions = std::make_shared<const Motions>(state.document.character);
-  return *motions;
-}
-
 /// One undo step. Selects the muscle on that side.
 void lay(EditorState& state, Preset set, PresetMuscle muscle, BodySide side) {
   const std::string name = muscle.name;
@@ -72,7 +66,7 @@ void lay(EditorState& state, Preset set, PresetMuscle muscle, BodySide side) {
   set.muscles = {std::move(muscle)};
   set.sheets.clear();
   auto added =
-      sinew::addMuscleSet(state.document.rig(), set, {1.0f, set.definition}, motionsOf(state), *state.document.mirror);
+      sinew::addMuscleSet(state.document.rig(), set, {1.0f, set.definition}, *motionsOf(state), *state.document.mirror);
   if (!added) return refuse(state, added.error());
   if (!edit(state, "Lay " + name, added->fitted.rig)) return;
   const int end = nextIndex(state.document.rig());
@@ -103,6 +97,12 @@ std::string whatDropDoes(const PresetMuscle& muscle, const sinew::Mark& mark, co
 
 }  // namespace
 
+const std::shared_ptr<const Motions>& motionsOf(EditorState& state) {
+  auto& motions = state.open.muscleSet.motions;
+  if (!motions) motions = std::make_shared<const Motions>(state.document.character);
+  return motions;
+}
+
 void readLibrary(EditorState& state) {
   LibraryState& library = state.open.library;
   if (!state.hasCharacter()) return;
@@ -122,7 +122,7 @@ void readLibrary(EditorState& state) {
   Rig bare;
   bare.slots = rig.slots;
   for (Preset& set : sets.value()) {
-    auto laid = addMuscleSetQuickly(bare, set, {1.0f, set.definition}, motionsOf(state), plan);
+    auto laid = addMuscleSetQuickly(bare, set, {1.0f, set.definition}, *motionsOf(state), plan);
     if (!laid) continue;
     library.laid.push_back(std::move(laid).value());
     library.sets.push_back(std::move(set));
@@ -212,15 +212,11 @@ void removeSetFromLibrary(EditorState& state, int set) {
   state.open.library.readFor.reset();
 }
 
-namespace {
-
-/// Closes the panels that share a place.
 void closePanels(EditorState& state) {
   state.open.check = {};
   state.open.muscleSet.shown = state.open.bodyParts.shown = state.open.clipList.shown = false;
+  closeFit(state);
 }
-
-}  // namespace
 
 void checkMuscles(EditorState& state) {
   CheckState& check = state.open.check;
@@ -338,9 +334,8 @@ void addMuscleSet(EditorState& state) { addMuscleSetNamed(state, ""); }
 void addMuscleSetNamed(EditorState& state, const std::string& name) {
   auto sets = setsForBody(state);
   if (!sets) return refuse(state, sets.error());
-  closeCheck(state);
-  state.open.bodyParts.shown = state.open.clipList.shown = false;
-  motionsOf(state);
+  closePanels(state);
+  static_cast<void>(motionsOf(state));
   MuscleSetState& set = state.open.muscleSet;
   set.sets = std::move(sets).value();
   const auto named = std::ranges::find(set.sets, name, &Preset::name);

@@ -7,6 +7,10 @@
 
 namespace sinew::app {
 
+/// The character's motions, computed once.
+[[nodiscard]] const std::shared_ptr<const Motions>& motionsOf(EditorState& state);
+void closePanels(EditorState& state);  ///< Those that share a place in the picture.
+
 // The tab Library: single muscles of sets, and the user's own sets.
 
 void readLibrary(EditorState& state);  ///< Reads this body's sets if they are not current. Call before showing them.

@@ -207,7 +207,8 @@ void drawEntry(PanelUi& ui, const FolderEntry& entry, int number) {
   }
   const bool saves = dialog.kind == DialogKind::kSaveAs;  // Saves a rig beside its character, never over it.
   dialog.text = saves ? withRigEnding(entry.name).string() : entry.name;
-  const bool opens = dialog.kind == DialogKind::kOpen || dialog.kind == DialogKind::kReference;
+  const bool opens =
+      dialog.kind == DialogKind::kOpen || dialog.kind == DialogKind::kReference || dialog.kind == DialogKind::kSculpt;
   if (ImGui::IsMouseDoubleClicked(0) && opens) confirmPath(ui.state);
 }
 
@@ -236,6 +237,7 @@ void drawEntries(PanelUi& ui, float height) {
         mutedText("No pictures here.");
       else if (dialog.kind == DialogKind::kExportPlace) mutedText("No characters here.");
       else if (dialog.kind == DialogKind::kJobPlace) mutedText("No jobs here.");
+      else if (dialog.kind == DialogKind::kSculpt) mutedText("No sculpts here.");
       else mutedText(dialog.filter == FileFilter::kRigs ? "No rigs here." : "No characters or rigs here.");
     }
     dialog.reveal = false;

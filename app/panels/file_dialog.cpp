@@ -15,6 +15,7 @@
 #include "app/editor/clip_commands.h"
 #include "app/editor/commands.h"
 #include "app/editor/export_commands.h"
+#include "app/editor/fit_sculpt_commands.h"
 #include "app/editor/open_file.h"
 #include "app/editor/picture_commands.h"
 #include "app/editor/reference_commands.h"
@@ -33,7 +34,8 @@ void close(EditorState& state) {
 
 /// Whether it chooses an existing file.
 bool opens(const FileDialogState& dialog) {
-  return dialog.kind == DialogKind::kOpen || dialog.kind == DialogKind::kReference;
+  return dialog.kind == DialogKind::kOpen || dialog.kind == DialogKind::kReference ||
+         dialog.kind == DialogKind::kSculpt;
 }
 
 void showFolder(FileDialogState& dialog, const std::filesystem::path& folder) {
@@ -81,6 +83,11 @@ void confirmOpen(EditorState& state, const std::filesystem::path& file) {
   std::error_code ignored;
   if (!std::filesystem::is_regular_file(file, ignored)) {
     complain(state.dialogs.file, "There is no file " + file.string());
+    return;
+  }
+  if (state.dialogs.file.kind == DialogKind::kSculpt) {
+    if (const std::string error = takeSculpt(state, file); !error.empty()) complain(state.dialogs.file, error);
+    else close(state);
     return;
   }
   if (state.dialogs.file.kind == DialogKind::kReference) {
@@ -180,11 +187,13 @@ const char* titleOf(const FileDialogState& dialog) {
   if (dialog.kind == DialogKind::kJobPlace) return "Where to write the job";
   if (dialog.kind == DialogKind::kPicturesPlace) return "Where to write the pictures";
   if (dialog.kind == DialogKind::kReference) return "Picture to work after";
+  if (dialog.kind == DialogKind::kSculpt) return "Sculpt of this body";
   return dialog.kind == DialogKind::kOpen ? "Open a character or a rig" : "Save the rig as";
 }
 
 const char* hintOf(DialogKind kind) {
   if (kind == DialogKind::kPicturesPlace) return "Name of the pictures' file";
+  if (kind == DialogKind::kSculpt) return "A .glb, .gltf, .vrm, .obj or .ply in the bind pose  (Tab completes)";
   if (kind == DialogKind::kReference) return "A .png, .jpg or .webp  (Tab completes)";
   if (kind == DialogKind::kSavePicture) return "Name of the picture";
   if (kind == DialogKind::kExportPlace) return "Name of the exported character";
@@ -286,6 +295,7 @@ ListingOptions listingOptions(const EditorState& state) {
   if (state.dialogs.file.kind == DialogKind::kJobPlace) filter = FileFilter::kJobs;
   if (state.dialogs.file.kind == DialogKind::kPicturesPlace) filter = FileFilter::kMovies;
   if (state.dialogs.file.kind == DialogKind::kReference) filter = FileFilter::kReferences;
+  if (state.dialogs.file.kind == DialogKind::kSculpt) filter = FileFilter::kSculpts;
   return {filter, state.session.preferences.hiddenFiles, state.session.preferences.newestFirst};
 }
 

@@ -74,7 +74,7 @@ void drawFirstSteps(PanelUi& ui) {
   followFirstSteps(state);
   // One panel at a time.
   const bool hidden = state.open.check.shown || state.open.muscleSet.shown || state.open.bodyParts.shown ||
-                      state.open.clipList.shown || state.open.reference.shown;
+                      state.open.clipList.shown || state.open.reference.shown || state.open.sculptFit.shown;
   if (!state.view.firstSteps.shown || hidden || !state.hasCharacter()) return;
   const bool done = firstStepsDone(state.view.firstSteps);
   const float lines = 1.0f + (done ? 2.0f : static_cast<float>(kFirstSteps) + 1.0f);

@@ -507,6 +507,7 @@ constexpr Panel kPanels[] = {
     {"driven-key", "", Region::kInViewport, drawDrivenKey},
     {"check", "", Region::kInViewport, drawCheckList},
     {"muscle-set", "", Region::kInViewport, drawMuscleSet},
+    {"fit-sculpt", "", Region::kInViewport, drawFitSculpt},
     {"body-parts", "", Region::kInViewport, drawBodyParts},
     {"clip-files", "", Region::kInViewport, drawClipList},
     {"reference", "", Region::kInViewport, drawReference},

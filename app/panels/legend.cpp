@@ -263,7 +263,8 @@ void drawMode(PanelUi& ui, const std::string& text, const char* button, const ch
 /// Height of the legend; 0: none, or a panel takes its place.
 float plateHeight(PanelUi& ui) {
   const DocumentView& open = ui.state.open;
-  if (open.check.shown || open.muscleSet.shown || open.clipList.shown || open.reference.shown) return 0.0f;
+  if (open.check.shown || open.muscleSet.shown || open.clipList.shown || open.reference.shown || open.sculptFit.shown)
+    return 0.0f;
   if (showsExportError(ui.state)) return exportErrorSize(ui).y;
   if (ui.state.view.display.anatomy) return anatomyHeight(ui);
   const Shading shading = ui.state.view.display.shading;

@@ -18,6 +18,7 @@ void drawCheckList(PanelUi& ui);
 void drawBodyParts(PanelUi& ui);
 void drawClipList(PanelUi& ui);
 void drawMuscleSet(PanelUi& ui);
+void drawFitSculpt(PanelUi& ui);
 void drawReference(PanelUi& ui);
 void drawFirstSteps(PanelUi& ui);
 void drawViewportMenu(PanelUi& ui);

@@ -105,7 +105,8 @@ void drawReference(PanelUi& ui) {
   ReferenceState& reference = ui.state.open.reference;
   // One panel at a time.
   const DocumentView& open = ui.state.open;
-  const bool hidden = open.check.shown || open.muscleSet.shown || open.bodyParts.shown || open.clipList.shown;
+  const bool hidden =
+      open.check.shown || open.muscleSet.shown || open.bodyParts.shown || open.clipList.shown || open.sculptFit.shown;
   if (!reference.shown || hidden) return;
   const glm::vec4& v = ui.state.frame.viewport;
   const float width = std::min(ui.px(kReferenceWidth), v.z - ui.px(kBesideTools + kFromEdges));

@@ -20,6 +20,7 @@
 #include "app/editor/edit.h"
 #include "app/editor/export_commands.h"
 #include "app/editor/export_error.h"
+#include "app/editor/fit_sculpt_commands.h"
 #include "app/editor/line_commands.h"
 #include "app/editor/muscle_set_commands.h"
 #include "app/editor/reference_commands.h"
@@ -52,6 +53,8 @@ bool closesWhatIsOpen(EditorState& state, const RawInput& input) {
   if (busy) return false;
   if (state.view.bare.latched) state.view.bare.latched = false;
   else if (state.open.muscleSet.shown) closeSet(state);
+  else if (isFitting(state)) cancelFit(state);
+  else if (state.open.sculptFit.shown) closeFit(state);
   else if (state.open.check.shown) closeCheck(state);
   else if (state.open.bodyParts.shown) toggleBodyParts(state);
   else if (state.open.clipList.shown) toggleClipList(state);
@@ -83,6 +86,7 @@ void movePose(EditorState& state, const RawInput& input, double seconds) {
 void EditorStep::run(EditorState& state, const RawInput& input, const Fonts& fonts, double seconds) {
   Stopwatch watch;
   followExports(state);
+  followFit(state);
   followOpenedPages(state);
   // A press on a panel ends a drag without a button, before the panel begins its own gesture.
   if (!viewportFree_ && input.pressedButton >= 0) keepDrag(state.view.tools, state.document);
@@ -153,6 +157,7 @@ void EditorStep::updateSurface(EditorState& state) {
   const Result<bool> updated = state.live->update(state.document, surfaceView(state));
   if (!updated) addMessage(state.session, MessageKind::kError, updated.error().plainText());
   updateExportError(state);
+  updateLeft(state);
   state.session.stats.stages = state.live->report().seconds;
   const std::pair prepared(state.session.documentsOpened, state.document.commands.revision());
   state.session.stats.prepare = std::exchange(prepared_, prepared) == prepared ? 0.0 : state.live->prepareSeconds();

@@ -17,6 +17,7 @@
 #include "app/editor/blending_edit.h"
 #include "app/editor/commands.h"
 #include "app/editor/export_error.h"
+#include "app/editor/fit_sculpt_commands.h"
 #include "app/editor/visibility_commands.h"
 #include "app/ui/style.h"
 #include "app/viewport/render/gl_objects.h"
@@ -150,7 +151,12 @@ PictureKey keyOf(const EditorState& state, const View& view) {
   key.view = view;
   key.display = state.view.display;
   key.display.look = state.session.preferences.look;
-  if (showsExportError(state)) {
+  if (showsLeft(state)) {
+    key.display.shading = Shading::kHeat;
+    key.display.surface = true;
+    key.display.anatomy = false;
+    key.display.heatRange = kLeftRange;
+  } else if (showsExportError(state)) {
     key.display.shading = Shading::kHeat;
     key.display.surface = true;
     key.display.anatomy = false;

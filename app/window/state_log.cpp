@@ -274,7 +274,8 @@ std::string dialogName(const EditorState& state) {
   if (file == DialogKind::kSavePicture) return "picture";
   if (file >= DialogKind::kExportPlace && file <= DialogKind::kPicturesPlace) return "export-place";
   if (!state.dialogs.file.locateFor.empty()) return "locate-file";
-  if (file != DialogKind::kNone) return file == DialogKind::kOpen || file == DialogKind::kReference ? "open" : "save";
+  const bool opens = file == DialogKind::kOpen || file == DialogKind::kReference || file == DialogKind::kSculpt;
+  if (file != DialogKind::kNone) return opens ? "open" : "save";
   if (state.dialogs.exporting.shown == ExportDialog::kCharacter) return "export";
   if (state.dialogs.exporting.shown == ExportDialog::kFarmJob) return "farm";
   if (!state.dialogs.locate.rigFile.empty()) return "locate";

@@ -7,6 +7,7 @@
 
 #include "app/editor/edit.h"
 #include "app/editor/export_error.h"
+#include "app/editor/fit_sculpt_commands.h"
 #include "app/viewport/gpu/card_figures.h"
 #include "app/viewport/render/gl_objects.h"
 
@@ -22,7 +23,7 @@ std::string millisecondsText(double seconds) {
 }
 
 /// The card cannot draw the current view.
-bool needsProcessor(const EditorState& state) { return showsExportError(state); }
+bool needsProcessor(const EditorState& state) { return showsExportError(state) || showsLeft(state); }
 
 }  // namespace
 

@@ -2,6 +2,7 @@
 #include "core/bodies/carve_places.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <optional>

@@ -6,6 +6,7 @@
 
 #include "core/bodies/fit_equations.h"
 #include "core/bodies/height_model.h"
+#include "core/geometry/at.h"
 #include "core/rig/mirror.h"
 #include "sinew/rig/rig.h"
 

@@ -43,7 +43,6 @@ class SculptFitting {
                 const Motions& motions, float height)
       : options_(options),
         model_(model),
-        sculpt_(sculpt),
         motions_(motions),
         height_(static_cast<double>(height)),
         residuals_(model.points(), sculpt, height),
@@ -134,7 +133,6 @@ class SculptFitting {
 
   const SculptFitOptions& options_;
   HeightModel& model_;
-  const SculptHeights& sculpt_;
   const Motions& motions_;
   double height_;
   SculptResiduals residuals_;

@@ -62,6 +62,7 @@ constexpr Exception kExceptions[] = {
     {"messages/", "reports what has happened"},
     {"check/", "panel of the action Check muscles"},
     {"muscle-set/", "panel of the action Add muscle set"},
+    {"fit-sculpt/", "panel of the action Fit to a sculpt"},
     {"body-parts/", "panel of the action Parts of the body"},
     {"clip-files/", "panel of the action Clip files"},
     {"reference/", "panel of the action Reference picture"},
@@ -312,6 +313,9 @@ void PaletteCoverage::lookAtLists() {
         false;
     state.view.firstSteps.shown = false;
   }
+  state.open.sculptFit.shown = true;
+  look();
+  state.open.sculptFit.shown = false;
   const Image image{2, 3, std::vector<std::uint8_t>(24, 200)};
   ASSERT_TRUE(writeFileAtomically(folder_.path() / "front.png", pngBytes(image).value()));
   action("view/reference");
