@@ -1,6 +1,7 @@
 #version 450 core
 // shaders/outline.vert: the outline of every primitive as seen, 96 segments. Seen from a point, a ball's outline is a
-// circle; the ellipsoid's own map carries it to the ellipsoid, exactly. A shape's is given.
+// circle; the ellipsoid's own map carries it to the ellipsoid, exactly. A shape's is given, and that of a sheet's belly,
+// of which only parts are drawn.
 #include "frame.glsl"
 layout(location = 2) in vec4 placeX;
 layout(location = 3) in vec4 placeY;
@@ -8,7 +9,7 @@ layout(location = 4) in vec4 placeZ;
 layout(location = 5) in vec4 placeAt;
 layout(location = 6) in vec4 tint;   // Linear color and opacity.
 layout(location = 7) in vec4 style;  // Width in pixels; dashes around, 0: unbroken; number of the given outline, or 0.
-layout(std430, binding = 1) readonly buffer Outlines { vec4 outlines[]; };  // World, 96 points each.
+layout(std430, binding = 1) readonly buffer Outlines { vec4 outlines[]; };  // World, 96 points each; w: 0 where it is not drawn.
 uniform float extra;                 // More width, pixels.
 uniform vec4 halo;                   // Replaces the color where its w > 0.
 out float acrossPixels;
@@ -40,9 +41,14 @@ void main() {
   vec4 before, here, after;
   if (style.z > 0.5) {
     int first = (int(style.z + 0.5) - 1) * segments;
-    before = clipFromWorld * outlines[first + (place + segments - 1) % segments];
-    here = clipFromWorld * outlines[first + place % segments];
-    after = clipFromWorld * outlines[first + (place + 1) % segments];
+    if (min(outlines[first + segment].w, outlines[first + (segment + 1) % segments].w) < 0.5) {
+      acrossPixels = halfWidth = 0.0;
+      gl_Position = vec4(2.0, 2.0, 2.0, 1.0);
+      return;
+    }
+    before = clipFromWorld * vec4(outlines[first + (place + segments - 1) % segments].xyz, 1.0);
+    here = clipFromWorld * vec4(outlines[first + place % segments].xyz, 1.0);
+    after = clipFromWorld * vec4(outlines[first + (place + 1) % segments].xyz, 1.0);
   } else {
     vec3 axis = seen * inversesqrt(reach);
     vec3 u = normalize(cross(axis, abs(axis.x) < 0.6 ? vec3(1.0, 0.0, 0.0) : vec3(0.0, 1.0, 0.0)));

@@ -1,4 +1,5 @@
 // app/editor/action_table_view.cpp: the menus View, Tool and Play.
+#include "app/document/listed_muscles.h"
 #include "app/editor/action_table.h"
 
 #include <algorithm>
@@ -316,7 +317,10 @@ void dragAtOnce(State& s) {
   startDrag(s.view.tools, kTool);
 }
 
-Possible territoryKnown(const State& s) { return editsTerritory(s) ? Possible() : selected(s); }
+Possible territoryKnown(const State& s) {
+  if (editsTerritory(s)) return {};
+  return selected(s).also(activeSheet(s.document) < 0, "A sheet moves the skin that it lies on");
+}
 
 const Action kOthers[] = {
     {"tool/grab", "Grab", "Move the selected muscle with the pointer, without its handles; a click keeps it", kNone,

@@ -312,7 +312,6 @@ std::vector<PrimitiveShape> shownShapes(const EditorState& state, bool all) {
 namespace {
 
 bool hasMuscle(const EditorState& state) { return state.document.activePrimitive() >= 0; }
-bool isSingle(const EditorState& state) { return activeSheet(state.document) < 0; }
 bool onBone(const EditorState& state) { return territorySubject(state.document) >= 0; }
 bool mirrors(const EditorState& state) { return canMirror(state.document); }
 bool hasBone(const EditorState& state) { return state.document.selection.bone >= 0; }
@@ -338,7 +337,6 @@ constexpr std::array kNeeds{
     Need{"edit/rename", hasMuscle, kNoMuscle},
     Need{"edit/delete", hasMuscle, kNoMuscle},
     Need{"tool/territory", hasMuscle, kNoMuscle},
-    Need{"tool/territory", isSingle, "A sheet moves the skin that it lies on"},
     Need{"tool/territory", onBone, "The muscle's bone is not in this character"},
     Need{"edit/add-on-bone", hasBone, "There is no bone here"},
     Need{"edit/select-on-bone", hasMuscles, "There are no muscles yet"},

@@ -263,8 +263,12 @@ void muscleMenu(PanelUi& ui, const OutlinerContent& frame, int index) {
   actionItem(ui, "edit/delete");
   ImGui::Separator();
   groupSubmenu(ui, frame, index);
-  boneSubmenu(ui, frame);
-  actionItem(ui, "tool/territory");
+  if (isBelly(*frame.rig, index)) {
+    actionItem(ui, "edit/break-sheet");
+  } else {
+    boneSubmenu(ui, frame);
+    actionItem(ui, "tool/territory");
+  }
   ImGui::Separator();
   actionItem(ui, "view/hide");
   actionItem(ui, "view/lock");

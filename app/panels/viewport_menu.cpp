@@ -111,7 +111,10 @@ void drawItems(PanelUi& ui, const ViewportHover& target) {
   if (!target.here[target.at].muscle) {
     for (const char* id : {"edit/add-on-bone", "edit/select-on-bone"}) viewportActionItem(ui, id);
   }
-  for (const char* id : {"edit/duplicate", "edit/mirror", "tool/territory"}) viewportActionItem(ui, id);
+  const bool onSheet = activeSheet(ui.state.document) >= 0;
+  for (const char* id : {"edit/duplicate", "edit/mirror", onSheet ? "edit/break-sheet" : "tool/territory"}) {
+    viewportActionItem(ui, id);
+  }
   ImGui::Separator();
   for (const char* id : {"edit/rename", "edit/delete"}) viewportActionItem(ui, id);
 }

@@ -218,6 +218,13 @@ std::vector<FarSkin> farSkin(const Rig& rig, const Primitive& primitive, const C
       if (const auto bone = skeleton.findBone(anchor->bone)) own.push_back(*bone);
     }
   }
+  if (const int sheet = findSheet(rig, primitive.sheet); sheet >= 0) {
+    for (const SheetEdge& edge : at(rig.sheets, sheet).edges) {
+      for (const LineAnchor& point : edge.points) {
+        if (const auto bone = skeleton.findBone(point.bone)) own.push_back(*bone);
+      }
+    }
+  }
   std::vector<bool> isFar(skeleton.bones.size(), false);
   for (const std::string& name : *primitive.territory) {
     const auto bone = skeleton.findBone(name);

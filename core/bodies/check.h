@@ -136,7 +136,9 @@ inline constexpr float kMostStretch = 1.6f;
 /// - comes out, slides off: motion of a belly relative to the skin over it
 /// - ball: height more than 0.8 of the length, and more than 1.3 times that ratio in the bind pose
 /// - too short, too long: a line's length relative to its rest length
-/// - reaches across: skin in the muscle's own territory, three or more joints away, comes within its reach
+/// - reaches across: skin in the muscle's own territory, three or more joints away from its bones, those of its line
+/// and
+///   those of its sheet, comes within its reach
 /// @param rig  valid, on the motions' character
 [[nodiscard]] std::vector<Finding> check(const Rig& rig, const Motions& motions);
 

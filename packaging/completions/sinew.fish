@@ -88,7 +88,7 @@ complete -c sinew -n '__sinew_in "check"' -l mend -x -a '(__sinew_files json)' -
 complete -c sinew -n '__sinew_in "muscle"' -a '(__sinew_files glb gltf vrm rig.json)'
 complete -c sinew -n '__sinew_in "muscle"' -s h -l help -d 'Print this and exit'
 complete -c sinew -n '__sinew_in "muscle"' -s o -l output -x -a '(__sinew_files json)' -d 'Rig to write (.rig.json)'
-complete -c sinew -n '__sinew_in "muscle"' -l set -x -d 'Set of muscles: athlete, animal, one of your own, or a file (.json); without it, the one for this kind of body'
+complete -c sinew -n '__sinew_in "muscle"' -l set -x -d 'Set of muscles: athlete, sculpted, animal, one of your own, or a file (.json); without it, the one for this kind of body'
 complete -c sinew -n '__sinew_in "muscle"' -l mass -x -d 'Girth of all muscles, 0.5 to 2 (1)'
 complete -c sinew -n '__sinew_in "muscle"' -l definition -x -d 'How far muscles stand out, 0 to 1 (the set\'s)'
 complete -c sinew -n '__sinew_in "muscle"' -l report -x -a '(__sinew_files json)' -d 'Muscles, and what was left out and why, as JSON'

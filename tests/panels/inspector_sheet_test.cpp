@@ -221,6 +221,10 @@ TEST_F(SheetPanels, BreaksIntoStrips) {
   undo(state);
   settle();
   EXPECT_EQ(rowsOf("outliner/muscle/").size(), 1u);
+  click("outliner/muscle/quads L", 1);
+  EXPECT_FALSE(shown("context/tool/territory")) << "it has the territory of the skin that it lies on";
+  click("context/edit/break-sheet");
+  EXPECT_TRUE(state.document.rig().sheets.empty());
 }
 
 TEST_F(SheetPanels, ThePaletteAndTheCheckListHaveItOnce) {

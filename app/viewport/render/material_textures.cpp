@@ -19,8 +19,8 @@ GLint glWrapOf(TextureWrap wrap) {
   return GL_REPEAT;
 }
 
-GlTexture uploadTexture(const Texture& image, GLenum format) {
-  GlTexture texture = app::uploadTexture(format, image.width, image.height, image.rgba, true);
+GlTexture uploadImage(const Texture& image, GLenum format) {
+  GlTexture texture = uploadTexture(format, image.width, image.height, image.rgba, true);
   const GLuint id = texture.id();
   glTextureParameteri(id, GL_TEXTURE_WRAP_S, glWrapOf(image.wrapU));
   glTextureParameteri(id, GL_TEXTURE_WRAP_T, glWrapOf(image.wrapV));
@@ -41,7 +41,7 @@ MaterialTextures::MaterialTextures() {
   Texture white;
   white.width = white.height = 1;
   white.rgba = {255, 255, 255, 255};
-  white_ = uploadTexture(white, GL_SRGB8_ALPHA8);
+  white_ = uploadImage(white, GL_SRGB8_ALPHA8);
 }
 
 void MaterialTextures::upload(const Character& character, int texture, GLenum format, Uploaded& to) {
@@ -51,7 +51,7 @@ void MaterialTextures::upload(const Character& character, int texture, GLenum fo
   const bool whole =
       image.width > 0 && image.height > 0 &&
       image.rgba.size() >= 4 * static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
-  if (whole) to.emplace(texture, uploadTexture(image, format));
+  if (whole) to.emplace(texture, uploadImage(image, format));
 }
 
 void MaterialTextures::set(const Character& character) {

@@ -42,7 +42,7 @@ std::vector<std::uint32_t> tendonTriangles() {
 /// The muscle's axes that become x, y and z when its fibres run along y.
 std::array<glm::length_t, 3> axesOf(const PrimitiveShape& shape) {
   const glm::vec3& radii = shape.radii;
-  if (!shape.shape.isPlain()) return {0, 1, 2};
+  if (!shape.shape.isPlain() || shape.sheet >= 0) return {0, 1, 2};
   if (radii.x > radii.y && radii.x >= radii.z) return {2, 0, 1};
   if (radii.z > radii.y) return {1, 2, 0};
   return {0, 1, 2};
@@ -132,7 +132,10 @@ void MuscleDrawer::addTendons(const PrimitiveShape& shape, const ShapeInstance& 
   const float halfLength = glm::length(glm::vec3(belly.shapeInWorld[1]));
   const float radius = std::clamp(kCord * std::sqrt(glm::length(x) * glm::length(z)), kCordOfHeight.x * height,
                                   kCordOfHeight.y * height);
-  for (const Tendon& tendon : tendonsOf(belly.shapeInWorld, shape.line->path, shape.shape.bend)) {
+  const std::vector<Tendon> tendons = tendonsOf(belly.shapeInWorld, shape.line->path, shape.shape.bend);
+  for (const Tendon& tendon : tendons) {
+    // A belly of a sheet is laid from origin to insertion.
+    if (shape.sheet >= 0 && !(tendon.side < 0.0f ? shape.tendons.x : shape.tendons.y)) continue;
     const float first = kInside * sectionAt(shape.shape, tendon.side * kTendonStart);
     for (const TendonPart& part : tendon.parts) {
       TendonInstance& added = tendons_.emplace_back();

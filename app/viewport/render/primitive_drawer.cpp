@@ -40,6 +40,40 @@ std::vector<const PrimitiveShape*> backToFront(const Frame& frame) {
   return order;
 }
 
+/// An ellipsoid as the eye sees it.
+struct SeenBall {
+  glm::mat3 toBall{1.0f};
+  glm::vec3 eye{0.0f};     ///< In the ball's space; without perspective the direction of sight.
+  glm::vec3 center{0.0f};  ///< World.
+  bool parallel = false;
+
+  /// Whether the sight through a point passes well inside.
+  [[nodiscard]] bool covers(const glm::vec3& point) const {
+    constexpr float kWellInside = 0.99f;
+    const glm::vec3 at = toBall * (point - center);
+    const glm::vec3 along = parallel ? eye : at - eye;
+    const float share = glm::dot(at, along) / glm::dot(along, along);
+    const glm::vec3 nearest = at - share * along;
+    return glm::dot(nearest, nearest) < kWellInside * kWellInside;
+  }
+};
+
+/// The other bellies of a shape's sheet.
+std::vector<SeenBall> ballsBeside(const PrimitiveShape& shape, const View& view, const Scene& scene) {
+  std::vector<SeenBall> balls;
+  if (shape.sheet < 0) return balls;
+  for (const PrimitiveShape& other : scene.primitives) {
+    if (other.sheet != shape.sheet || other.rigIndex == shape.rigIndex) continue;
+    SeenBall ball;
+    ball.toBall = glm::inverse(glm::mat3(other.unitBallInWorld));
+    ball.center = glm::vec3(other.unitBallInWorld[3]);
+    ball.parallel = view.orthographic;
+    ball.eye = ball.toBall * (view.orthographic ? view.forwardInWorld() : view.eyeInWorld - ball.center);
+    balls.push_back(ball);
+  }
+  return balls;
+}
+
 }  // namespace
 
 PrimitiveDrawer::PrimitiveDrawer()
@@ -97,7 +131,7 @@ void PrimitiveDrawer::drawShells(const Frame& frame) {
     if (outlineLook(*shape).width > 0.0f) continue;
     const glm::vec3 pale = glm::mix(color, glm::vec3(1.0f), 0.35f);
     rims.push_back({shape->unitBallInWorld, glm::vec4(pale, 0.95f),
-                    glm::vec4(kRimWidth * scale, 0, outlineNumber(*shape, frame.view), 0)});
+                    glm::vec4(kRimWidth * scale, 0, outlineNumber(*shape, frame.view, frame.scene), 0)});
   }
   copyDepth(frame);
   glEnable(GL_DEPTH_TEST);
@@ -123,11 +157,13 @@ void PrimitiveDrawer::drawShells(const Frame& frame) {
   glDisable(GL_BLEND);
 }
 
-float PrimitiveDrawer::outlineNumber(const PrimitiveShape& shape, const View& view) {
-  if (shape.shape.isPlain()) return 0.0f;
+float PrimitiveDrawer::outlineNumber(const PrimitiveShape& shape, const View& view, const Scene& scene) {
+  if (shape.shape.isPlain() && shape.sheet < 0) return 0.0f;
+  const std::vector<SeenBall> others = ballsBeside(shape, view, scene);
   const glm::vec3 eye = view.orthographic ? view.forwardInWorld() : view.eyeInWorld;
   for (const glm::vec3& point : silhouetteOf(shape.shape, shape.unitBallInWorld, eye, view.orthographic)) {
-    outlinePoints_.emplace_back(point, 1.0f);
+    const bool covered = std::ranges::any_of(others, [&](const SeenBall& ball) { return ball.covers(point); });
+    outlinePoints_.emplace_back(point, covered ? 0.0f : 1.0f);
   }
   return static_cast<float>(outlinePoints_.size() / kSilhouettePoints);
 }
@@ -178,7 +214,7 @@ void PrimitiveDrawer::drawOutlines(const Frame& frame) {
     const OutlineLook look = outlineLook(*shape);
     if (!(look.width > 0.0f)) continue;
     outlined.push_back({shape->unitBallInWorld, glm::vec4(look.color, look.opacity),
-                        glm::vec4(look.width * scale, look.dashes, outlineNumber(*shape, frame.view), 0)});
+                        glm::vec4(look.width * scale, look.dashes, outlineNumber(*shape, frame.view, frame.scene), 0)});
   }
   if (outlined.empty()) return;
   outlined_.setInstances(outlined);

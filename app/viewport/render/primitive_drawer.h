@@ -24,14 +24,15 @@ class PrimitiveDrawer {
   void drawFamily(const ShapeMesh& shells, const ShellLook& look) const;
   void copyDepth(const Frame& frame);  ///< Copies the depth drawn so far, for the line where shells meet the skin.
   void drawRims(float scale) const;
-  /// Adds a shape's outline. @return its number for shaders/outline.vert; 0: an ellipsoid, computed there
-  [[nodiscard]] float outlineNumber(const PrimitiveShape& shape, const View& view);
+  /// Adds a shape's outline; of a belly of a sheet what lies beside the sheet's other bellies.
+  /// @return its number for shaders/outline.vert; 0: an ellipsoid, computed there
+  [[nodiscard]] float outlineNumber(const PrimitiveShape& shape, const View& view, const Scene& scene);
   void bindOutlines() const;
 
   GlProgram fillProgram_, ringProgram_, outlineProgram_;
   ShapeMesh visible_, influence_, outlined_, rims_;
   GlBuffer outlines_;
-  std::vector<glm::vec4> outlinePoints_;  ///< World, shape by shape.
+  std::vector<glm::vec4> outlinePoints_;  ///< World, shape by shape; w: 1, or 0 where it is not drawn.
   GlTexture depth_;                       ///< Depth of opaque things; one sample per pixel.
   GlFramebuffer depthCopy_;
   glm::ivec2 depthSize_{0};

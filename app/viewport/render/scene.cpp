@@ -14,6 +14,18 @@ std::optional<ShapeLine> shapeLine(const Rig& rig, const PosedRig& posed, int in
   return ShapeLine{{line.origin, via, line.insertion}, line.activation, line.stretch};
 }
 
+/// A strip has a tendon at each end.
+void addToSheet(PrimitiveShape& shape, const Rig& rig) {
+  const Primitive& belly = at(rig.primitives, shape.rigIndex);
+  shape.sheet = findSheet(rig, belly.sheet);
+  const auto isBeside = [&](std::size_t other) {
+    return other < rig.primitives.size() && rig.primitives[other].sheet == belly.sheet &&
+           rig.primitives[other].line == belly.line;
+  };
+  const std::size_t own = toIndex(shape.rigIndex);
+  shape.tendons = {own == 0 || !isBeside(own - 1), !isBeside(own + 1)};
+}
+
 }  // namespace
 
 std::vector<PrimitiveShape> shapesOf(const Rig& rig, const PosedRig& posed) {
@@ -30,6 +42,7 @@ std::vector<PrimitiveShape> shapesOf(const Rig& rig, const PosedRig& posed) {
     shape.sign = rig.primitives[i].sign;
     shape.radii = placement.radii;
     shape.line = shapeLine(rig, posed, muscle.line);
+    if (!rig.primitives[i].sheet.empty()) addToSheet(shape, rig);
     shape.color = toLinear(groupColor(rig, rig.primitives[i].group));
     shapes.push_back(shape);
   }

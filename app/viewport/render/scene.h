@@ -73,7 +73,9 @@ struct PrimitiveShape {
   bool selected = false;
   bool active = false;  ///< The last selected one, shown by handles and inspector.
   bool hovered = false;
-  bool twin = false;  ///< Mirror twin of a selected one.
+  bool twin = false;               ///< Mirror twin of a selected one.
+  int sheet = -1;                  ///< Of a belly: index into Rig::sheets. Its fibers run along y.
+  glm::bvec2 tendons{true, true};  ///< On a line: towards the origin, towards the insertion.
 
   friend bool operator==(const PrimitiveShape&, const PrimitiveShape&) = default;
 };

@@ -127,6 +127,24 @@ TEST_F(Anatomy, TendonBendsThroughTheViaPoint) {
   EXPECT_EQ(pixelAt(bent, kMiddle, y)[3], 0);
 }
 
+TEST_F(Anatomy, BelliesOfSheetsHaveFibresAlongTheStripAndTendonsAtItsEnds) {
+  PrimitiveShape belly = onLine(0.0f);
+  belly.sheet = 0;
+  belly.tendons = {true, false};
+  const Image first = draw({belly});
+  const auto cord = [](const Image& image, float y) {
+    const int row = kMiddle - static_cast<int>(std::lround(40.0f * y));
+    return std::max(pixelAt(image, kMiddle - 1, row)[3], pixelAt(image, kMiddle, row)[3]);
+  };
+  EXPECT_EQ(cord(first, -1.4f), 255) << "towards the origin";
+  EXPECT_EQ(cord(first, 1.4f), 0);
+  // A wide belly is pale at the ends of the strip, not at its sides.
+  PrimitiveShape wide = muscle({0.9f, 0.5f, 0.3f});
+  EXPECT_LT(redness(colorAt(draw({wide}), 0.85f, 0.0f)), 1.7f);
+  wide.sheet = 0;
+  EXPECT_GT(redness(colorAt(draw({wide}), 0.85f, 0.0f)), 2.0f);
+}
+
 TEST_F(Anatomy, ShapesAreDrawnExactly) {
   PrimitiveShape shape = muscle({0.4f, 0.9f, 0.3f});
   const Image plain = draw({shape});

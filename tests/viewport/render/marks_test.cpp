@@ -1,5 +1,6 @@
 // tests/viewport/render/marks_test.cpp: outlines, territory and segments appear where they should and nowhere else.
 
+#include <algorithm>
 #include <random>
 
 #include <glm/gtc/matrix_transform.hpp>
@@ -85,6 +86,54 @@ TEST_F(Drawing, OutlineFollowsTheSilhouette) {
       }
     }
     EXPECT_GT(changed, 100);
+  }
+}
+
+/// Whether a pixel lies within `reach` pixels of the edge of what all shapes cover together.
+bool nearTheEdgeOfAll(const std::vector<PrimitiveShape>& shapes, const View& view, int x, int y, int reach) {
+  const auto covered = [&](int column, int row) {
+    return std::ranges::any_of(shapes, [&](const PrimitiveShape& shape) { return covers(shape, view, column, row); });
+  };
+  const bool here = covered(x, y);
+  for (int dy = -reach; dy <= reach; ++dy) {
+    for (int dx = -reach; dx <= reach; ++dx) {
+      if (covered(x + dx, y + dy) != here) return true;
+    }
+  }
+  return false;
+}
+
+TEST_F(Drawing, ASheetIsOutlinedAsAWhole) {
+  const auto quad = makeQuad();
+  const Moment moment = bindMoment(quad, 1, PatchKind::kFlat);
+  const auto viewport = viewportFor(*quad);
+  for (const bool parallel : {true, false}) {
+    Scene scene = sceneOf(*quad, moment);
+    for (const glm::vec3& at :
+         {glm::vec3(-0.3f, 0.0f, 0.0f), glm::vec3(0.0f, 0.2f, 0.1f), glm::vec3(0.3f, 0.0f, 0.0f)}) {
+      PrimitiveShape& shape = scene.primitives.emplace_back();
+      shape.rigIndex = static_cast<int>(scene.primitives.size()) - 1;
+      shape.unitBallInWorld = glm::scale(glm::translate(glm::mat4(1), at), glm::vec3(0.4f, 0.3f, 0.2f));
+      shape.sheet = 0;
+      shape.selected = true;
+    }
+    const View view = app::framedView(Bounds{glm::vec3(-1), glm::vec3(1)}, 0.4f, 0.3f, kMarkSize, parallel);
+    viewport->draw(scene, view, marksAlone());
+    const Image marked = viewport->readPixels();
+    int shown = 0;
+    int missing = 0;
+    for (int y = 4; y < kMarkSize.y - 4; ++y) {
+      for (int x = 4; x < kMarkSize.x - 4; ++x) {
+        if (pixelAt(marked, x, y)[3] > 0) {
+          ++shown;
+          EXPECT_TRUE(nearTheEdgeOfAll(scene.primitives, view, x, y, 5)) << x << ' ' << y;
+        } else if (nearTheEdgeOfAll(scene.primitives, view, x, y, 1)) {
+          ++missing;
+        }
+      }
+    }
+    EXPECT_GT(shown, 100);
+    EXPECT_LT(missing, shown / 10) << "gaps where outlines meet";
   }
 }
 
