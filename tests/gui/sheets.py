@@ -39,7 +39,7 @@ def edited(t, editor):
     point = editor.state()["sheet"]["edges"][0][0]
     editor.move(point)
     editor.wait_until("the handle", lambda s: s["sheet"]["hovered"] == "origin")
-    editor.drag(point, [point[0] + 4, point[1] + 12])
+    stroke(editor, point, [point[0] + 4, point[1] + 12])
     state = editor.wait_until("the edge to move", lambda s: s["document"]["undo"] == 2 and not s["sheet"]["dragging"])
     t.check("the point lies elsewhere", state["sheet"]["edges"][0][0][1] > point[1] + 4, state["sheet"]["edges"][0][0])
     editor.type_number("inspector/sheet/strips", "4")
