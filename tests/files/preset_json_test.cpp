@@ -48,7 +48,7 @@ TEST(PresetJson, BundledPresetsAreValid) {
     EXPECT_TRUE(preset.ok()) << preset.error().text();
     ++count;
   }
-  EXPECT_EQ(count, 2);
+  EXPECT_EQ(count, 3);
 }
 
 struct BadPreset {
